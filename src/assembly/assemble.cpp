@@ -37,11 +37,6 @@ Eigen::Matrix2d without_rounding(const Eigen::Matrix2d &a) {
     return out;
 }
 
-/// T^T A T
-Eigen::MatrixXd through(const Eigen::MatrixXd &A, const Eigen::MatrixXd &T) {
-    return linalg::transposed_times(T, linalg::times(A, T));
-}
-
 void assemble_shaft(const Discretization &d, const AddPlanar &add) {
     const double eta = d.rotor().shaft.internal_damping;
     for (int span = 0; span < static_cast<int>(d.shaft_mesh().spans.size()); ++span) {
@@ -49,9 +44,9 @@ void assemble_shaft(const Discretization &d, const AddPlanar &add) {
         if (d.rigid()) {
             const std::vector<int> both{0, 1};
             const Eigen::MatrixXd T = rigid_element_motion(d, span);
-            add(Term::mass, both, through(beam.M, T));
-            add(Term::gyroscopic, both, through(beam.G, T));
-            add(Term::stiffness, both, through(beam.K_axial, T));
+            add(Term::mass, both, linalg::congruent(beam.M, T));
+            add(Term::gyroscopic, both, linalg::congruent(beam.G, T));
+            add(Term::stiffness, both, linalg::congruent(beam.K_axial, T));
             continue;
         }
         const std::vector<int> unknowns = d.beam_unknowns(span);
@@ -91,7 +86,7 @@ void assemble_shaft_asymmetry(const Discretization &d, const AddConjugate &add) 
             std::polar(1.0, 2 * segment.asymmetry_angle) * segment.asymmetry;
         if (d.rigid()) {
             const Eigen::MatrixXd T = rigid_element_motion(d, span);
-            add(Term::mass, std::vector<int>{0, 1}, through(beam.G, T) / 2, factor);
+            add(Term::mass, std::vector<int>{0, 1}, linalg::congruent(beam.G, T) / 2, factor);
             continue;
         }
         const std::vector<int> unknowns = d.beam_unknowns(span);
@@ -124,7 +119,7 @@ void assemble_proportional_damping(const Discretization &d, const AddCoupling &a
             d.rigid() ? std::vector<int>{0, 1} : d.beam_unknowns(span);
         const Eigen::MatrixXd T = d.rigid() ? rigid_element_motion(d, span) : Eigen::MatrixXd();
         const Eigen::MatrixXd block =
-            d.rigid() ? Eigen::MatrixXd(shaft.alpha * through(beam.M, T))
+            d.rigid() ? Eigen::MatrixXd(shaft.alpha * linalg::congruent(beam.M, T))
                       : Eigen::MatrixXd(shaft.alpha * beam.M + shaft.beta * beam.K);
         add_element(Term::damping, unknowns, block, Eigen::Matrix2d::Identity(), add);
     }

@@ -92,15 +92,12 @@ elements::PlanarMatrices Discretization::over_unknowns(elements::PlanarMatrices 
             if (unknowns[i] < node_base(span) + 2 || // not internal: a motion of the first node
                 (unknowns[i] >= node_base(span + 1) + 2))
                 strained.col(static_cast<Eigen::Index>(i)).setZero();
-    const auto through = [](const Eigen::MatrixXd &A, const Eigen::MatrixXd &by) {
-        return linalg::transposed_times(by, linalg::times(A, by));
-    };
-    return {through(beam.M, T),
-            through(beam.G, T),
-            through(beam.K, strained),
-            through(beam.K_axial, T),
-            through(beam.K_bending, strained),
-            beam.torque.size() > 0 ? through(beam.torque, T) : Eigen::MatrixXd()};
+    return {linalg::congruent(beam.M, T),
+            linalg::congruent(beam.G, T),
+            linalg::congruent(beam.K, strained),
+            linalg::congruent(beam.K_axial, T),
+            linalg::congruent(beam.K_bending, strained),
+            beam.torque.size() > 0 ? linalg::congruent(beam.torque, T) : Eigen::MatrixXd()};
 }
 
 std::vector<int> Discretization::beam_unknowns(int span) const {
@@ -187,24 +184,21 @@ std::vector<int> Discretization::places_in(const Discretization &finer) const {
     return places;
 }
 
-std::vector<double> Discretization::rigid_motion(bool tilt) const {
-    std::vector<double> motion(static_cast<std::size_t>(_size), 0.0);
-    const auto set = [&motion](int unknown, double value) {
-        motion[static_cast<std::size_t>(unknown)] = value;
-    };
+Eigen::VectorXd Discretization::rigid_motion(bool tilt) const {
+    Eigen::VectorXd motion = Eigen::VectorXd::Zero(_size);
     if (rigid()) {
-        set(0, tilt ? _rotor.shaft.length() / 2 : 1);
-        set(1, tilt ? 1 : 0);
+        motion(0) = tilt ? _rotor.shaft.length() / 2 : 1;
+        motion(1) = tilt ? 1 : 0;
     } else {
         for (std::size_t node = 0; node < _mesh.nodes.size(); ++node) {
             const int base = node_base(static_cast<int>(node));
-            set(base, _relative[node] ? 0 : (tilt ? _mesh.nodes[node] : 1));
-            set(base + 1, tilt && !_relative[node] ? 1 : 0);
+            motion(base) = _relative[node] ? 0 : (tilt ? _mesh.nodes[node] : 1);
+            motion(base + 1) = tilt && !_relative[node] ? 1 : 0;
         }
     }
     for (std::size_t b = 0; b < _pedestals.size(); ++b)
         if (_pedestals[b] >= 0)
-            set(_pedestals[b], tilt ? _rotor.bearings[b].z : 1);
+            motion(_pedestals[b]) = tilt ? _rotor.bearings[b].z : 1;
     return motion;
 }
 

@@ -53,7 +53,7 @@ class Discretization {
     /// Deflection and slope anywhere inside span i, xi in [0, 1].
     [[nodiscard]] Combination deflection_inside(int span, double xi) const;
     /// Rigid motion of all (translation: tilt = false; unit slope about z = 0: true) as unknowns.
-    [[nodiscard]] std::vector<double> rigid_motion(bool tilt) const;
+    [[nodiscard]] Eigen::VectorXd rigid_motion(bool tilt) const;
 
     /// Made when it is asked for first; of a rotor with shaft.modal_damping.
     [[nodiscard]] const ModalDamping &modal_damping() const;

@@ -1,5 +1,7 @@
 #include "assembly/hill_system.h"
 
+#include "assembly/planes.h"
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -98,7 +100,6 @@ SystemAtSpeed hill_system(const RotatingSystem &system, const TurningSupports &s
 }
 
 Eigen::MatrixXcd hill_terms(const Eigen::VectorXcd &vector, Eigen::Index size) {
-    const std::complex<double> i_unit(0, 1);
     const Eigen::Index harmonics = (vector.size() / size - 1) / 2;
     Eigen::MatrixXcd out(size, 2 * harmonics + 1);
     out.col(harmonics) = vector.head(size);

@@ -1,55 +1,33 @@
 #include "assembly/planar_part.h"
 
+#include "assembly/system.h"
+
 #include <span>
 #include <vector>
 
 namespace whirl::assembly {
 
-namespace {
-
-using PlanarEntries = std::vector<Eigen::Triplet<double>>;
-
-PlanarEntries rotating_entries(const Discretization &discretization, Term wanted) {
-    PlanarEntries entries;
-    assemble_rotating_parts(discretization, [&](Term term, std::span<const int> unknowns,
+Eigen::SparseMatrix<double> planar_part(const Discretization &discretization, Term term) {
+    std::vector<Eigen::Triplet<double>> entries;
+    assemble_rotating_parts(discretization, [&](Term other, std::span<const int> unknowns,
                                                 const Eigen::MatrixXd &block) {
-        if (term != wanted)
-            return;
-        for_each_entry(unknowns, block,
-                       [&](int i, int j, double v) { entries.emplace_back(i, j, v); });
+        if (other == term)
+            for_each_entry(unknowns, block,
+                           [&](int i, int j, double v) { entries.emplace_back(i, j, v); });
     });
-    return entries;
-}
-
-Eigen::SparseMatrix<double> sum_of(const PlanarEntries &entries, int size) {
-    Eigen::SparseMatrix<double> out(size, size);
+    Eigen::SparseMatrix<double> out(discretization.planar_size(), discretization.planar_size());
     out.setFromTriplets(entries.begin(), entries.end());
     return out;
 }
 
-} // namespace
-
-Eigen::SparseMatrix<double> planar_part(const Discretization &discretization, Term term) {
-    return sum_of(rotating_entries(discretization, term), discretization.planar_size());
-}
-
 PlanarPair planar_pair(const Discretization &discretization, double speed) {
-    const auto matrix = [&](Term wanted) {
-        PlanarEntries entries = rotating_entries(discretization, wanted);
-        assemble_supports(discretization, speed,
-                          [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
-                              if (term == wanted)
-                                  entries.emplace_back(i, j, block.trace() / 2);
-                          });
-        return sum_of(entries, discretization.planar_size());
-    };
-    return {matrix(Term::mass), matrix(Term::gyroscopic), matrix(Term::stiffness)};
+    const PlanarSystem system = assemble_planar(discretization, speed);
+    return {system.M.view(), system.G.view(), system.K.view()};
 }
 
 double polar_inertia(const Discretization &discretization) {
-    const std::vector<double> tilt = discretization.rigid_motion(true);
-    const Eigen::Map<const Eigen::VectorXd> r(tilt.data(), discretization.planar_size());
-    return r.dot(planar_part(discretization, Term::gyroscopic) * r);
+    const Eigen::VectorXd tilt = discretization.rigid_motion(true);
+    return tilt.dot(planar_part(discretization, Term::gyroscopic) * tilt);
 }
 
 } // namespace whirl::assembly

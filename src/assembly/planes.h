@@ -22,12 +22,12 @@ struct Planes {
     [[nodiscard]] Eigen::VectorXcd against() const { return x - i_unit * y; }
 };
 
-/// The motion over pairs (x, y) with these planes.
-[[nodiscard]] inline Eigen::VectorXcd in_pairs(const Eigen::VectorXcd &x,
-                                               const Eigen::VectorXcd &y) {
-    Eigen::VectorXcd out(2 * x.size());
-    out(Eigen::seqN(0, x.size(), 2)) = x;
-    out(Eigen::seqN(1, y.size(), 2)) = y;
+/// The motions over pairs (x, y) with these planes, a column each.
+[[nodiscard]] inline Eigen::MatrixXcd in_pairs(const Eigen::MatrixXcd &x,
+                                               const Eigen::MatrixXcd &y) {
+    Eigen::MatrixXcd out(2 * x.rows(), x.cols());
+    out(Eigen::seqN(0, x.rows(), 2), Eigen::all) = x;
+    out(Eigen::seqN(1, y.rows(), 2), Eigen::all) = y;
     return out;
 }
 

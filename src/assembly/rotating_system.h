@@ -1,7 +1,6 @@
 #pragma once
 
 #include "assembly/discretization.h"
-#include "assembly/system.h"
 #include "balancers/linear_element.h"
 #include "linalg/matrix.h"
 
@@ -16,7 +15,7 @@ namespace whirl::assembly {
 /// Unknowns: those of the discretization, then pairs for the small motions of the balancers
 /// (balancers/linear_element.h). A type of its own: it cannot be taken for a system in the fixed
 /// frame.
-template <> struct RealSystem<Frame::rotating> {
+struct RotatingSystem {
     linalg::Matrix M;
     linalg::Matrix C, Cs;
     linalg::Matrix K, Ks, Kss;
@@ -24,7 +23,6 @@ template <> struct RealSystem<Frame::rotating> {
     [[nodiscard]] linalg::Matrix damping(double speed) const;
     [[nodiscard]] linalg::Matrix stiffness(double speed) const;
 };
-using RotatingSystem = RealSystem<Frame::rotating>;
 
 /// What supports that are not the same from every direction add in rotating axes, where they turn
 /// backwards twice a revolution: each matrix is cosine * cos(2 speed t) + sine * sin(2 speed t).

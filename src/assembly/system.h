@@ -1,6 +1,7 @@
 #pragma once
 
 #include "assembly/assemble.h"
+#include "linalg/harmonic_solve.h"
 #include "linalg/matrix.h"
 
 namespace whirl::assembly {
@@ -21,18 +22,9 @@ struct DampedPlanarSystem {
     linalg::Matrix K, Kx, Kc;
 };
 
-/// In which axes a real system is written. Systems of different frames are different types.
-enum class Frame { fixed, rotating };
-
-/// M q'' + (C + speed G) q' + (K + speed Kc) q = f, real unknowns in pairs (x, y).
-template <Frame frame> struct RealSystem {
-    linalg::Matrix M;
-    linalg::Matrix C;
-    linalg::Matrix G; ///< skew
-    linalg::Matrix K;
-    linalg::Matrix Kc; ///< skew: internal damping
-};
-using FixedSystem = RealSystem<Frame::fixed>;
+/// M q'' + (C + speed G) q' + (K + speed Kc) q = f, real unknowns in pairs (x, y); G and Kc, of
+/// internal damping, are skew.
+using FixedSystem = linalg::HarmonicTerms;
 
 /// Bearings as at `speed` (rad/s); in one plane, by the mean of their coefficients over the
 /// directions, which says all of isotropic ones.

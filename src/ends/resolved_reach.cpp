@@ -1,7 +1,7 @@
 #include "ends/resolved_reach.h"
 
 #include "assembly/planar_part.h"
-#include "linalg/dense/symmetric_pair.h"
+#include "linalg/dense/definite.h"
 #include "mesh_error/safety.h"
 
 #include <algorithm>

@@ -335,6 +335,7 @@ void CondensedMotion::solve(double speed) {
     add_anisotropies();
     add_bearings();
     _forces = forces();
+    _matrix.eliminate();
     _motion = _matrix.solve(_forces);
 }
 
@@ -350,7 +351,7 @@ double CondensedMotion::rounding() const {
             size += _sizes(i, j - i + reach) * std::abs(_motion(j));
         change(i) = i % 2 == 0 || i % 3 == 0 ? size : -size;
     }
-    return std::numeric_limits<double>::epsilon() * _matrix.solve_again(std::move(change)).norm() /
+    return std::numeric_limits<double>::epsilon() * _matrix.solve(std::move(change)).norm() /
            std::max(_motion.norm(), std::numeric_limits<double>::min());
 }
 

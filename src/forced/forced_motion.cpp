@@ -1,6 +1,6 @@
 #include "forced/forced_motion.h"
 
-#include "assembly/assemble.h"
+#include "assembly/planar_part.h"
 #include "assembly/planes.h"
 #include "assembly/system.h"
 #include "linalg/check.h"
@@ -8,13 +8,11 @@
 #include "linalg/unit_scales.h"
 #include "model/errors.h"
 #include "modes/formulation.h"
-#include "modes/support_damping.h"
 #include "results/formulation.h"
 #include "synchronous/parts.h"
 
 #include <cmath>
 #include <limits>
-#include <span>
 #include <vector>
 
 namespace whirl::forced {
@@ -32,20 +30,8 @@ Eigen::VectorXcd imbalance_loads(const assembly::Discretization &discretization)
 }
 
 Eigen::VectorXd weight_loads(const assembly::Discretization &discretization) {
-    const std::vector<double> translation = discretization.rigid_motion(false);
-    Eigen::VectorXd out = Eigen::VectorXd::Zero(discretization.planar_size());
-    assembly::assemble_rotating_parts(
-        discretization,
-        [&](assembly::Term term, std::span<const int> unknowns, const Eigen::MatrixXd &block) {
-            if (term != assembly::Term::mass)
-                return;
-            Eigen::VectorXd moved(block.cols());
-            for (std::size_t j = 0; j < unknowns.size(); ++j)
-                moved(static_cast<Eigen::Index>(j)) =
-                    translation[static_cast<std::size_t>(unknowns[j])];
-            out(std::vector<int>(unknowns.begin(), unknowns.end())) += block * moved;
-        });
-    return out;
+    return assembly::planar_part(discretization, assembly::Term::mass) *
+           discretization.rigid_motion(false);
 }
 
 assembly::Combination stretch_of_bearing(const assembly::Discretization &discretization,
@@ -66,100 +52,58 @@ ForcedMotion::ForcedMotion(const assembly::Discretization &discretization, resul
       _rows(synchronous::table_speeds(discretization.rotor())) {
     if (drive.weight())
         _weight = weight_loads(discretization);
-    enter_piece(0);
 }
 
 namespace {
-
-/// constant + speed * slope, between two speeds.
-struct Linear {
-    linalg::Matrix constant, slope;
-
-    Linear(double from, const linalg::Matrix &at_from, double to, const linalg::Matrix &at_to) {
-        const double width = to - from;
-        constant = linalg::Matrix::sum(to / width, at_from, -from / width, at_to);
-        slope = linalg::Matrix::sum(-1 / width, at_from, 1 / width, at_to);
-    }
-};
 
 /// Takes what is multiplied by the speed out of A, which is linear between two speeds, into
 /// `per_speed`.
 void split(double from, linalg::Matrix &A, double to, const linalg::Matrix &A_to,
            linalg::Matrix &per_speed) {
-    Linear parts(from, A, to, A_to);
-    A = std::move(parts.constant);
-    per_speed = linalg::Matrix::sum(1, per_speed, 1, parts.slope);
+    const double width = to - from;
+    const linalg::Matrix slope = linalg::Matrix::sum(-1 / width, A, 1 / width, A_to);
+    A = linalg::Matrix::sum(to / width, A, -from / width, A_to);
+    per_speed = linalg::Matrix::sum(1, per_speed, 1, slope);
 }
 
 } // namespace
 
-void ForcedMotion::assemble(double from, double to) {
-    if (_drive.weight())
-        assemble_under_weight(from, to);
-    else if (_rotating)
-        assemble_rotating(from, to);
-    else if (_planar)
-        assemble_planar(from, to);
-    else
-        assemble_general(from, to);
-}
-
-void ForcedMotion::assemble_rotating(double from, double to) {
-    _turning = std::make_unique<assembly::RotatingSystem>(
-        assembly::assemble_rotating(_discretization, from, {}));
-    if (!(to > from))
-        return;
-    // (K + s dK) + s (Ks + s dKs) + s^2 Kss, C + s (Cs + dC)
-    const assembly::RotatingSystem end = assembly::assemble_rotating(_discretization, to, {});
-    split(from, _turning->Ks, to, end.Ks, _turning->Kss);
-    split(from, _turning->K, to, end.K, _turning->Ks);
-    split(from, _turning->C, to, end.C, _turning->Cs);
-}
-
-void ForcedMotion::assemble_planar(double from, double to) {
-    const auto damping = [this](double speed) {
-        return linalg::Matrix::from_entries(_discretization.planar_size(),
-                                            modes::planar_support_damping(_discretization, speed));
-    };
-    const assembly::PlanarSystem system = assembly::assemble_planar(_discretization, from);
-    const linalg::Matrix M_G = linalg::Matrix::sum(1, system.M, -1, system.G);
-    if (!(to > from)) {
-        const linalg::Matrix C = damping(from);
-        _solver = std::make_unique<linalg::HarmonicSolver>(
-            linalg::HarmonicTerms{&M_G, &C, nullptr, &system.K, nullptr});
-        return;
+assembly::RotatingSystem ForcedMotion::rotating_system(double from, double to) const {
+    assembly::RotatingSystem out = assembly::assemble_rotating(_discretization, from, {});
+    if (to > from) { // (K + s dK) + s (Ks + s dKs) + s^2 Kss, C + s (Cs + dC)
+        const assembly::RotatingSystem end = assembly::assemble_rotating(_discretization, to, {});
+        split(from, out.Ks, to, end.Ks, out.Kss);
+        split(from, out.K, to, end.K, out.Ks);
+        split(from, out.C, to, end.C, out.Cs);
     }
-    // (K + s dK) + i s (C + s dC) - s^2 (M - G)
-    const Linear K(from, system.K, to, assembly::assemble_planar(_discretization, to).K);
-    const Linear C(from, damping(from), to, damping(to));
-    _solver = std::make_unique<linalg::HarmonicSolver>(
-        linalg::HarmonicTerms{&M_G, &C.constant, &C.slope, &K.constant, &K.slope});
+    return out;
 }
 
-void ForcedMotion::assemble_general(double from, double to) {
-    assembly::FixedSystem system = assembly::assemble_fixed(_discretization, from);
+assembly::FixedSystem ForcedMotion::fixed_system(double from, double to) const {
+    assembly::FixedSystem out = synchronous::turned_system(_discretization, _planar, from);
     if (to > from) { // (K + s dK) + s Kc + i s (C + s dC + s G) - s^2 M
-        const assembly::FixedSystem end = assembly::assemble_fixed(_discretization, to);
-        split(from, system.K, to, end.K, system.Kc);
-        split(from, system.C, to, end.C, system.G);
+        const assembly::FixedSystem end = synchronous::turned_system(_discretization, _planar, to);
+        split(from, out.K, to, end.K, out.Kc);
+        split(from, out.C, to, end.C, out.G);
     }
-    _solver = std::make_unique<linalg::HarmonicSolver>(
-        linalg::HarmonicTerms{&system.M, &system.C, &system.G, &system.K, &system.Kc});
+    if (_drive.weight()) // stands still
+        for (linalg::Matrix *moving : {&out.M, &out.C, &out.G})
+            *moving = linalg::Matrix::from_entries(out.K.size(), {});
+    return out;
 }
 
-void ForcedMotion::assemble_under_weight(double from, double to) {
-    if (_rotating) {
-        assemble_rotating(from, to);
-        const linalg::Matrix M = linalg::Matrix::sum(1, _turning->M, -1, _turning->Kss);
-        _solver = std::make_unique<linalg::HarmonicSolver>(
-            linalg::HarmonicTerms{&M, &_turning->C, &_turning->Cs, &_turning->K, &_turning->Ks});
+void ForcedMotion::assemble(double from, double to) {
+    if (!_rotating) {
+        _solver = std::make_unique<linalg::HarmonicSolver>(fixed_system(from, to));
         return;
     }
-    assembly::FixedSystem system = assembly::assemble_fixed(_discretization, from);
-    if (to > from)
-        split(from, system.K, to, assembly::assemble_fixed(_discretization, to).K, system.Kc);
+    _turning = std::make_unique<assembly::RotatingSystem>(rotating_system(from, to));
+    if (!_drive.weight())
+        return;
+    assembly::RotatingSystem &s = *_turning;
     _solver = std::make_unique<linalg::HarmonicSolver>(
-        linalg::HarmonicTerms{nullptr, nullptr, nullptr, &system.K, &system.Kc});
+        linalg::HarmonicTerms{linalg::Matrix::sum(1, s.M, -1, s.Kss), std::move(s.C),
+                              std::move(s.Cs), std::move(s.K), std::move(s.Ks)});
 }
 
 void ForcedMotion::enter_piece(double speed) {
@@ -170,9 +114,7 @@ void ForcedMotion::enter_piece(double speed) {
     _piece = piece.index;
 }
 
-int ForcedMotion::size() const { return _solver ? _solver->size() : _discretization.planar_size(); }
-
-int ForcedMotion::unknowns() const { return 2 * size(); }
+int ForcedMotion::size() const { return (_planar ? 1 : 2) * _discretization.planar_size(); }
 
 Eigen::VectorXcd ForcedMotion::imbalance_forces(double speed) const {
     const Eigen::VectorXcd planar = (speed * speed) * imbalance_loads(_discretization);
@@ -194,7 +136,7 @@ void ForcedMotion::solve_in_rotating_axes(double speed) {
     real(Eigen::seqN(0, f.size(), 2)) = f.real();
     real(Eigen::seqN(1, f.size(), 2)) = f.imag();
     const linalg::Matrix stiffness = _turning->stiffness(speed);
-    const Eigen::VectorXd scales = linalg::unit_scales(_turning->K, &_turning->M);
+    const Eigen::VectorXd scales = linalg::unit_scales(_turning->K, _turning->M);
     const Eigen::SparseMatrix<double> K =
         linalg::scaled(Eigen::SparseMatrix<double>(stiffness.view()), scales);
     real.array() *= scales.array();
@@ -224,10 +166,9 @@ void ForcedMotion::solve(double speed) {
         solve_in_rotating_axes(speed);
         return;
     }
-    const linalg::HarmonicSolution solution =
-        _solver->solve(speed, _drive.weight() ? weight_forces() : imbalance_forces(speed));
-    _displacements = solution.displacements.col(0);
-    _rounding = solution.rounding;
+    const Eigen::VectorXcd forces = _drive.weight() ? weight_forces() : imbalance_forces(speed);
+    _displacements = _solver->solve(speed, forces);
+    _rounding = _solver->rounding(forces, _displacements);
 }
 
 Phasor ForcedMotion::pair(const assembly::Combination &combination) const {
@@ -288,10 +229,8 @@ results::Formulation response_formulation(const model::Case &scene) {
         const results::Formulation formulation = modes::choose_formulation(without);
         if (formulation.form == results::Form::hill)
             throw model::AnalysisFailure(
-                "the response of an asymmetric rotor on bearings that differ between "
-                "their "
-                "directions has many frequencies and is not computed; use bearings "
-                "that are the "
+                "the response of an asymmetric rotor on bearings that differ between their "
+                "directions has many frequencies and is not computed; use bearings that are the "
                 "same from every direction, or remove the asymmetry");
         return formulation;
     }

@@ -89,7 +89,7 @@ class ForcedMotion {
     /// Relative error of the last solution by rounding.
     [[nodiscard]] double rounding() const { return _rounding; }
     /// Unknowns of the real linear system.
-    [[nodiscard]] int unknowns() const;
+    [[nodiscard]] int unknowns() const { return 2 * size(); }
 
   private:
     const assembly::Discretization &_discretization;
@@ -107,10 +107,8 @@ class ForcedMotion {
 
     /// Between two rows of bearing tables, in which the coefficients are linear; equal: constant.
     void assemble(double from, double to);
-    void assemble_rotating(double from, double to);
-    void assemble_planar(double from, double to);
-    void assemble_general(double from, double to);
-    void assemble_under_weight(double from, double to);
+    [[nodiscard]] assembly::RotatingSystem rotating_system(double from, double to) const;
+    [[nodiscard]] assembly::FixedSystem fixed_system(double from, double to) const;
     void enter_piece(double speed);
     void solve_in_rotating_axes(double speed);
     [[nodiscard]] int size() const; ///< of the displacements

@@ -74,17 +74,8 @@ constexpr double reach = 2; ///< in widths, of a local curve
 } // namespace
 
 PeakError::PeakError(const assembly::Discretization &coarse, results::Form form,
-                     const std::vector<Quantity> &quantities, const std::vector<double> &places,
-                     Drive drive)
-    : _quantities(quantities), _places(places), _finer(coarse, form, drive) {}
-
-Phasor PeakError::finer(std::size_t i) const {
-    if (_quantities[i].film)
-        return _finer.finer_stretch(*_quantities[i].film);
-    return _quantities[i].bearing == Quantity::deflection
-               ? _quantities[i].seen(_finer.finer_at(_places[i]))
-               : _finer.finer_force(_quantities[i].bearing);
-}
+                     const std::vector<Quantity> &quantities, Drive drive)
+    : _quantities(quantities), _finer(coarse, form, drive) {}
 
 void PeakError::solve_about(double middle, double width) {
     if (middle == _middle && width == _width)
@@ -95,8 +86,8 @@ void PeakError::solve_about(double middle, double width) {
         _finer.solve(middle + (i - 1) * width);
         auto &motions = _motions[static_cast<std::size_t>(i)];
         motions.clear();
-        for (std::size_t q = 0; q < _quantities.size(); ++q)
-            motions.push_back(finer(q));
+        for (const Quantity &quantity : _quantities)
+            motions.push_back(_finer.finer_of(quantity));
     }
 }
 

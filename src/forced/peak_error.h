@@ -20,8 +20,7 @@ struct PeakErrors {
 class PeakError {
   public:
     PeakError(const assembly::Discretization &coarse, results::Form form,
-              const std::vector<Quantity> &quantities, const std::vector<double> &places,
-              Drive drive = {});
+              const std::vector<Quantity> &quantities, Drive drive = {});
 
     /// Errors of peaks of the reduced rotor, which is that of the coarse one; NaN where the finer
     /// rotor's peak was not found.
@@ -30,7 +29,6 @@ class PeakError {
 
   private:
     const std::vector<Quantity> &_quantities;
-    const std::vector<double> &_places; ///< z of each quantity, m
     ResponseError _finer;
 
     /// Of all quantities of the finer rotor, one width apart.
@@ -38,7 +36,6 @@ class PeakError {
     double _middle = 0, _width = 0;
 
     void solve_about(double middle, double width);
-    [[nodiscard]] Phasor finer(std::size_t quantity) const;
     [[nodiscard]] PeakErrors of(const Peak &peak, double middle, double width,
                                 ReducedMotion &reduced);
 };

@@ -2,8 +2,8 @@
 
 #include "assembly/discretization.h"
 #include "forced/bent_supports.h"
-#include "forced/forced_motion.h"
 #include "forced/quadratic_resolvent.h"
+#include "forced/station_motion.h"
 #include "reduction/planar_shapes.h"
 #include "results/formulation.h"
 
@@ -18,22 +18,6 @@
 #include <vector>
 
 namespace whirl::forced {
-
-/// What is looked at: a deflection, or the force that a bearing has from this stretch of it.
-struct Quantity {
-    static constexpr int deflection = -1;
-    assembly::Combination stretch; ///< of planar unknowns
-    int bearing = deflection;
-    /// Direction in which a probe looks, from x towards y, rad; none: in all, the whole orbit.
-    std::optional<double> angle{};
-    /// The deflection is this bearing's stretch, shaft against pedestal; none: that of a place.
-    std::optional<int> film{};
-
-    /// What is seen of a motion: all of it, or what the probe reads, as a motion in x.
-    [[nodiscard]] Phasor seen(const Phasor &motion) const {
-        return angle ? Phasor{forced::reading(motion, *angle), 0} : motion;
-    }
-};
 
 /// A quantity at one speed, and what it changes per rad/s.
 struct Reading {

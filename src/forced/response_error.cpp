@@ -1,12 +1,11 @@
 #include "forced/response_error.h"
 
-#include "forced/forced_motion.h"
 #include "mesh_error/safety.h"
 #include "modes/orbits.h"
-#include "results/formulation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace whirl::forced {
 
@@ -37,60 +36,36 @@ ResponseError::ResponseError(const assembly::Discretization &coarse, results::Fo
     const int order = mesh_error::finer_order(coarse.order());
     _fine = std::make_unique<assembly::Discretization>(
         coarse.rotor(), std::min(order, highest_order), order > highest_order ? 2 : 1);
-    if (drive.weight() || !CondensedMotion::describes(*_fine))
-        _whole = std::make_unique<ForcedMotion>(*_fine, form, drive);
-    else
-        _motion = std::make_unique<CondensedMotion>(*_fine, form);
+    _motion.emplace(*_fine, form, drive, std::numeric_limits<double>::infinity());
 }
 
 void ResponseError::solve(double speed) {
     if (_motion)
         _motion->solve(speed);
-    if (_whole)
-        _whole->solve(speed);
 }
 
-Phasor ResponseError::finer_at(double z) const {
-    return _whole ? _whole->motion(_fine->deflection_at(z))
-                  : _motion->at_node(_fine->shaft_mesh().node_at(z));
+double ResponseError::at_rest(double z, std::complex<double> coarse) {
+    return _motion ? share(coarse, _motion->whole().at_rest(_fine->deflection_at(z))) : 0;
 }
 
-Phasor ResponseError::finer_force(int bearing) const {
-    return _whole ? _whole->bearing_force(bearing) : _motion->bearing_force(bearing);
-}
-
-Phasor ResponseError::finer_stretch(int bearing) const {
-    return _whole ? _whole->motion(stretch_of_bearing(*_fine, bearing)) : _motion->stretch(bearing);
-}
-
-double ResponseError::at_rest(double z, std::complex<double> coarse) const {
-    if (!_whole)
-        return 0;
-    return share(coarse, _whole->at_rest(_fine->deflection_at(z)));
-}
-
-double ResponseError::force_at_rest(int bearing, std::complex<double> coarse) const {
-    if (!_whole)
-        return 0;
-    return share(coarse, _whole->bearing_force_at_rest(bearing));
+double ResponseError::force_at_rest(int bearing, std::complex<double> coarse) {
+    return _motion ? share(coarse, _motion->whole().bearing_force_at_rest(bearing)) : 0;
 }
 
 double ResponseError::at(double z, const Phasor &coarse) const {
-    return _fine ? orbit_error(coarse, finer_at(z)) : 0;
+    return _motion ? orbit_error(coarse, _motion->at(z)) : 0;
 }
 
 double ResponseError::of_force(int bearing, const Phasor &coarse) const {
-    return _fine ? orbit_error(coarse, finer_force(bearing)) : 0;
+    return _motion ? orbit_error(coarse, _motion->bearing_force(bearing)) : 0;
 }
 
 double ResponseError::of_stretch(int bearing, const Phasor &coarse) const {
-    return _fine ? orbit_error(coarse, finer_stretch(bearing)) : 0;
+    return _motion ? orbit_error(coarse, _motion->stretch(bearing)) : 0;
 }
 
 double ResponseError::of_probe(double z, double angle, const Phasor &coarse) const {
-    if (!_fine)
-        return 0;
-    return share(reading(coarse, angle), reading(finer_at(z), angle));
+    return _motion ? share(reading(coarse, angle), reading(_motion->at(z), angle)) : 0;
 }
 
 } // namespace whirl::forced

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "forced/condensed_motion.h"
-#include "forced/forced_motion.h"
+#include "forced/station_motion.h"
 #include "results/formulation.h"
 
 #include <complex>
 #include <memory>
+#include <optional>
 
 namespace whirl::forced {
 
@@ -33,17 +33,14 @@ class ResponseError {
     /// There is no finer rotor: the shaft is rigid.
     [[nodiscard]] bool none() const { return _fine == nullptr; }
     /// The finer rotor's own motion.
-    [[nodiscard]] Phasor finer_at(double z) const;
-    [[nodiscard]] Phasor finer_force(int bearing) const;
-    [[nodiscard]] Phasor finer_stretch(int bearing) const;
+    [[nodiscard]] Phasor finer_of(const Quantity &quantity) const { return _motion->of(quantity); }
     /// Under the weight, what stands still in the fixed frame: estimated relative error.
-    [[nodiscard]] double at_rest(double z, std::complex<double> coarse) const;
-    [[nodiscard]] double force_at_rest(int bearing, std::complex<double> coarse) const;
+    [[nodiscard]] double at_rest(double z, std::complex<double> coarse);
+    [[nodiscard]] double force_at_rest(int bearing, std::complex<double> coarse);
 
   private:
     std::unique_ptr<assembly::Discretization> _fine;
-    std::unique_ptr<CondensedMotion> _motion; ///< under the imbalances
-    std::unique_ptr<ForcedMotion> _whole;     ///< where something acts inside of elements
+    std::optional<StationMotion> _motion; ///< none of a rigid shaft
 };
 
 } // namespace whirl::forced

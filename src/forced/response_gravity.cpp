@@ -102,7 +102,7 @@ class Weighed {
         return _error_known ? by_elements + by_rounding : unlimited;
     }
 
-    void add_stations(std::vector<double> &row) const {
+    void add_stations(std::vector<double> &row) {
         for (const auto &[node, name] : _nodes) {
             const assembly::Combination w = _discretization.deflection_at_node(node);
             const double z = _discretization.shaft_mesh().nodes[static_cast<std::size_t>(node)];
@@ -117,7 +117,7 @@ class Weighed {
         }
     }
 
-    void add_bearings(std::vector<double> &row) const {
+    void add_bearings(std::vector<double> &row) {
         const auto count = static_cast<int>(_discretization.rotor().supports().size());
         for (int i = 0; i < count; ++i) {
             const double carried = std::abs(_motion.bearing_force_at_rest(i));

@@ -26,10 +26,8 @@ class Comparison {
     };
 
     Comparison(const assembly::Discretization &discretization, results::Form form,
-               const std::vector<Quantity> &quantities, const std::vector<double> &places,
-               Drive drive)
-        : _quantities(quantities), _places(places),
-          _full(discretization, form, drive, agreed / 10) {}
+               const std::vector<Quantity> &quantities, Drive drive)
+        : _quantities(quantities), _full(discretization, form, drive, agreed / 10) {}
 
     /// Solves the whole rotor; false at a resonance without damping.
     bool solve(double speed) { return solves(_full, speed); }
@@ -43,7 +41,7 @@ class Comparison {
         double hidden = 0;
         for (std::size_t i = 0; i < readings.size(); ++i) {
             const Phasor &mine = readings[i].value;
-            const Phasor whole = of(i);
+            const Phasor whole = _full.of(_quantities[i]);
             const double size = std::hypot(std::abs(whole.x), std::abs(whole.y));
             const double apart = std::hypot(std::abs(mine.x - whole.x), std::abs(mine.y - whole.y));
             const bool told = apart > _full.rounding() * std::max(size, readings[i].cancelled);
@@ -57,16 +55,7 @@ class Comparison {
 
   private:
     const std::vector<Quantity> &_quantities;
-    const std::vector<double> &_places;
     StationMotion _full;
-
-    [[nodiscard]] Phasor of(std::size_t i) const {
-        const Quantity &quantity = _quantities[i];
-        if (quantity.film)
-            return _full.stretch(*quantity.film);
-        return quantity.bearing == Quantity::deflection ? quantity.seen(_full.at(_places[i]))
-                                                        : _full.bearing_force(quantity.bearing);
-    }
 };
 
 /// Where the reduced rotor is compared: the resonances, half-power points beside them, the ends.
@@ -209,13 +198,12 @@ std::vector<PeakSearch::Sample> drawn(const PeakSearch &search, double from, dou
 } // namespace
 
 CertifiedPeaks response_peaks(const assembly::Discretization &discretization, results::Form form,
-                              const std::vector<Quantity> &quantities,
-                              const std::vector<double> &places, double from, double to,
+                              const std::vector<Quantity> &quantities, double from, double to,
                               const PeakOptions &options) {
     constexpr int most_rounds = 6;
     ReducedMotion reduced(discretization, form, std::max(std::abs(from), std::abs(to)), quantities,
                           options.drive, options.reduction);
-    Comparison whole(discretization, form, quantities, places, options.drive);
+    Comparison whole(discretization, form, quantities, options.drive);
     CertifiedPeaks out;
     for (int round = 0; round < most_rounds; ++round) {
         // First the motions at the resonances, which tell most of those beside them.
@@ -240,8 +228,8 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     out.curve = drawn(*search, from, to);
     out.shapes = reduced.size();
     if (options.with_errors)
-        out.errors = PeakError(discretization, form, quantities, places, options.drive)
-                         .of(out.peaks, reduced);
+        out.errors =
+            PeakError(discretization, form, quantities, options.drive).of(out.peaks, reduced);
     return out;
 }
 

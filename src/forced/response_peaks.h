@@ -32,12 +32,10 @@ struct CertifiedPeaks {
 /// and half the width of the peak beside it, and at the peaks themselves.
 ///
 /// @param quantities  what is looked at
-/// @param places      z of each, m
 /// @throws linalg::SolverError where the poles of the response are not found
 [[nodiscard]] CertifiedPeaks response_peaks(const assembly::Discretization &discretization,
                                             results::Form form,
-                                            const std::vector<Quantity> &quantities,
-                                            const std::vector<double> &places, double from,
+                                            const std::vector<Quantity> &quantities, double from,
                                             double to, const PeakOptions &options = {});
 
 } // namespace whirl::forced

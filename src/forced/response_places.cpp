@@ -54,7 +54,7 @@ void Watched::add(Quantity quantity, const char *of, double place, const std::st
     places.back().z = place;
     places.back().name = name;
     places.back().angle = quantity.angle;
-    z.push_back(place);
+    quantity.z = place;
     quantities.push_back(std::move(quantity));
 }
 
@@ -105,8 +105,7 @@ void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurve
     curves.phases.resize(all.quantities.size());
     std::vector<std::pair<std::size_t, results::ResponsePeak>> found_at; // quantity, peak
     const auto add_between = [&](double from, double to) {               // of one sign
-        const CertifiedPeaks found =
-            response_peaks(d, form, all.quantities, all.z, from, to, options);
+        const CertifiedPeaks found = response_peaks(d, form, all.quantities, from, to, options);
         for (std::size_t i = 0; i < found.peaks.size(); ++i) {
             const std::size_t quantity = found.peaks[i].quantity;
             results::ResponsePeak peak = described(found.peaks[i], all.places[quantity]);

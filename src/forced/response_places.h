@@ -36,7 +36,6 @@ inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 struct Watched {
     std::vector<Quantity> quantities;
     std::vector<results::ResponsePeak> places;
-    std::vector<double> z; ///< m
 
     void add(Quantity quantity, const char *of, double place, const std::string &name);
 };

@@ -1,10 +1,9 @@
 #include "forced/shape_terms.h"
 
 #include "assembly/rotating_system.h"
-#include "assembly/system.h"
 #include "forced/forced_motion.h"
 #include "linalg/matrix.h"
-#include "modes/support_damping.h"
+#include "synchronous/parts.h"
 
 #include <Eigen/SparseCore>
 
@@ -113,13 +112,6 @@ QuadraticTerms ShapeTerms::at(double bearing_speed) const {
     const int parts = _form == results::Form::planar ? 1 : 2;
     const auto product = [&](const linalg::Matrix &A) { return shape_product<Wide>(_V, A, parts); };
     const auto mass = [&](const linalg::Matrix &A) { return shape_product<double>(_V, A, parts); };
-    if (_form == results::Form::planar) {
-        const assembly::PlanarSystem s = assembly::assemble_planar(_discretization, bearing_speed);
-        const linalg::Matrix C = linalg::Matrix::from_entries(
-            _discretization.planar_size(),
-            modes::planar_support_damping(_discretization, bearing_speed));
-        return {product(s.K), imaginary_unit * product(C), mass(s.G) - mass(s.M)};
-    }
     if (_form == results::Form::rotating) {
         const assembly::RotatingSystem s =
             assembly::assemble_rotating(_discretization, bearing_speed, {});
@@ -128,7 +120,8 @@ QuadraticTerms ShapeTerms::at(double bearing_speed) const {
                     product(s.Kss) + imaginary_unit * product(s.Cs) - mass(s.M)};
         return {product(s.K), product(s.Ks), product(s.Kss)};
     }
-    const assembly::FixedSystem s = assembly::assemble_fixed(_discretization, bearing_speed);
+    const assembly::FixedSystem s =
+        synchronous::turned_system(_discretization, _form == results::Form::planar, bearing_speed);
     return {product(s.K), product(s.Kc) + imaginary_unit * product(s.C),
             imaginary_unit * mass(s.G) - mass(s.M)};
 }

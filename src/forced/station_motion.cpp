@@ -46,6 +46,13 @@ Phasor StationMotion::stretch(int bearing) const {
                      : _condensed->stretch(bearing);
 }
 
+Phasor StationMotion::of(const Quantity &quantity) const {
+    if (quantity.film)
+        return stretch(*quantity.film);
+    return quantity.bearing == Quantity::deflection ? quantity.seen(at(quantity.z))
+                                                    : bearing_force(quantity.bearing);
+}
+
 Phasor StationMotion::bearing_force(int bearing) const {
     return _by_whole ? _whole.bearing_force(bearing) : _condensed->bearing_force(bearing);
 }

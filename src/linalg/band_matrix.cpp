@@ -16,7 +16,6 @@ BandMatrix::BandMatrix(int size, int width)
 
 void BandMatrix::clear() { std::fill(_entries.begin(), _entries.end(), 0.0); }
 
-/// L and U; exchanges of rows leave L as it is.
 void BandMatrix::eliminate() {
     for (int k = 0; k < _size; ++k) {
         const int last_row = std::min(k + _width, _size - 1);
@@ -44,12 +43,7 @@ void BandMatrix::eliminate() {
     }
 }
 
-Eigen::VectorXcd BandMatrix::solve(Eigen::VectorXcd b) {
-    eliminate();
-    return solve_again(std::move(b));
-}
-
-Eigen::VectorXcd BandMatrix::solve_again(Eigen::VectorXcd b) const {
+Eigen::VectorXcd BandMatrix::solve(Eigen::VectorXcd b) const {
     for (int k = 0; k < _size; ++k) {
         std::swap(b(k), b(_pivots[static_cast<std::size_t>(k)]));
         for (int i = k + 1; i <= std::min(k + _width, _size - 1); ++i)

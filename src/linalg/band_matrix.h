@@ -17,11 +17,12 @@ class BandMatrix {
     /// Entry with |row - column| <= width.
     std::complex<double> &operator()(int row, int column) { return entry(row, column); }
 
-    /// A^-1 b. The entries are lost.
+    /// L and U in the place of the entries; exchanges of rows leave L as it is.
     /// @throws SolverError where a pivot is zero or not a number.
-    [[nodiscard]] Eigen::VectorXcd solve(Eigen::VectorXcd b);
-    /// A^-1 b of the A that was solved with last.
-    [[nodiscard]] Eigen::VectorXcd solve_again(Eigen::VectorXcd b) const;
+    void eliminate();
+
+    /// A^-1 b of the A that was eliminated.
+    [[nodiscard]] Eigen::VectorXcd solve(Eigen::VectorXcd b) const;
 
   private:
     int _size;
@@ -38,7 +39,6 @@ class BandMatrix {
     [[nodiscard]] const std::complex<double> &entry(int row, int column) const {
         return _entries[place(row, column)];
     }
-    void eliminate();
 };
 
 } // namespace whirl::linalg

@@ -12,13 +12,8 @@
 
 namespace whirl::linalg {
 
-namespace {
-
-using Sparse = Eigen::SparseMatrix<double>;
-
-} // namespace
-
 struct DefinitePair::Factors {
+    using Sparse = Eigen::SparseMatrix<double>;
     Sparse K, A, absK, absA, L, Lt;
     mutable Eigen::SimplicialLDLT<Sparse> inertia;
 
@@ -69,7 +64,8 @@ DefinitePair::DefinitePair(const Matrix &K, const Matrix &A)
     f.A = A.view();
     f.absK = f.K.cwiseAbs();
     f.absA = f.A.cwiseAbs();
-    const Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> cholesky(f.K);
+    const Eigen::SimplicialLLT<Factors::Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> cholesky(
+        f.K);
     if (cholesky.info() != Eigen::Success)
         throw SolverError("the stiffness matrix is not positive definite");
     f.L = cholesky.matrixL();
@@ -80,11 +76,9 @@ DefinitePair::DefinitePair(const Matrix &K, const Matrix &A)
 DefinitePair::~DefinitePair() = default;
 
 int DefinitePair::count_below(double bound) const {
-    const Sparse Q = _factors->K - (bound * bound) * _factors->A;
+    const Factors::Sparse Q = _factors->K - (bound * bound) * _factors->A;
     _factors->inertia.factorize(Q);
-    if (_factors->inertia.info() != Eigen::Success)
-        throw SolverError("an inertia count met a zero pivot");
-    return static_cast<int>((_factors->inertia.vectorD().array() < 0).count());
+    return negative_pivots(_factors->inertia);
 }
 
 bool DefinitePair::confirmed(const std::vector<RealPair> &pairs, std::size_t count) const {

@@ -186,9 +186,7 @@ int DefinitePencil::count_below(double s, double bound) const {
     int count = 0;
     for (const double w : {bound, -bound}) {
         _factors->inertia.factorize(_factors->triangles.sum(w * s, w * w));
-        if (_factors->inertia.info() != Eigen::Success)
-            throw SolverError("an inertia count met a zero pivot");
-        count += static_cast<int>((_factors->inertia.vectorD().array() < 0).count());
+        count += negative_pivots(_factors->inertia);
     }
     return count;
 }

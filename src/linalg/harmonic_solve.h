@@ -1,59 +1,64 @@
 #pragma once
 
 #include "linalg/matrix.h"
+#include "linalg/sparse_factor.h"
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
-#include <memory>
+#include <array>
+#include <complex>
 
 namespace whirl::linalg {
 
-/// Matrices of one harmonic problem, all of one size; nullptr stands for zero. Only read by the
-/// constructor of HarmonicSolver.
+/// M q'' + (C + s G) q' + (K + s Kc) q = f, real, all matrices of one size.
 struct HarmonicTerms {
-    const Matrix *M = nullptr;
-    const Matrix *C = nullptr;
-    const Matrix *G = nullptr;
-    const Matrix *K = nullptr;
-    const Matrix *Kc = nullptr;
-};
-
-/// Complex displacements, one column for each column of forces, and how good they are.
-struct HarmonicSolution {
-    Eigen::MatrixXcd displacements;
-    double residual = 0; ///< largest |f - A q| over the largest |A| |q| + |f|, of all columns
-    double rounding = 0; ///< estimated relative error of q by rounding of the entries of A, in
-                         ///< comparable unknowns (unit_scales.h); large where A is singular (an
-                         ///< undamped resonance)
+    Matrix M, C, G, K, Kc;
 };
 
 /// Solves A(s) q = f, A(s) = K + s Kc - s^2 M + i s (C + s G), for many speeds s: the steady
 /// motion Re(q exp(i s t)) of M q'' + (C + s G) q' + (K + s Kc) q = Re(f exp(i s t)).
 ///
-/// Real arithmetic: unknowns (Re q_j, Im q_j), blocks [Re a, -Im a; Im a, Re a]. The pattern of
-/// nonzeros is that of all speeds together, so that KLU (SuiteSparse, under PETSc) orders and
+/// The pattern of nonzeros is that of all speeds together, so that KLU (SuiteSparse) orders and
 /// analyses it once.
 class HarmonicSolver {
   public:
     explicit HarmonicSolver(const HarmonicTerms &terms);
-    ~HarmonicSolver();
-    HarmonicSolver(const HarmonicSolver &) = delete;
-    HarmonicSolver &operator=(const HarmonicSolver &) = delete;
-    HarmonicSolver(HarmonicSolver &&) = delete;
-    HarmonicSolver &operator=(HarmonicSolver &&) = delete;
 
+    /// Complex displacements, one column for each column of forces.
     /// @param forces  one load case a column
-    /// @throws SolverError where A(speed) is singular or the residual exceeds 1e-8.
-    [[nodiscard]] HarmonicSolution solve(double speed, const Eigen::MatrixXcd &forces);
+    /// @throws SolverError where A(speed) is singular or the residual exceeds 1e-8: the largest
+    ///         |f - A q| over the largest |A| |q| + |f|.
+    [[nodiscard]] Eigen::MatrixXcd solve(double speed, const Eigen::MatrixXcd &forces);
+
+    /// Estimated relative error of a solution at the speed of the last one by rounding of the
+    /// entries of A, in comparable unknowns (unit_scales.h); large where A is singular (an undamped
+    /// resonance).
+    [[nodiscard]] double rounding(const Eigen::VectorXcd &forces,
+                                  const Eigen::VectorXcd &displacements) const;
+
+    /// |q|^T |A| |q| at the speed of the last solution, |A| the sum of the moduli of the terms.
+    [[nodiscard]] double absolute_form(const Eigen::VectorXcd &displacements) const;
+
+    /// Nothing takes energy out or feeds it in.
+    [[nodiscard]] bool conserves() const;
 
     /// Complex unknowns.
-    [[nodiscard]] int size() const;
+    [[nodiscard]] int size() const { return static_cast<int>(_scales.size()); }
 
   private:
-    struct Data;
-    std::unique_ptr<Data> _data;
+    using Sparse = Eigen::SparseMatrix<std::complex<double>>;
+    enum Factor { one, speed_once, minus_speed_squared, i_speed, i_speed_squared, factor_count };
 
-    void factorise(double speed);
+    Eigen::VectorXd _scales;                         ///< of the unknowns, powers of two
+    std::array<Eigen::ArrayXd, factor_count> _terms; ///< entries on the pattern of all, scaled
+    Sparse _A;
+    Sparse _sizes; ///< real and imaginary part: moduli of the real and of the imaginary terms
+    SparseFactor<std::complex<double>> _lu;
+
+    void set(double speed);
+    [[nodiscard]] Eigen::VectorXcd sizes_of(const Eigen::VectorXcd &f,
+                                            const Eigen::VectorXcd &q) const;
 };
 
 } // namespace whirl::linalg

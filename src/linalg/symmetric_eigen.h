@@ -1,5 +1,6 @@
 #pragma once
 
+#include "linalg/check.h"
 #include "linalg/eigenpair.h"
 
 #include <Eigen/Core>
@@ -30,6 +31,14 @@ void sort_by_modulus(std::vector<RealPair> &pairs);
 /// @param count_below  eigenvalues of less modulus than a bound
 [[nodiscard]] bool keep_confirmed(std::vector<RealPair> &pairs, int wanted, double room,
                                   const std::function<int(double bound)> &count_below);
+
+/// Negative pivots of L D L^T: as many as the matrix has negative eigenvalues.
+/// @throws SolverError where a pivot is zero
+template <class Factors> [[nodiscard]] int negative_pivots(const Factors &factors) {
+    if (factors.info() != Eigen::Success)
+        throw SolverError("an inertia count met a zero pivot");
+    return static_cast<int>((factors.vectorD().array() < 0).count());
+}
 
 /// Components between 0.5 and 1.5, the same at every call.
 [[nodiscard]] Eigen::VectorXd deterministic_vector(int size);

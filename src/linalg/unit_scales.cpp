@@ -7,23 +7,21 @@ namespace whirl::linalg {
 namespace {
 
 /// Ratio to the first entry; 0 where either is.
-Eigen::VectorXd to_first(const Matrix *A, Eigen::Index size) {
-    Eigen::VectorXd ratio = Eigen::VectorXd::Zero(size);
-    if (A == nullptr || A->size() != size || size == 0)
-        return ratio;
-    const SparseView view = A->view();
+Eigen::VectorXd to_first(const Matrix &A) {
+    Eigen::VectorXd ratio = Eigen::VectorXd::Zero(A.size());
+    const SparseView view = A.view();
     const double first = view.coeff(0, 0);
-    for (Eigen::Index i = 0; i < size && first != 0; ++i)
+    for (Eigen::Index i = 0; i < ratio.size() && first != 0; ++i)
         ratio(i) = std::abs(view.coeff(i, i) / first);
     return ratio;
 }
 
 } // namespace
 
-Eigen::VectorXd unit_scales(const Matrix &K, const Matrix *M) {
+Eigen::VectorXd unit_scales(const Matrix &K, const Matrix &M) {
     const Eigen::Index size = K.size();
-    const Eigen::VectorXd stiffness = to_first(&K, size);
-    const Eigen::VectorXd mass = to_first(M, size);
+    const Eigen::VectorXd stiffness = to_first(K);
+    const Eigen::VectorXd mass = to_first(M);
     Eigen::VectorXd scales = Eigen::VectorXd::Ones(size);
     for (Eigen::Index i = 0; i < size; ++i) {
         const double ratio = stiffness(i) != 0 ? stiffness(i) : mass(i);

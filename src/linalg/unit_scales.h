@@ -9,10 +9,10 @@ namespace whirl::linalg {
 
 /// Powers of two s such that unknowns q = s q' of different kinds (deflections in m, slopes in rad)
 /// are of one size: diagonal entries of s K s as large as the first of K, within a factor of 4;
-/// of s M s (nullptr: none) where K has none. In other units of length, mass and time (a power of
+/// of s M s where K has none. In other units of length, mass and time (a power of
 /// two apart) the scaled matrices have the same digits, so that pivots, norms and shares do not
 /// depend on units.
-[[nodiscard]] Eigen::VectorXd unit_scales(const Matrix &K, const Matrix *M);
+[[nodiscard]] Eigen::VectorXd unit_scales(const Matrix &K, const Matrix &M);
 
 /// Scales of the unknowns that make the diagonal |K| + shift^2 |M| of a quadratic problem 1.
 /// Deflections and slopes have different units, and a short element is far stiffer than a long one:

@@ -30,10 +30,8 @@ class RigidCoordinates {
                 pedestals.push_back(d.pedestal_unknown(static_cast<int>(b)));
         }
         _columns = Eigen::MatrixXd::Zero(d.planar_size(), 2 + std::ssize(pedestals));
-        for (int tilt = 0; tilt < 2; ++tilt) {
-            const std::vector<double> motion = d.rigid_motion(tilt == 1);
-            _columns.col(tilt) = Eigen::Map<const Eigen::VectorXd>(motion.data(), d.planar_size());
-        }
+        for (int tilt = 0; tilt < 2; ++tilt)
+            _columns.col(tilt) = d.rigid_motion(tilt == 1);
         _columns.col(1) /= length();
         for (std::size_t p = 0; p < pedestals.size(); ++p) {
             _columns.row(pedestals[p]).setZero();

@@ -160,27 +160,15 @@ ReducedRotor::Supports project_supports(const assembly::Discretization &d,
 
 /// Matrices of the shaft and its discs; their mass on the side.
 void project_rotor(const assembly::Discretization &d, ReducedRotor &reduced) {
-    const Eigen::Index r = reduced.shapes.cols();
-    reduced.elastic = reduced.internal = reduced.gyroscopic = Eigen::MatrixXd::Zero(r, r);
-    const std::vector<double> translation = d.rigid_motion(false);
-    assembly::assemble_rotating_parts(
-        d, [&](Term term, std::span<const int> unknowns, const Eigen::MatrixXd &block) {
-            if (term == Term::mass) {
-                Eigen::VectorXd v(static_cast<Eigen::Index>(unknowns.size()));
-                for (std::size_t i = 0; i < unknowns.size(); ++i)
-                    v(static_cast<Eigen::Index>(i)) =
-                        translation[static_cast<std::size_t>(unknowns[i])];
-                reduced.mass += v.dot(block * v);
-                return;
-            }
-            const std::vector<int> at(unknowns.begin(), unknowns.end());
-            const Eigen::MatrixXd rows = reduced.shapes(at, Eigen::all);
-            Eigen::MatrixXd &target = term == Term::stiffness    ? reduced.elastic
-                                      : term == Term::gyroscopic ? reduced.gyroscopic
-                                                                 : reduced.internal;
-            if (term != Term::circulatory) // the same as the damping of the shaft
-                target += linalg::transposed_times(rows, linalg::times(block, rows));
-        });
+    const auto projected = [&](Term term) -> Eigen::MatrixXd {
+        return linalg::transposed_times(reduced.shapes,
+                                        assembly::planar_part(d, term) * reduced.shapes);
+    };
+    reduced.elastic = projected(Term::stiffness);
+    reduced.internal = projected(Term::damping);
+    reduced.gyroscopic = projected(Term::gyroscopic);
+    const Eigen::VectorXd translation = d.rigid_motion(false);
+    reduced.mass = translation.dot(assembly::planar_part(d, Term::mass) * translation);
 }
 
 /// Masses of pedestals and of the fluid in bearings less their mean over x and y, which the planar
@@ -209,10 +197,7 @@ ReducedRotor project(const assembly::Discretization &d, const HeldPair &pair,
     ReducedRotor reduced;
     reduced.shapes = shapes;
     reduced.mass_times = pair.M * shapes;
-    const std::vector<double> translation = d.rigid_motion(false);
-    reduced.mass_load =
-        reduced.mass_times.transpose() *
-        Eigen::Map<const Eigen::VectorXd>(translation.data(), std::ssize(translation));
+    reduced.mass_load = reduced.mass_times.transpose() * d.rigid_motion(false);
     for (const model::Bearing &bearing : d.rotor().bearings) // fluid that moves with the foundation
         if (!bearing.pedestal)
             reduced.mass_load -=
@@ -269,8 +254,7 @@ ReducedRotor slowed(const ReducedRotor &rotor, double fastest) {
 /// limits the steps of the integration.
 class SlowestGood {
   public:
-    SlowestGood(const ReductionError &error, double tolerance)
-        : _error(error), _tolerance(tolerance) {}
+    SlowestGood(ReductionError &error, double tolerance) : _error(error), _tolerance(tolerance) {}
 
     /// @returns whether it is good enough
     bool offer(ReducedRotor rotor) {
@@ -307,21 +291,21 @@ class SlowestGood {
     [[nodiscard]] const std::optional<ReducedRotor> &best() const { return _best; }
 
   private:
-    const ReductionError &_error;
+    ReductionError &_error;
     double _tolerance;
     std::optional<ReducedRotor> _best;
 
     static double fastest_of(const ReducedRotor &rotor) {
         return rotor.frequencies(rotor.size() - 1);
     }
-    bool good(ReducedRotor &rotor) const {
+    bool good(ReducedRotor &rotor) {
         _error.measure(rotor);
         return std::max(rotor.response_error, rotor.frequency_error) <= _tolerance;
     }
 };
 
 template <class With>
-std::optional<ReducedRotor> slowest_good(const With &with, const ReductionError &error, int most,
+std::optional<ReducedRotor> slowest_good(const With &with, ReductionError &error, int most,
                                          double tolerance) {
     SlowestGood choice(error, tolerance);
     constexpr int further = 3; // modes beyond those needed: what they describe the others need not
@@ -376,7 +360,7 @@ ReducedRotor reduce(const assembly::Discretization &discretization, const Reduct
         };
         if (source.complete())
             return with(source.modes(), false);
-        const ReductionError error(discretization, goal);
+        ReductionError error(discretization, goal);
         if (goal.modes > 0) {
             ReducedRotor reduced = with(std::min(goal.modes, source.modes()), false);
             error.measure(reduced);

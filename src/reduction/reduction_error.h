@@ -1,8 +1,12 @@
 #pragma once
 
+#include "linalg/definite_pencil.h"
 #include "reduction/reduced_rotor.h"
 
-#include <memory>
+#include <Eigen/Core>
+
+#include <map>
+#include <vector>
 
 namespace whirl::reduction {
 
@@ -11,20 +15,21 @@ class ReductionError {
   public:
     /// @throws linalg::SolverError where the full model cannot be solved.
     ReductionError(const assembly::Discretization &discretization, const ReductionGoal &goal);
-    ~ReductionError();
-    ReductionError(const ReductionError &) = delete;
-    ReductionError &operator=(const ReductionError &) = delete;
-    ReductionError(ReductionError &&) = delete;
-    ReductionError &operator=(ReductionError &&) = delete;
 
     /// Fills response_error: largest difference of the deflections at the places under forward
     /// synchronous unit forces there, over the largest of them; and frequency_error: of the whirl
     /// speeds on mean bearings up to the spin speed.
-    void measure(ReducedRotor &reduced) const;
+    void measure(ReducedRotor &reduced);
 
   private:
-    struct Full;
-    std::unique_ptr<Full> _full;
+    Eigen::MatrixXd _loads; ///< at the places, a column each
+    double _speed;
+    double _shift; ///< 1/s2, times the mass beside the stiffness: holds a rotor that is free
+    Eigen::MatrixXcd _response;
+    linalg::DefinitePencil _pencil;
+    std::map<std::size_t, std::vector<linalg::RealPair>> _slowest; ///< by how many were asked for
+
+    [[nodiscard]] const std::vector<linalg::RealPair> &whirl(std::size_t wanted);
 };
 
 } // namespace whirl::reduction

@@ -232,10 +232,8 @@ std::vector<std::optional<ModelValue>> model_values(const model::Rotor &rotor, i
 Inertia model_inertia(const model::Rotor &rotor, int order) {
     const Discretization d(rotor, order);
     const auto motion = [&d](bool tilt, int plane, int planes) {
-        const std::vector<double> planar = d.rigid_motion(tilt);
         Eigen::VectorXd out = Eigen::VectorXd::Zero(planes * d.planar_size());
-        for (int i = 0; i < d.planar_size(); ++i)
-            out(planes * i + plane) = planar[static_cast<std::size_t>(i)];
+        out(Eigen::seqN(plane, d.planar_size(), planes)) = d.rigid_motion(tilt);
         return out;
     };
     const auto assembled = [&](const Sparse &M, const Sparse &polar, int planes) {

@@ -49,8 +49,7 @@ double scale_at_rest(const model::Case &scene, const assembly::Discretization &d
     if (const auto &base = scene.simulate.base; base && base->harmonic)
         fastest = std::max(fastest, std::abs(base->harmonic->frequency));
     const assembly::PlanarPair pair = assembly::planar_pair(d, 0);
-    const std::vector<double> translation = d.rigid_motion(false);
-    const Eigen::Map<const Eigen::VectorXd> v(translation.data(), std::ssize(translation));
+    const Eigen::VectorXd v = d.rigid_motion(false);
     const double bounce = std::max(0.0, v.dot(pair.K * v)) / v.dot(pair.M * v);
     return std::max(fastest, std::sqrt(bounce));
 }

@@ -1,8 +1,8 @@
 #include "synchronous/linear_piece.h"
 
-#include "linalg/check.h"
 #include "linalg/quadratic/quadratic_eigen.h"
 #include "linalg/sparse_sum.h"
+#include "linalg/symmetric_eigen.h"
 #include "linalg/unit_scales.h"
 #include "synchronous/parts.h"
 
@@ -131,10 +131,7 @@ std::vector<CrossingPair> real_ones(const Piece &piece,
 int negative_eigenvalues(const Sparse &Q) {
     // Unit diagonal: pivots are then not chosen, and not judged, by units.
     const Eigen::VectorXd d = unit_diagonal(Q.diagonal().cwiseAbs());
-    const Eigen::SimplicialLDLT<Sparse> ldlt(linalg::scaled(Q, d));
-    if (ldlt.info() != Eigen::Success)
-        throw linalg::SolverError("an inertia count met a zero pivot");
-    return static_cast<int>((ldlt.vectorD().array() < 0).count());
+    return linalg::negative_pivots(Eigen::SimplicialLDLT<Sparse>(linalg::scaled(Q, d)));
 }
 
 PieceRoots roots_of_piece(const Sparse &K_from, const Sparse &K_to, const Sparse &A, double from,

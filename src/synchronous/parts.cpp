@@ -1,6 +1,7 @@
 #include "synchronous/parts.h"
 
 #include "balancers/arrangement.h"
+#include "modes/support_damping.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,18 @@ assembly::RotatingSystem held_in_rotating_axes(const assembly::Discretization &r
         balancers::balancer_elements(rotor.rotor(),
                                      balancers::arrangement_at_balance(rotor.rotor())),
         true);
+}
+
+assembly::FixedSystem turned_system(const assembly::Discretization &rotor, bool planar,
+                                    double bearing_speed) {
+    if (!planar)
+        return assembly::assemble_fixed(rotor, bearing_speed);
+    const int n = rotor.planar_size();
+    assembly::PlanarSystem system = assembly::assemble_planar(rotor, bearing_speed);
+    return {linalg::Matrix::sum(1, system.M, -1, system.G),
+            linalg::Matrix::from_entries(n, modes::planar_support_damping(rotor, bearing_speed)),
+            linalg::Matrix::from_entries(n, {}), std::move(system.K),
+            linalg::Matrix::from_entries(n, {})};
 }
 
 Eigen::VectorXd unit_diagonal(const Eigen::VectorXd &diagonal) {

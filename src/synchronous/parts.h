@@ -1,6 +1,7 @@
 #pragma once
 
 #include "assembly/rotating_system.h"
+#include "assembly/system.h"
 #include "linalg/matrix.h"
 #include "modes/whirl_mode.h"
 
@@ -28,6 +29,13 @@ struct SynchronousModes {
 /// The rotor in rotating axes, the balls of its balancers held at their balanced positions.
 [[nodiscard]] assembly::RotatingSystem held_in_rotating_axes(const assembly::Discretization &rotor,
                                                              double bearing_speed);
+
+/// What moves under forces that turn with the rotor, M q'' + (C + speed G) q' + (K + speed Kc) q =
+/// f, bearings as at a speed: over planar unknowns w = u exp(i speed t) of a rotor that is the same
+/// from every direction, K + i speed C - speed^2 (M - G), in which internal damping drops out;
+/// else in pairs (x, y).
+[[nodiscard]] assembly::FixedSystem turned_system(const assembly::Discretization &rotor,
+                                                  bool planar, double bearing_speed);
 
 /// Powers of two s by which s d s is about 1 for each d >= 0 of a diagonal (1 where d is 0):
 /// deflections and slopes have different units, and pivots must not be chosen by them.

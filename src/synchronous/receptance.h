@@ -1,11 +1,12 @@
 #pragma once
 
 #include "assembly/discretization.h"
+#include "linalg/harmonic_solve.h"
 #include "results/formulation.h"
 
 #include <Eigen/Core>
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 namespace whirl::synchronous {
@@ -23,7 +24,6 @@ class ForwardReceptance {
     /// @param places  combinations of planar unknowns; the discretisation must outlive this
     ForwardReceptance(const assembly::Discretization &rotor, results::Form form,
                       const std::vector<assembly::Combination> &places);
-    ~ForwardReceptance();
 
     /// R at a spin speed (rad/s), places x places, 1/kg.
     /// @throws linalg::SolverError at an undamped resonance.
@@ -35,13 +35,17 @@ class ForwardReceptance {
     [[nodiscard]] double rounding(double speed, const Eigen::VectorXcd &s);
 
     /// Unknowns of the linear system, as real numbers.
-    [[nodiscard]] int unknowns() const;
+    [[nodiscard]] int unknowns() const { return 2 * _solver->size(); }
     /// Nothing in the supports (general form: in the rotor either) takes energy out.
-    [[nodiscard]] bool undamped() const;
+    [[nodiscard]] bool undamped() const { return _solver->conserves(); }
 
   private:
-    struct Data;
-    std::unique_ptr<Data> _data;
+    const assembly::Discretization &_rotor;
+    bool _planar;
+    std::optional<linalg::HarmonicSolver> _solver; ///< of the bearings as at the last speed
+    Eigen::MatrixXcd _places; ///< a column a place; general: (1, -i)/sqrt 2 a place
+
+    [[nodiscard]] Eigen::MatrixXcd motion(double speed, const Eigen::MatrixXcd &forces);
 };
 
 /// (R + R^H) / 2.

@@ -66,18 +66,15 @@ SymmetricSynchronous::SymmetricSynchronous(const Discretization &rotor, results:
                                            int whirl_sign)
     : _d(rotor), _form(form), _doubled(form == results::Form::general) {
     if (form == results::Form::planar) {
-        assembly::PlanarSystem system = assembly::assemble_planar(rotor, 0);
+        const assembly::PlanarSystem system = assembly::assemble_planar(rotor, 0);
         _A = Matrix::sum(1, system.M, -whirl_sign, system.G);
-        _M = std::move(system.M);
     } else if (form == results::Form::rotating) {
-        assembly::RotatingSystem system = held_in_rotating_axes(rotor, 0);
+        const assembly::RotatingSystem system = held_in_rotating_axes(rotor, 0);
         _A = Matrix::sum(-1, system.Kss, 0, system.Kss);
-        _M = std::move(system.M);
     } else {
-        assembly::FixedSystem system = assembly::assemble_fixed(rotor, 0);
+        const assembly::FixedSystem system = assembly::assemble_fixed(rotor, 0);
         _A = _doubled ? doubled(system.M, &system.G)
                       : Matrix::sum(1, system.M, 1, assembly::hyperbolic_coupling(rotor));
-        _M = std::move(system.M);
     }
 }
 

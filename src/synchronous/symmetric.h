@@ -56,7 +56,7 @@ class SymmetricSynchronous {
     const assembly::Discretization &_d;
     results::Form _form;
     bool _doubled = false; ///< every root twice
-    linalg::Matrix _A, _M;
+    linalg::Matrix _A;
 
     [[nodiscard]] linalg::Matrix stiffness(double bearing_speed) const;
     [[nodiscard]] int multiplicity() const { return _doubled ? 2 : 1; }

@@ -13,11 +13,6 @@ namespace {
 using namespace whirl;
 using assembly::Discretization;
 
-Eigen::VectorXd motion(const Discretization &d, bool tilt) {
-    const std::vector<double> values = d.rigid_motion(tilt);
-    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<int>(values.size()));
-}
-
 double value_of(const assembly::Combination &combination, const Eigen::VectorXd &unknowns) {
     double sum = 0;
     for (const auto &[unknown, factor] : combination)
@@ -34,7 +29,7 @@ TEST(Discretization, FreeRotorMeetsNoForceInRigidMotions) {
             const Discretization d(rotor, order, refinement);
             const Eigen::MatrixXd K(assembly::assemble_planar(d, 0).K.view());
             for (const bool tilt : {false, true}) {
-                const Eigen::VectorXd r = motion(d, tilt);
+                const Eigen::VectorXd r = d.rigid_motion(tilt);
                 EXPECT_LT((K * r).norm(), 1e-14 * (K.cwiseAbs() * r.cwiseAbs()).norm());
             }
         }
@@ -57,8 +52,8 @@ TEST(Discretization, RigidMotionsMeetTheInertiaOfTheRotor) {
             rotor.shaft.rigid = rigid;
             const Discretization d(rotor, order);
             const assembly::PlanarSystem s = assembly::assemble_planar(d, 0);
-            const Eigen::VectorXd t = motion(d, false);
-            const Eigen::VectorXd r = motion(d, true);
+            const Eigen::VectorXd t = d.rigid_motion(false);
+            const Eigen::VectorXd r = d.rigid_motion(true);
             EXPECT_NEAR(t.dot(s.M.view() * t), mass, 1e-13 * mass);
             EXPECT_NEAR(r.dot(s.M.view() * t), moment, 1e-13 * moment);
             EXPECT_NEAR(r.dot(s.M.view() * r), Id, 1e-13 * Id);
@@ -78,7 +73,7 @@ TEST(Discretization, DeflectionsAndSlopesOfRigidMotionsAreThoseOfTheLine) {
     for (const bool rigid : {false, true}) {
         rotor.shaft.rigid = rigid;
         const Discretization d(rotor, 5, 2);
-        const Eigen::VectorXd r = motion(d, true);
+        const Eigen::VectorXd r = d.rigid_motion(true);
         EXPECT_NEAR(value_of(d.deflection_at(1.0), r), 1.0, 1e-14);
         EXPECT_NEAR(value_of(d.slope_at(1.0), r), 1.0, 1e-14);
         const mesh::Span &span = d.shaft_mesh().spans[3];

@@ -154,13 +154,10 @@ TEST(WeightPeaks, RoundingHasNoPeaks) {
         }
         const assembly::Discretization d(scene.rotor, 2);
         std::vector<forced::Quantity> quantities;
-        std::vector<double> places;
-        for (const model::Disc &disc : scene.rotor.discs) {
-            quantities.push_back({d.deflection_at(disc.z)});
-            places.push_back(disc.z);
-        }
-        const auto found = forced::response_peaks(d, Form::rotating, quantities, places, 0,
-                                                  scene.speeds->to, {{g}});
+        for (const model::Disc &disc : scene.rotor.discs)
+            quantities.push_back({.stretch = d.deflection_at(disc.z), .z = disc.z});
+        const auto found =
+            forced::response_peaks(d, Form::rotating, quantities, 0, scene.speeds->to, {{g}});
         EXPECT_TRUE(found.peaks.empty()) << rotor;
     }
 }

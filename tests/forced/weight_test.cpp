@@ -86,9 +86,7 @@ struct HarmonicBalance {
                       std::conj(of - i_unit * W) * damping + stiffness,
                   true);
         }
-        const std::vector<double> ones = d.rigid_motion(false);
-        f.segment(2 * n * most + n, n) =
-            -g * rotor_mass * Eigen::Map<const Eigen::VectorXd>(ones.data(), n);
+        f.segment(2 * n * most + n, n) = -g * rotor_mass * d.rigid_motion(false);
         unknowns = A.partialPivLu().solve(f);
     }
 

@@ -1,6 +1,5 @@
-#include "linalg/dense/cholesky.h"
+#include "linalg/dense/definite.h"
 #include "linalg/dense/products.h"
-#include "linalg/dense/symmetric_pair.h"
 
 #include <gtest/gtest.h>
 

@@ -358,21 +358,17 @@ void check_peaks(const model::Case &as_given, int number, Findings &out) {
         return;
     const assembly::Discretization d(scene.rotor, scene.rotor.shaft.order);
     std::vector<forced::Quantity> quantities;
-    std::vector<double> places;
-    for (const model::Disc &disc : scene.rotor.discs) {
-        quantities.push_back({d.deflection_at(disc.z)});
-        places.push_back(disc.z);
-    }
+    for (const model::Disc &disc : scene.rotor.discs)
+        quantities.push_back({.stretch = d.deflection_at(disc.z), .z = disc.z});
     for (std::size_t i = 0; !results::in_rotating_axes(form) && i < scene.rotor.bearings.size();
          ++i) {
         const int bearing = static_cast<int>(i);
         quantities.push_back({forced::stretch_of_bearing(d, bearing), bearing});
-        places.push_back(scene.rotor.bearings[i].z);
     }
     forced::PeakOptions options;
     options.with_errors = false;
     const forced::CertifiedPeaks found =
-        forced::response_peaks(d, form, quantities, places, 10, scene.speeds->to, options);
+        forced::response_peaks(d, form, quantities, 10, scene.speeds->to, options);
     double at = std::numeric_limits<double>::quiet_NaN();
     std::unique_ptr<DenseResponse> dense;
     for (const forced::Peak &peak : found.peaks) {

@@ -15,6 +15,8 @@ MatrixXd transposed_times(const MatrixXd &A, const MatrixXd &B) { return A.trans
 MatrixXcd transposed_times(const MatrixXcd &A, const MatrixXcd &B) { return A.transpose() * B; }
 MatrixXcd adjoint_times(const MatrixXcd &A, const MatrixXcd &B) { return A.adjoint() * B; }
 
+MatrixXd congruent(const MatrixXd &A, const MatrixXd &T) { return T.transpose() * times(A, T); }
+
 MatrixXd solved(const PartialPivLU<MatrixXd> &A, const MatrixXd &B) { return A.solve(B); }
 MatrixXcd solved(const PartialPivLU<MatrixXcd> &A, const MatrixXcd &B) { return A.solve(B); }
 VectorXcd solved(const PartialPivLU<MatrixXcd> &A, const VectorXcd &b) { return A.solve(b); }

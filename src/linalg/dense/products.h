@@ -19,6 +19,9 @@ namespace whirl::linalg {
                                                 const Eigen::MatrixXcd &B);
 [[nodiscard]] Eigen::MatrixXcd adjoint_times(const Eigen::MatrixXcd &A, const Eigen::MatrixXcd &B);
 
+/// T^T A T
+[[nodiscard]] Eigen::MatrixXd congruent(const Eigen::MatrixXd &A, const Eigen::MatrixXd &T);
+
 /// A^-1 B
 [[nodiscard]] Eigen::MatrixXd solved(const Eigen::PartialPivLU<Eigen::MatrixXd> &A,
                                      const Eigen::MatrixXd &B);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <cstring>
 #include <vector>
 
 namespace whirl::linalg {
@@ -47,6 +48,20 @@ inline void set(Vector4 &out, const std::array<const Eigen::VectorXcd *, lanes> 
 
 // Inlined into each of the versions for one kind of machine.
 #define WHIRL_INLINED inline __attribute__((always_inline))
+
+WHIRL_INLINED void load(Real4 &to, const double *from) { std::memcpy(&to, from, sizeof to); }
+WHIRL_INLINED void store(const Real4 &from, double *to) { std::memcpy(to, &from, sizeof from); }
+
+/// Work on so many columns, many vectors at a time; what does not fill a vector is left.
+/// @returns from where on
+template <int most = 8, class Work>
+WHIRL_INLINED Eigen::Index along_row(Eigen::Index from, Eigen::Index columns, const Work &work) {
+    for (; from + most * lanes <= columns; from += most * lanes)
+        work.template operator()<most>(from);
+    if constexpr (most > 1)
+        return along_row<most / 2>(from, columns, work);
+    return from;
+}
 
 /// a += f b
 WHIRL_INLINED void add_product(Complex4 &a, const Complex4 &f, const Complex4 &b) {

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <cstring>
 #include <utility>
 
 namespace whirl::linalg {
@@ -14,20 +13,6 @@ namespace whirl::linalg {
 namespace {
 
 using Eigen::Index;
-
-WHIRL_INLINED void load(Real4 &to, const double *from) { std::memcpy(&to, from, sizeof to); }
-WHIRL_INLINED void store(const Real4 &from, double *to) { std::memcpy(to, &from, sizeof from); }
-
-/// Work on so many columns, many vectors at a time; what does not fill a vector is left.
-/// @returns from where on
-template <int most = 8, class Work>
-WHIRL_INLINED Index along_row(Index from, Index columns, const Work &work) {
-    for (; from + most * lanes <= columns; from += most * lanes)
-        work.template operator()<most>(from);
-    if constexpr (most > 1)
-        return along_row<most / 2>(from, columns, work);
-    return from;
-}
 
 /// A row of a product.
 struct RowOfProduct {

@@ -3,7 +3,6 @@
 #include "linalg/lanes/complex4.h"
 
 #include <array>
-#include <cstring>
 
 namespace whirl::linalg {
 
@@ -31,15 +30,15 @@ WHIRL_INLINED void add_rows(const Columns &A, Eigen::Index row, double *out_re, 
         for (int v = 0; v < vectors; ++v) {
             Real4 p;
             Real4 q;
-            std::memcpy(&p, from_re + lanes * v, sizeof p);
-            std::memcpy(&q, from_im + lanes * v, sizeof q);
+            load(p, from_re + lanes * v);
+            load(q, from_im + lanes * v);
             re[v] += p * along - q * across;
             im[v] += p * across + q * along;
         }
     }
     for (int v = 0; v < vectors; ++v) {
-        std::memcpy(out_re + row + lanes * v, &re[v], sizeof re[v]);
-        std::memcpy(out_im + row + lanes * v, &im[v], sizeof im[v]);
+        store(re[v], out_re + row + lanes * v);
+        store(im[v], out_im + row + lanes * v);
     }
 }
 
@@ -52,26 +51,12 @@ WHIRL_INLINED void add_rows(const double *A, Eigen::Index apart, Eigen::Index co
         const Real4 factor{a, a, a, a};
         for (int v = 0; v < vectors; ++v) {
             Real4 p;
-            std::memcpy(&p, A + column * apart + lanes * v, sizeof p);
+            load(p, A + column * apart + lanes * v);
             sum[v] += p * factor;
         }
     }
     for (int v = 0; v < vectors; ++v)
-        std::memcpy(out + lanes * v, &sum[v], sizeof sum[v]);
-}
-
-/// work.operator()<vectors>(row) for all rows, as many vectors at a time as there are registers.
-template <int most, class Work> WHIRL_INLINED void in_blocks(Eigen::Index rows, const Work &work) {
-    Eigen::Index row = 0;
-    for (; row + most * lanes <= rows; row += most * lanes)
-        work.template operator()<most>(row);
-    if constexpr (most > 4)
-        for (; row + 4 * lanes <= rows; row += 4 * lanes)
-            work.template operator()<4>(row);
-    for (; row + 2 * lanes <= rows; row += 2 * lanes)
-        work.template operator()<2>(row);
-    if (row < rows)
-        work.template operator()<1>(row);
+        store(sum[v], out + lanes * v);
 }
 
 /// The columns of a matrix one after the other, each filled up with zeros.
@@ -93,8 +78,8 @@ RealProduct::RealProduct(const Eigen::MatrixXd &A)
 
 void RealProduct::operator()(const double *x, double *out) const {
     in_lanes([&]() __attribute__((always_inline)) {
-        in_blocks<8>(
-            _rows, [&]<int vectors>(Eigen::Index row) __attribute__((always_inline)) {
+        along_row<8>(
+            0, _rows, [&]<int vectors>(Eigen::Index row) __attribute__((always_inline)) {
                 add_rows<vectors>(_A.data() + row, _rows, _columns, x, out + row);
             });
     });
@@ -108,8 +93,8 @@ void ComplexProduct::operator()(const double *re, const double *im, double *out_
                                 double *out_im) const {
     const Columns A{_re.data(), _im.data(), _rows, _columns, re, im};
     in_lanes([&]() __attribute__((always_inline)) {
-        in_blocks<4>(
-            _rows, [&]<int vectors>(Eigen::Index row) __attribute__((always_inline)) {
+        along_row<4>(
+            0, _rows, [&]<int vectors>(Eigen::Index row) __attribute__((always_inline)) {
                 add_rows<vectors>(A, row, out_re, out_im);
             });
     });

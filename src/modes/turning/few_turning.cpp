@@ -4,7 +4,7 @@
 #include "assembly/planar_part.h"
 #include "assembly/planes.h"
 #include "linalg/check.h"
-#include "linalg/dense/cholesky.h"
+#include "linalg/dense/definite.h"
 #include "linalg/dense/products.h"
 #include "linalg/symmetric_eigen.h"
 #include "reduction/planar_shapes.h"
