@@ -72,32 +72,17 @@ void configure(PEP pep, const QuadraticOptions &options, int size, const Attempt
     check(PCFactorSetMatSolverType(pc, MATSOLVERKLU)); // SuiteSparse, partial pivoting
 }
 
+/// Matrices in PETSc's form, for its solver.
 struct Operators {
     Matrix M, D, K;
 };
-
-/// A matrix in PETSc's form, over the entries of this one.
-MatOwner over_entries_of(const Matrix &A) {
-    const SparseView view = A.view();
-    const PetscInt n = A.size();
-    Mat handle = nullptr;
-    // PETSc's interface is not const-correct; the entries are only read.
-    check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n,
-                                    const_cast<PetscInt *>(view.outerIndexPtr()),
-                                    const_cast<PetscInt *>(view.innerIndexPtr()),
-                                    const_cast<PetscScalar *>(view.valuePtr()), &handle));
-    return MatOwner(handle);
-}
 
 std::vector<ComplexPair> toar(const Operators &operators, const QuadraticOptions &options,
                               const Attempt &attempt) {
     PEP raw = nullptr;
     check(PEPCreate(PETSC_COMM_SELF, &raw));
     const PepOwner pep(raw);
-    const MatOwner K = over_entries_of(operators.K);
-    const MatOwner D = over_entries_of(operators.D);
-    const MatOwner M = over_entries_of(operators.M);
-    Mat matrices[3] = {K.get(), D.get(), M.get()};
+    Mat matrices[3] = {operators.K.handle(), operators.D.handle(), operators.M.handle()};
     check(PEPSetOperators(raw, 3, matrices));
     const int n = operators.M.size();
     configure(raw, options, n, attempt);
