@@ -67,6 +67,23 @@ std::vector<PlotPoint> points_over(const std::vector<double> &x, double x_factor
     return points;
 }
 
+std::vector<PlotPoint> angles_over(const std::vector<double> &x, double x_factor,
+                                   const std::vector<double> &angles) {
+    std::vector<PlotPoint> points;
+    for (std::size_t i = 0; i < x.size() && i < angles.size(); ++i) {
+        const double place = x[i] * x_factor;
+        if (!std::isfinite(angles[i])) {
+            points.push_back({place, std::nullopt});
+            continue;
+        }
+        const double degrees = std::remainder(angles[i], 2 * pi) * 180 / pi;
+        if (!points.empty() && points.back().y && std::abs(degrees - *points.back().y) > 180)
+            points.push_back({place, std::nullopt});
+        points.push_back({place, degrees});
+    }
+    return points;
+}
+
 std::vector<PlotPoint> circle_points(double radius) {
     std::vector<PlotPoint> points;
     for (int k = 0; k <= 120; ++k)
@@ -81,18 +98,20 @@ void Curves::add(const std::vector<PlotPoint> &line, const std::string &look,
 
 void Curves::add_pieces(const std::vector<std::vector<PlotPoint>> &pieces, const std::string &look,
                         const std::string &title) {
-    const std::string block = _name + std::to_string(_count++);
+    const std::string block = "curve" + std::to_string(_count++);
     _data += data_block(block, pieces);
     add(fmt::format("${} {} {}", block, look, title.empty() ? "notitle" : "title " + title));
 }
 
-void Curves::add(const std::string &element) {
-    _elements += (_elements.empty() ? "" : ", ") + element;
+void Curves::add(const std::string &elements) {
+    _elements += (_elements.empty() || elements.empty() ? "" : ", ") + elements;
 }
 
-std::string Curves::script(const std::string &further, const std::string &before) const {
-    return _data + "plot " + before + (_elements.empty() ? "NaN notitle" : _elements) + further +
-           "\n";
+std::string Curves::script(const std::string &before) const {
+    Curves all;
+    all.add(before);
+    all.add(_elements);
+    return _data + "plot " + (all.empty() ? "NaN notitle" : all._elements) + "\n";
 }
 
 std::string line_look(const LineStyle &style, double width) {
@@ -106,8 +125,8 @@ Figure figure_of(int width, int height, const std::string &title, const std::str
                         "set label 101 {} at screen 0.5,{} center font ',15'\n"
                         "set label 102 {} at screen 0.5,{} center font ',11' textcolor '#555555'\n"
                         "{}unset multiplot\n",
-                        plot_text(title), 1 - 22 * pixel, plot_text(subtitle), 1 - 48 * pixel,
-                        panels),
+                        kept_as_written(plot_text(title)), 1 - 22 * pixel, plot_text(subtitle),
+                        1 - 48 * pixel, panels),
             width, height};
 }
 
@@ -117,6 +136,17 @@ std::string panel_margins(double left, double right, double bottom, double top) 
                        left, right, bottom, top);
 }
 
+std::string upright(double x, const std::string &look) {
+    return fmt::format("set arrow from first {0:.9g},graph 0 to first {0:.9g},graph 1 nohead {1}\n",
+                       x, look);
+}
+
+std::string axes_beside_legend(const std::string &left, const std::string &below) {
+    return fmt::format("set ylabel {}\n{}\n{}", plot_text(left),
+                       below.empty() ? "unset xlabel" : "set xlabel " + plot_text(below),
+                       legend_beside);
+}
+
 double widest_text(const std::vector<std::string> &texts) {
     double widest = 0;
     for (const std::string &text : texts)
@@ -124,12 +154,13 @@ double widest_text(const std::vector<std::string> &texts) {
     return widest;
 }
 
-LegendedFigure beside_legend(double left, double right, int least,
+LegendedFigure beside_legend(double right, int least, int height,
                              const std::vector<std::string> &names) {
+    constexpr double left = 92;
     constexpr double sample = 62; // as gnuplot draws it: the line before a name and the gaps
     const double needed = right + 0.02 * (right - left) + sample + widest_text(names) + 8;
     const int width = std::max(least, static_cast<int>(std::ceil(needed)));
-    return {width, left / width, right / width};
+    return {width, left / width, right / width, height};
 }
 
 Range range_of(const std::vector<double> &values) {
@@ -140,6 +171,15 @@ Range range_of(const std::vector<double> &values) {
         return {*low, *high};
     const double half = *low == 0 ? 1 : 0.1 * std::abs(*low);
     return {*low - half, *high + half};
+}
+
+Range speed_range(const std::vector<double> &speeds) {
+    const Range range = range_of(speeds);
+    return {range.low * rpm, range.high * rpm};
+}
+
+std::string axes_over(Range x, Range y) {
+    return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", x.low, x.high, y.low, y.high);
 }
 
 std::vector<double> spread(const std::vector<double> &wanted, double gap, Range range) {
@@ -177,18 +217,25 @@ double overlap(const LabelPlacer::Box &a, const LabelPlacer::Box &b) {
 
 } // namespace
 
+bool LabelPlacer::free(const Box &box) const {
+    return box.x >= 0 && box.x + box.width <= 1 && box.y >= 0 && box.y + box.height <= 1 &&
+           std::ranges::none_of(_labels, [&](const Box &other) { return overlap(box, other) > 0; });
+}
+
 bool LabelPlacer::take(const Box &box) {
-    if (box.x < 0 || box.x + box.width > 1 || box.y < 0 || box.y + box.height > 1 ||
-        std::any_of(_labels.begin(), _labels.end(),
-                    [&](const Box &other) { return overlap(box, other) > 0; }))
-        return false;
-    _labels.push_back(box);
-    return true;
+    const bool taken = free(box);
+    if (taken)
+        _labels.push_back(box);
+    return taken;
 }
 
 std::optional<LabelPlacer::Box> LabelPlacer::place(double x, double y, double width,
                                                    double height) {
     const double off = 0.45 * height;
+    // The label's nearest edge or corner sits `reach` away from the point.
+    const auto start = [](double direction, double size) {
+        return direction > 0.1 ? 0 : direction < -0.1 ? -size : -size / 2;
+    };
     std::optional<Box> best;
     double least = HUGE_VAL;
     for (int ring = 0; ring < 4; ++ring)
@@ -197,19 +244,9 @@ std::optional<LabelPlacer::Box> LabelPlacer::place(double x, double y, double wi
             const double angle = -pi / 4 + side * pi / 4;
             const double c = std::cos(angle);
             const double s = std::sin(angle);
-            // The label's nearest edge or corner sits `reach` away from the point.
-            const Box box{x + reach * 0.6 * c +
-                              (c > 0.1    ? 0
-                               : c < -0.1 ? -width
-                                          : -width / 2),
-                          y + reach * s +
-                              (s > 0.1    ? 0
-                               : s < -0.1 ? -height
-                                          : -height / 2),
+            const Box box{x + reach * 0.6 * c + start(c, width), y + reach * s + start(s, height),
                           width, height};
-            const bool outside = box.x < 0 || box.x + width > 1 || box.y < 0 || box.y + height > 1;
-            if (outside || std::any_of(_labels.begin(), _labels.end(),
-                                       [&](const Box &other) { return overlap(box, other) > 0; }))
+            if (!free(box))
                 continue;
             double cost = 1e-6 * (ring * 8 + side);
             for (const Box &other : _boxes)
