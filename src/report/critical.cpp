@@ -9,6 +9,7 @@
 #include "report/common/text_width.h"
 #include "report/common/words.h"
 #include "report/critical_map.h"
+#include "report/pictures/labels.h"
 #include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "report/reports.h"

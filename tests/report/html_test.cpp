@@ -1,3 +1,4 @@
+#include "report/common/html.h"
 #include "results/campbell.h"
 #include "results/formulation.h"
 #include "results/modes.h"

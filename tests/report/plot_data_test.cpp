@@ -1,5 +1,6 @@
 #include "report/pictures/campbell_panel.h"
 #include "report/pictures/figures.h"
+#include "report/pictures/labels.h"
 #include "report/pictures/style.h"
 #include "report/response/marks.h"
 #include "results/campbell.h"

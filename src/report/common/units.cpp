@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cstring>
@@ -34,30 +35,23 @@ const model::OutputUnit *unit_of(const std::string &quantity) {
 /// A unit as it stands in texts.
 struct UnitWord {
     std::string_view text;
-    std::string_view quantity{}; ///< empty: stays as it is
-    double size = 1;             ///< one of it in SI
-    bool reading = false;        ///< numbers beside it in reports come from a Reading
+    std::string_view quantity; ///< empty: stays as it is
+    double size = 1;           ///< one of it in SI
+    bool reading = false;      ///< numbers beside it in reports come from a Reading
 };
 
 constexpr double turn = 2 * pi;
 /// Longer ones before those that they begin with.
-constexpr UnitWord unit_words[] = {{"N m/rad"},
-                                   {"N s/m", "damping"},
-                                   {"kg m2/s"},
-                                   {"kg m²/s"},
-                                   {"kg m2", "inertia"},
-                                   {"kg m²", "inertia"},
-                                   {"kg m", "imbalance"},
-                                   {"kg", "mass"},
-                                   {"N/m", "stiffness"},
-                                   {"N m"},
-                                   {"N", "force"},
-                                   {"rad/s", "speed"},
-                                   {"rpm", "speed", turn / 60, true},
-                                   {"Hz", "frequency", turn, true},
-                                   {"µm", "amplitude", 1e-6, true},
-                                   {"mm", "length", 1e-3},
-                                   {"m", "length"}};
+constexpr std::array unit_words{
+    UnitWord{"N m/rad", "", 1, false},         UnitWord{"N s/m", "damping", 1, false},
+    UnitWord{"kg m2/s", "", 1, false},         UnitWord{"kg m²/s", "", 1, false},
+    UnitWord{"kg m2", "inertia", 1, false},    UnitWord{"kg m²", "inertia", 1, false},
+    UnitWord{"kg m", "imbalance", 1, false},   UnitWord{"kg", "mass", 1, false},
+    UnitWord{"N/m", "stiffness", 1, false},    UnitWord{"N m", "", 1, false},
+    UnitWord{"N", "force", 1, false},          UnitWord{"rad/s", "speed", 1, false},
+    UnitWord{"rpm", "speed", turn / 60, true}, UnitWord{"Hz", "frequency", turn, true},
+    UnitWord{"µm", "amplitude", 1e-6, true},   UnitWord{"mm", "length", 1e-3, false},
+    UnitWord{"m", "length", 1, false}};
 
 /// Letters, digits and what joins units: a unit ends before others.
 bool part_of_word(char letter) {
@@ -278,7 +272,7 @@ UnitHeading heading_in_written_units(const std::string &heading, const std::stri
 
 std::string quantity_in(const std::string &unit) {
     const auto *const word = std::ranges::find(unit_words, unit, &UnitWord::text);
-    return std::string(word == std::end(unit_words) ? "" : word->quantity);
+    return std::string(word == unit_words.end() ? "" : word->quantity);
 }
 
 std::optional<double> written_factor(const std::string &quantity) {

@@ -2,6 +2,7 @@
 
 #include "report/common/text_width.h"
 #include "report/pictures/campbell_panel.h"
+#include "report/pictures/labels.h"
 #include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/campbell.h"

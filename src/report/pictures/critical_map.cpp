@@ -1,6 +1,7 @@
 #include "report/pictures/figures.h"
 
 #include "report/critical_map.h"
+#include "report/pictures/labels.h"
 #include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/critical_map.h"

@@ -3,6 +3,7 @@
 #include "report/common/text_width.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
+#include "report/pictures/labels.h"
 
 #include <fmt/format.h>
 
