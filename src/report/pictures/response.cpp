@@ -20,13 +20,10 @@ constexpr std::size_t most_curves = 8;
 
 std::vector<PlotPoint> over_speed(const std::vector<double> &speeds,
                                   const std::vector<double> &values, double factor) {
-    std::vector<PlotPoint> points;
-    for (std::size_t i = 0; i < speeds.size() && i < values.size(); ++i) {
-        // A logarithmic axis has no place for zero, the response at rest.
-        const bool drawn = std::isfinite(values[i]) && values[i] > 0;
-        points.push_back(
-            {speeds[i] * rpm, drawn ? std::optional(values[i] * factor) : std::nullopt});
-    }
+    std::vector<PlotPoint> points = points_over(speeds, rpm, values, factor);
+    for (PlotPoint &point : points)
+        if (!std::isfinite(*point.y) || *point.y <= 0) // the response at rest is zero, which a
+            point.y.reset();                           // logarithmic axis has no place for
     return points;
 }
 
@@ -169,6 +166,7 @@ std::string name_or(const std::string &name, const char *kind) {
 }
 
 /// Forces in the bearings: `largest` of each over the speeds of the case.
+/// @param before  dense curves of other places in front of theirs
 template <class Bearing>
 std::vector<NamedCurve> forces_of(const std::vector<Bearing> &bearings,
                                   std::vector<double> Bearing::*largest,

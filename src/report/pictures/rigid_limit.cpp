@@ -19,16 +19,11 @@ namespace {
 /// Differences below this are drawn here: zero has no logarithm.
 constexpr double least_shown = 1e-17;
 
-/// Quantities get their style by the order of their first row.
-class Styles {
-  public:
-    LineStyle of(const std::string &quantity) {
-        return series_style(_index.emplace(quantity, _index.size()).first->second);
-    }
-
-  private:
-    std::map<std::string, std::size_t> _index;
-};
+/// Indices of the styles of quantities, in the order in which these are drawn first.
+using Styles = std::map<std::string, std::size_t>;
+LineStyle style_of(const std::string &quantity, Styles &styles) {
+    return series_style(styles.emplace(quantity, styles.size()).first->second);
+}
 
 std::vector<PlotPoint> points_of(const RigidLimitRow &row) {
     std::vector<PlotPoint> points;
@@ -73,7 +68,7 @@ std::string stiffness_panel(const RigidLimitResult &result, Styles &styles) {
     Panel panel;
     for (const RigidLimitRow &row : result.rows)
         if (row.elements.empty())
-            panel.add("", styles.of(row.quantity), true, points_of(row));
+            panel.add("", style_of(row.quantity, styles), true, points_of(row));
     std::string text;
     std::string guide;
     if (panel.largest_x > panel.least_x) {
@@ -121,7 +116,8 @@ std::string mesh_panel(const RigidLimitResult &result, Styles &styles) {
             orders.push_back(row.order);
         const bool main = row.order == result.model.order;
         if (!row.inertia)
-            panel.add(main ? row.quantity : "", styles.of(row.quantity), main, points_of(row));
+            panel.add(main ? row.quantity : "", style_of(row.quantity, styles), main,
+                      points_of(row));
     }
     for (const int order : orders) {
         const bool main = order == result.model.order;

@@ -190,20 +190,16 @@ std::string map_panel(const model::Case &scene, const results::StabilityMap &map
 
 Figure stability_figure(const model::Case &scene, const StabilityResult &result) {
     const int height = 545 + (result.family ? 240 : 0) + (result.map ? 560 : 0);
-    const auto share = [height](double pixels) { return pixels / height; };
-    double top = 1 - share(130); // three rows of the key
-    double bottom = top - share(345);
-    std::string panels = panel_margins(0.125, 0.95, bottom, top) + growth_panel(scene, result);
+    const LegendedFigure room{1180, 0.125, 0.95, height};
+    const LegendedFigure beside_palette{1180, 0.125, 0.85, height};
+    int bottom = 475;
+    std::string panels = room.panel(130, bottom) + growth_panel(scene, result); // 3 rows of the key
     if (result.family) {
-        top = bottom - share(75);
-        bottom = top - share(165);
-        panels += panel_margins(0.125, 0.95, bottom, top) + family_panel(scene, result);
+        panels += room.panel(bottom + 75, bottom + 240) + family_panel(scene, result);
+        bottom += 240;
     }
-    if (result.map) {
-        top = bottom - share(95);
-        bottom = top - share(410);
-        panels += panel_margins(0.125, 0.85, bottom, top) + map_panel(scene, *result.map);
-    }
+    if (result.map)
+        panels += beside_palette.panel(bottom + 95, bottom + 505) + map_panel(scene, *result.map);
     return figure_of(1180, height, "Stability: " + title_of(scene),
                      result.family || result.map
                          ? "over spin speed, and what the case asks for below"
