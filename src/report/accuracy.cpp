@@ -79,8 +79,8 @@ Families families_of(const AccuracyResult &result) {
 }
 
 /// @param x  of the axis: a member or a function of the row
-std::string plots(const std::string &name, const Families &families, const auto &x, bool legend) {
-    Curves drawn(name);
+std::string plots(const Families &families, const auto &x, bool legend) {
+    Curves drawn;
     std::size_t index = 0;
     for (const auto &[title, rows] : families) {
         std::vector<PlotPoint> points;
@@ -105,11 +105,11 @@ Figure accuracy_figure(const model::Case &scene, const AccuracyResult &result) {
                      std::string("set logscale xy\nset format y '10^{%L}'\n") + grid +
                          "set ylabel 'True relative error'\nset xlabel 'Unknowns'\nunset key\n" +
                          panel_margins(0.075, 0.42, 0.115, 0.87) +
-                         plots("u", families, &AccuracyRow::unknowns, false) +
+                         plots(families, &AccuracyRow::unknowns, false) +
                          "unset label\nunset ylabel\nset xlabel 'Wall time (ms)'\n"
                          "set key at graph 1.03,1 left top reverse Left vertical samplen 3\n" +
                          panel_margins(0.475, 0.82, 0.115, 0.87) +
-                         plots("t", families, in(1000, &AccuracyRow::seconds), true));
+                         plots(families, in(1000, &AccuracyRow::seconds), true));
 }
 
 } // namespace

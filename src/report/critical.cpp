@@ -9,6 +9,7 @@
 #include "report/common/text_width.h"
 #include "report/common/words.h"
 #include "report/critical_map.h"
+#include "report/pictures/labels.h"
 #include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "report/reports.h"
@@ -125,8 +126,9 @@ std::string speed_labels(const CriticalResult &result, const MarksAxis &axis) {
 Figure critical_figure(const model::Case &scene, const CriticalResult &result) {
     const MarksAxis axis = axis_of(scene, result);
     const Range &x = axis.x;
-    Curves drawn("marks");
-    drawn.add("NaN notitle" + operation_key(scene, x));
+    Curves drawn;
+    drawn.add("NaN notitle");
+    drawn.add(operation_key(scene, x));
     std::vector<PlotPoint> heavy;
     for (const auto sense :
          {results::Whirl::forward, results::Whirl::mixed, results::Whirl::backward}) {

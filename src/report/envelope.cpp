@@ -1,9 +1,7 @@
 // What every result begins with in JSON.
 
 #include "report/common/json.h"
-#include "report/common/json_units.h"
 #include "report/common/units.h"
-#include "report/common/words.h"
 #include "report/report.h"
 #include "results/model_summary.h"
 
@@ -48,8 +46,6 @@ std::string to_json(const Report &report) {
 
 std::string to_si_json(const Report &report) { return json_text(whole_json(report)); }
 
-std::string to_text(const Report &report) {
-    return in_written_units(report.text(), title_of(*report.scene));
-}
+std::string to_text(const Report &report) { return in_written_units(report.text()); }
 
 } // namespace whirl::report

@@ -7,7 +7,6 @@
 #include "report/common/table.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
-#include "report/pictures/mode_curves.h"
 #include "report/pictures/scene_parts.h"
 #include "report/reports.h"
 #include "report/vtk.h"

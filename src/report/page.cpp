@@ -1,5 +1,4 @@
 #include "report/common/html.h"
-#include "report/common/plotly.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/report.h"
@@ -62,18 +61,15 @@ std::string escaped_attribute(const std::string &text) {
     return out;
 }
 
-/// Pictures were converted when they were drawn.
-bool is_picture(const Section &section) { return section.html.starts_with("<figure"); }
-
+/// @param pictures  in the units that were asked for
 std::string sections_of(const Report &report, const std::string &pictures) {
     std::vector<Section> sections = report.sections();
     if (!pictures.empty())
         sections.insert(sections.begin() + static_cast<std::ptrdiff_t>(report.pictures_after),
-                        {report.pictures_heading, pictures});
+                        {report.pictures_heading, kept_as_written(pictures)});
     std::string html;
     for (const Section &section : sections)
-        html += element("h2", in_written_units(section.heading)) +
-                (is_picture(section) ? section.html : in_written_units(section.html));
+        html += element("h2", in_written_units(section.heading)) + in_written_units(section.html);
     return html;
 }
 
@@ -84,10 +80,6 @@ std::string escaped_lines(const std::string &text) {
     for (std::string line; std::getline(lines, line);)
         html += escaped(line) + "\n";
     return html;
-}
-
-std::string script_data(const Report &report) {
-    return report.script_data ? report.script_data() : "";
 }
 
 std::string script_element(std::string_view script) {
@@ -114,14 +106,14 @@ std::string to_html(const Report &report, const std::string &still, const std::s
             element("p", "This build has no Plotly, so the diagram is a still picture.", "note");
     std::string scripts;
     const std::string of_space = embedded(report.command + "_space.js"); // which needs no library
+    const std::string data = report.script_data ? report.script_data() : "";
     if (moves)
         scripts = script_element(plotly_bundle());
     if (moves || !of_space.empty()) // in a function of its own: names such as `top` belong to the
         scripts +=                  // window outside
             script_element("(function () {\n" +
                            page_script_in_written_units(embedded("common.js") + script_units() +
-                                                        script_data(report) + of_space +
-                                                        (moves ? script : "")) +
+                                                        data + of_space + (moves ? script : "")) +
                            "})();\n");
     const bool is_drawing = static_cast<bool>(report.drawing); // the rotor itself
     return with_contents(

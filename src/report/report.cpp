@@ -2,7 +2,6 @@
 
 #include "report/common/files.h"
 #include "report/common/html.h"
-#include "report/common/plotly.h"
 #include "report/common/units.h"
 #include "report/common/words.h"
 
@@ -41,19 +40,27 @@ class Writer {
     }
 
     /// Forgets the file where gnuplot is missing. @returns whether the picture is on its way.
-    bool start(const Figure &figure, PictureFormat format, const std::string &name) {
-        const bool started = _jobs.start(figure, format, _files.reserve(name));
+    bool start_png(const Figure &figure, const std::string &name) {
+        const bool started = _jobs.start(figure, PictureFormat::png, _files.reserve(name + ".png"));
         if (started)
-            _linked.push_back(name);
+            _linked.push_back(name + ".png");
         else
-            _files.drop(name);
+            _files.drop(name + ".png");
         return started;
     }
 
-    /// In the units that were asked for.
-    [[nodiscard]] Figure converted(Figure figure) const {
-        figure.script = script_in_written_units(figure.script, title_of(*_report.scene));
-        return figure;
+    /// Both files of a picture, in the units that were asked for. The PNG takes longest, so it
+    /// starts first; the SVG is announced first. @returns the latter, or nothing without gnuplot
+    fs::path start_both(Figure figure, const std::string &name) {
+        figure.script = script_in_written_units(figure.script);
+        const fs::path svg = _files.reserve(name + ".svg");
+        if (!start_png(figure, name)) {
+            _files.drop(name + ".svg");
+            return {};
+        }
+        _jobs.start(figure, PictureFormat::svg, svg);
+        _linked.push_back(name + ".svg");
+        return svg;
     }
 
     void start_main() {
@@ -63,31 +70,18 @@ class Writer {
             _still = to_svg(drawing);
             add(name + ".svg", _still);
             _still = picture_element(_still, _report.heading + ": " + title_of(*_report.scene));
-            if (!start(to_figure(drawing), PictureFormat::png, name + ".png"))
+            if (!start_png(to_figure(drawing), name))
                 _written.notes.emplace_back("gnuplot is not installed: no PNG picture");
             return;
         }
-        // The PNG takes longest, so it starts first; the SVG is announced first as the main
-        // picture.
-        const Figure figure = converted(_report.figure());
-        _svg = _files.reserve(name + ".svg");
-        if (start(figure, PictureFormat::png, name + ".png")) {
-            _jobs.start(figure, PictureFormat::svg, _svg);
-            _linked.push_back(name + ".svg");
-            return;
-        }
-        _svg.clear();
-        _files.drop(name + ".svg");
-        _written.notes.emplace_back("gnuplot is not installed: no SVG and PNG pictures");
+        _svg = start_both(_report.figure(), name);
+        if (_svg.empty())
+            _written.notes.emplace_back("gnuplot is not installed: no SVG and PNG pictures");
     }
 
     void start_further(const Picture &picture) {
-        const Figure figure = converted(picture.figure);
-        if (start(figure, PictureFormat::png, picture.name + ".png")) {
-            _further.push_back(_files.reserve(picture.name + ".svg"));
-            _jobs.start(figure, PictureFormat::svg, _further.back());
-            _linked.push_back(picture.name + ".svg");
-        }
+        if (const fs::path svg = start_both(picture.figure, picture.name); !svg.empty())
+            _further.push_back(svg);
         if (!picture.csv.empty())
             add(picture.name + ".csv", picture.csv);
     }

@@ -113,20 +113,20 @@ std::string to_vtp(const model::Case &scene, const results::ModesResult &result)
     piece.append_attribute("NumberOfPolys") =
         grid.stations > 0 ? (grid.stations - 1) * static_cast<std::size_t>(around) : 0;
     pugi::xml_node data = piece.append_child("PointData");
+    const auto add = [&](const std::string &name, const results::ModeShape &mode) {
+        add_array(data, name + " real", "Float64", 3, vectors(grid, mode, true));
+        add_array(data, name + " imag", "Float64", 3, vectors(grid, mode, false));
+    };
     int place = 0;
     for (const auto &mode : result.modes) {
         ++place;
-        const std::string name = mode.label.empty() ? "mode " + std::to_string(place) : mode.label;
-        add_array(data, name + " real", "Float64", 3, vectors(grid, mode, true));
-        add_array(data, name + " imag", "Float64", 3, vectors(grid, mode, false));
+        add(mode.label.empty() ? "mode " + std::to_string(place) : mode.label, mode);
     }
     place = 0;
-    for (const auto &mode : result.critical) {
-        const std::string name = fmt::format("critical {}{} at {:.6g} rad/s", ++place,
-                                             mode.label.empty() ? "" : " " + mode.label, mode.at);
-        add_array(data, name + " real", "Float64", 3, vectors(grid, mode, true));
-        add_array(data, name + " imag", "Float64", 3, vectors(grid, mode, false));
-    }
+    for (const auto &mode : result.critical)
+        add(fmt::format("critical {}{} at {:.6g} rad/s", ++place,
+                        mode.label.empty() ? "" : " " + mode.label, mode.at),
+            mode);
     add_array(piece.append_child("Points"), "Points", "Float64", 3, coordinates(scene, z));
     add_cells(piece, grid);
     std::ostringstream text;

@@ -1,5 +1,4 @@
 #include "report/common/html.h"
-#include "report/common/plotly.h"
 #include "results/campbell.h"
 #include "results/formulation.h"
 #include "results/modes.h"

@@ -1,6 +1,6 @@
 #include "report/pictures/campbell_panel.h"
 #include "report/pictures/figures.h"
-#include "report/pictures/mode_curves.h"
+#include "report/pictures/labels.h"
 #include "report/pictures/style.h"
 #include "report/response/marks.h"
 #include "results/campbell.h"
@@ -46,7 +46,7 @@ TEST(PlotData, SprungFrequenciesAreNotJoined) {
     mode.frequency = {100., 101., 102., 30., 103., 104., 105.};
     mode.whirl.assign(7, results::Whirl::forward);
     result.modes = {mode};
-    const Panel panel{"p", false, {0, 60}, {0, 20}};
+    const Panel panel{false, {0, 60}, {0, 20}};
     const auto all = [](const auto &, std::size_t) { return true; };
     const auto lines = stretches(panel, result, all);
     ASSERT_EQ(lines.size(), 2U);
@@ -76,7 +76,7 @@ TEST(PlotData, LinesThatExchangeMotionsAreNotJoined) {
     results::CampbellMode late = mode;
     late.frequency = {{}, {}, 1940., 626.};
     result.modes = {mode, late};
-    const Panel panel{"p", false, {0, 700 * rpm}, {0, 400}};
+    const Panel panel{false, {0, 700 * rpm}, {0, 400}};
     const auto all = [](const auto &, std::size_t) { return true; };
     ASSERT_EQ(stretches(panel, result, all).size(), 1U);
     EXPECT_EQ(stretches(panel, result, all)[0].size(), 3U);
@@ -97,7 +97,7 @@ TEST(PlotData, TheOtherOneOfTwoFrequenciesIsNotJoined) {
     fast.frequency.assign(7, 7000.);
     fast.frequency_rotating = {6920., 6918., 6916., 6914., 6912., 6910., 6908.};
     result.modes = {mode, fast};
-    const Panel panel{"p", false, {0, 60}, {0, 20}};
+    const Panel panel{false, {0, 60}, {0, 20}};
     const auto lines = stretches(panel, result, [](const auto &, std::size_t) { return true; });
     ASSERT_EQ(lines.size(), 3U);
     EXPECT_EQ(lines[0].size(), 3U);
@@ -113,7 +113,7 @@ TEST(PlotData, TheOtherOneOfTwoFrequenciesIsNotJoined) {
     EXPECT_EQ(others[1].front().y, lines[0].back().y);
     result.modes[0].other_frequency = {{}, {}, 77., {}, {}, {}, {}};
     ASSERT_EQ(other_frequencies(panel, result).size(), 1U);
-    EXPECT_TRUE(other_frequencies(Panel{"d", true, {0, 60}, {0, 1}}, result).empty());
+    EXPECT_TRUE(other_frequencies(Panel{true, {0, 60}, {0, 1}}, result).empty());
 }
 
 // Between two speeds the curve of growth leaves zero at the end of the band, not at the speed
@@ -124,7 +124,7 @@ TEST(PlotData, GrowthIsZeroAtTheEndsOfBands) {
     result.growth = {-1, -1, 4, -1};
     result.unstable = {{18 / rpm, 25 / rpm}};
     const std::string script = stability_figure(sample_case(), result).script;
-    const std::string block = script.substr(script.find("$growth"));
+    const std::string block = script.substr(script.find("$curve0"));
     const std::size_t begins = block.find("\n18 0\n");
     const std::size_t ends = block.find("\n25 0\n");
     ASSERT_NE(begins, std::string::npos) << block;
@@ -168,9 +168,9 @@ TEST(PlotData, PolarLoopsAreRound) {
     result.nodes[0].amplitude = result.curves.values[0];
     result.nodes[0].phase = result.curves.phases[0];
     const std::string script = polar_figure(sample_case(), result).script;
-    const std::size_t from = script.find("$p0 << EOD\n");
+    const std::size_t from = script.find("$curve0 << EOD\n");
     ASSERT_NE(from, std::string::npos);
-    std::istringstream data(script.substr(from + 11, script.find("EOD", from + 11) - from - 11));
+    std::istringstream data(script.substr(from + 15, script.find("EOD", from + 15) - from - 15));
     int points = 0;
     for (double x = 0, y = 0; data >> x >> y; ++points)
         EXPECT_NEAR(std::hypot(x, y + radius * micrometres), radius * micrometres,
@@ -186,8 +186,8 @@ TEST(PlotData, PolarLoopsAreRound) {
     const std::string read = polar_figure(sample_case(), result).script;
     EXPECT_NE(read.find("1Y, z = 0 m at 90°"), std::string::npos);
     EXPECT_NE(read.find("set xlabel 'in phase ("), std::string::npos);
-    EXPECT_EQ(read.find("$p1 << EOD"), std::string::npos);
-    EXPECT_NE(read.find("$p0 << EOD\n1 0\n"), std::string::npos) << "1 um at no angle";
+    EXPECT_EQ(read.find("$curve1 << EOD"), std::string::npos);
+    EXPECT_NE(read.find("$curve0 << EOD\n1 0\n"), std::string::npos) << "1 um at no angle";
 }
 
 TEST(PlotData, SpreadKeepsGapOrderAndRange) {

@@ -1,7 +1,7 @@
 // What is written in other units: headings, tables, text and pictures. The numbers by hand.
 
 #include "report/common/csv.h"
-#include "report/common/json_units.h"
+#include "report/common/json.h"
 #include "report/common/units.h"
 
 #include "report/common/table.h"
@@ -121,7 +121,7 @@ TEST(WrittenUnits, OfTextFollowTheirNumbers) {
     EXPECT_EQ(in_written_units("1.5 m/s2, 3 Nm, 12 mm2, 5 modes, 4 N m"),
               "1.5 m/s2, 3 Nm, 12 mm2, 5 modes, 4 N m");
     // A title is the user's own, and numbers beside rpm come from the factor `rpm`.
-    EXPECT_EQ(in_written_units("shaft of 2 m\nat 50 rpm", "shaft of 2 m"),
+    EXPECT_EQ(in_written_units(kept_as_written("shaft of 2 m") + "\nat 50 rpm"),
               "shaft of 2 m\nat 50 Hz");
     // An analysis has no such factors; what it says is converted once.
     EXPECT_EQ(note_in_written_units("above 3000 rpm"), "above 50 Hz");
@@ -132,8 +132,7 @@ TEST(WrittenUnits, OfTextFollowTheirNumbers) {
 TEST(WrittenUnits, OfAPictureAreThoseOfItsAxes) {
     const WrittenIn units(american());
     EXPECT_EQ(script_in_written_units("set xlabel 'Spin speed (rpm)'\nset ylabel 'Amplitude "
-                                      "(µm)'\nset label 'z = 0.508 m'\n0.5 2\n",
-                                      ""),
+                                      "(µm)'\nset label 'z = 0.508 m'\n0.5 2\n"),
               "set xlabel 'Spin speed (Hz)'\nset ylabel 'Amplitude (mil)'\nset label 'z = 20 "
               "in'\n0.5 2\n");
 }

@@ -1,6 +1,7 @@
 #include "report/common/csv.h"
 
 #include "report/common/units.h"
+#include "report/common/words.h"
 
 #include <fmt/format.h>
 
@@ -36,10 +37,8 @@ std::string csv_cell(const Json &value, double factor) {
 }
 
 std::string csv_head_line(const std::vector<std::string> &head) {
-    std::vector<std::string> cells;
-    for (const std::string &heading : head)
-        cells.push_back(converted(heading).text);
-    return csv_line(cells);
+    const auto text = [](const std::string &heading) { return converted(heading).text; };
+    return joined(head, ",", text) + "\n";
 }
 
 std::vector<double> csv_factors(const std::vector<std::string> &head) {
@@ -49,9 +48,7 @@ std::vector<double> csv_factors(const std::vector<std::string> &head) {
     return factors;
 }
 
-std::string csv_line(const std::vector<std::string> &cells) {
-    return fmt::format("{}\n", fmt::join(cells, ","));
-}
+std::string csv_line(const std::vector<std::string> &cells) { return joined(cells, ",") + "\n"; }
 
 std::string csv_lists(const std::vector<std::pair<std::string, Json>> &lists) {
     Columns<std::size_t> columns;

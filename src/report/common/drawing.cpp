@@ -26,12 +26,11 @@ void add_shape(pugi::xml_node parent, const DrawShape &shape) {
 }
 
 void add_text(pugi::xml_node parent, const DrawText &text) {
-    static constexpr const char *anchors[] = {"start", "middle", "end"};
     pugi::xml_node node = parent.append_child("text");
     node.append_attribute("x") = fmt::format("{:.2f}", text.at.x).c_str();
     node.append_attribute("y") = fmt::format("{:.2f}", text.at.y).c_str();
     node.append_attribute("font-size") = fmt::format("{}", text.size).c_str();
-    node.append_attribute("text-anchor") = anchors[static_cast<int>(text.anchor)];
+    node.append_attribute("text-anchor") = "middle";
     node.append_attribute("fill") = text.colour.c_str();
     node.text().set(printable(with_powers(text.text)).c_str());
 }
@@ -61,15 +60,13 @@ std::string to_svg(const Drawing &drawing) {
 }
 
 Figure to_figure(const Drawing &drawing) {
-    Figure figure;
-    figure.width = static_cast<int>(std::ceil(drawing.width));
-    figure.height = static_cast<int>(std::ceil(drawing.height));
-    std::string &script = figure.script;
-    script =
+    const int width = static_cast<int>(std::ceil(drawing.width));
+    const int height = static_cast<int>(std::ceil(drawing.height));
+    std::string script =
         fmt::format("unset border\nunset tics\nunset key\nset lmargin at screen 0\n"
                     "set rmargin at screen 1\nset bmargin at screen 0\nset tmargin at screen 1\n"
                     "set xrange [0:{}]\nset yrange [{}:0]\n",
-                    figure.width, figure.height);
+                    width, height);
     std::string plots;
     for (std::size_t i = 0; i < drawing.shapes.size(); ++i) {
         const DrawShape &shape = drawing.shapes[i];
@@ -86,15 +83,13 @@ Figure to_figure(const Drawing &drawing) {
             plots += fmt::format("$s{} with lines lw {} dt {} lc rgb '{}', ", i, shape.width,
                                  shape.dashed ? "(9,6)" : "1", shape.stroke);
     }
-    static constexpr const char *anchors[] = {"left", "center", "right"};
     for (const DrawText &text : drawing.texts)
         // gnuplot centres a label on its point, so the baseline moves up by a third of the size.
-        script += fmt::format("set label {} at {},{} {} font ',{:.1f}' textcolor '{}' front\n",
+        script += fmt::format("set label {} at {},{} center font ',{:.1f}' textcolor '{}' front\n",
                               plot_text(text.text), text.at.x, text.at.y - 0.35 * text.size,
-                              anchors[static_cast<int>(text.anchor)], text.size, text.colour);
+                              text.size, text.colour);
     plots += "NaN notitle"; // a plot command needs at least one element
-    script += "plot " + plots + "\n";
-    return figure;
+    return {script + "plot " + plots + "\n", width, height};
 }
 
 } // namespace whirl::report

@@ -23,13 +23,10 @@ struct DrawShape {
     bool closed = false;
 };
 
-enum class Anchor { start, middle, end };
-
 struct DrawText {
-    DrawPoint at; ///< on the baseline
+    DrawPoint at; ///< on the baseline, below the middle of the text
     std::string text;
     double size = 13; ///< pixels
-    Anchor anchor = Anchor::middle;
     std::string colour = "#222222";
 };
 

@@ -1,5 +1,7 @@
 #include "report/common/html.h"
 
+#include "report/common/words.h"
+
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
@@ -89,11 +91,9 @@ std::string with_contents(std::string page) {
 }
 
 std::string file_links(const std::vector<std::string> &names) {
-    std::string links;
-    for (const std::string &name : names)
-        links += fmt::format("{}<a href=\"{}\">{}</a>", links.empty() ? "" : " · ", escaped(name),
-                             escaped(name));
-    return links;
+    return joined(names, " · ", [](const std::string &name) {
+        return fmt::format("<a href=\"{0}\">{0}</a>", escaped(name));
+    });
 }
 
 std::string json_for_script(const std::string &json) {

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pugi {
@@ -43,5 +44,8 @@ namespace whirl::report {
 
 /// A file of src/report/web, such as "campbell.js"; empty where there is none.
 [[nodiscard]] std::string embedded(const std::string &name);
+/// Plotly's JavaScript, embedded at build time from its npm package; empty where the build had
+/// none.
+[[nodiscard]] std::string_view plotly_bundle();
 
 } // namespace whirl::report

@@ -57,6 +57,10 @@ void take_entries(Json &object, Json &&more);
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+/// A result in the units that were asked for, by the keys of its numbers. `units` says of each key
+/// that was converted what its unit is; all others are in SI.
+void convert_json(Json &json);
+
 /// `of(item)` for each item, as a list.
 template <class List, class Of> [[nodiscard]] Json json_list(const List &list, Of of) {
     Json items = Json::array();

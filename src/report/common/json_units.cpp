@@ -1,4 +1,3 @@
-#include "report/common/json_units.h"
 #include "report/common/json.h"
 #include "report/common/units.h"
 

@@ -1,4 +1,4 @@
-#include "report/common/plotly.h"
+#include "report/common/html.h"
 
 namespace whirl::report {
 

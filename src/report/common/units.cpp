@@ -219,28 +219,20 @@ std::string prose(std::string_view text, bool note) {
     return out.append(text.substr(done));
 }
 
-/// Marks around text that is converted already.
+/// Marks around text that stays as it is.
 constexpr char kept_begin = '\x01';
 constexpr char kept_end = '\x02';
 
 /// A function of the parts of a text between those that are kept.
-template <class Of>
-std::string between(const std::string &text, const std::string &kept, const Of &of) {
+template <class Of> std::string between(const std::string &text, const Of &of) {
     std::string out;
-    std::string_view rest = text;
-    while (!rest.empty()) {
-        const std::size_t title = kept.empty() ? std::string_view::npos : rest.find(kept);
-        const std::size_t mark = rest.find(kept_begin);
-        const std::size_t stop = std::min({title, mark, rest.size()});
-        out += of(rest.substr(0, stop));
-        rest.remove_prefix(stop);
-        if (rest.empty())
-            break;
-        const bool marked = stop == mark;
-        const std::size_t end = std::min(rest.find(kept_end), rest.size());
-        const std::size_t length = marked ? end : kept.size();
-        out += rest.substr(marked ? 1 : 0, length - (marked ? 1 : 0));
-        rest.remove_prefix(std::min(rest.size(), length + (marked ? 1 : 0)));
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t begin = std::min(text.find(kept_begin, from), text.size());
+        const std::size_t end = std::min(text.find(kept_end, begin), text.size());
+        out += of(std::string_view(text).substr(from, begin - from));
+        if (begin < end)
+            out += text.substr(begin + 1, end - begin - 1);
+        from = end + 1;
     }
     return out;
 }
@@ -279,11 +271,8 @@ UnitHeading heading_in_written_units(const std::string &heading, const std::stri
 }
 
 std::string quantity_in(const std::string &unit) {
-    static const std::map<std::string, std::string> quantities{
-        {"rad/s", "speed"},   {"m", "length"},      {"kg", "mass"},
-        {"kg m2", "inertia"}, {"N/m", "stiffness"}, {"N", "force"}};
-    const auto found = quantities.find(unit);
-    return found == quantities.end() ? "" : found->second;
+    const auto *const word = std::ranges::find(unit_words, unit, &UnitWord::text);
+    return std::string(word == unit_words.end() ? "" : word->quantity);
 }
 
 std::optional<double> written_factor(const std::string &quantity) {
@@ -298,10 +287,10 @@ std::string unit_name(const std::string &quantity, const std::string &usual) {
     return quantity == "amplitude" && current().peak_to_peak ? unit->name + " pk-pk" : unit->name;
 }
 
-std::string in_written_units(const std::string &text, const std::string &kept) {
+std::string in_written_units(const std::string &text) {
     if (!current().given())
         return text;
-    return between(text, kept, [](std::string_view part) { return prose(part, false); });
+    return between(text, [](std::string_view part) { return prose(part, false); });
 }
 
 std::string note_in_written_units(const std::string &note) { return prose(note, true); }
@@ -353,10 +342,10 @@ std::string labels(std::string text) {
 
 } // namespace
 
-std::string script_in_written_units(const std::string &script, const std::string &kept) {
+std::string script_in_written_units(const std::string &script) {
     if (!current().given())
         return script;
-    return between(script, kept, [](std::string_view part) { return labels(prose(part, false)); });
+    return between(script, [](std::string_view part) { return labels(prose(part, false)); });
 }
 
 std::string script_units() {

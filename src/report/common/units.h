@@ -74,14 +74,14 @@ struct WrittenUnit {
 
 /// Text of the report with its units by their other names: numbers before "rpm", "Hz" and "µm" are
 /// there already by the factors above, those before "m", "N", "N/m", "rad/s" are converted.
-/// @param kept  a part that stays as it is wherever it occurs, such as a title; or empty
-[[nodiscard]] std::string in_written_units(const std::string &text, const std::string &kept = "");
+[[nodiscard]] std::string in_written_units(const std::string &text);
 
 /// The same for text of an analysis, whose numbers are all as they say: in SI. Where no units were
 /// asked for, speeds and frequencies are in those of the text around it, rpm and Hz.
 [[nodiscard]] std::string note_in_written_units(const std::string &note);
 
-/// Text that is converted already, marked so that in_written_units leaves it alone.
+/// Text that is converted already or the user's own, such as a title: marked so that
+/// in_written_units and script_in_written_units leave it alone.
 [[nodiscard]] std::string kept_as_written(const std::string &text);
 
 /// A cell of a table for the terminal, converted once and for all: what in_written_units leaves
@@ -91,8 +91,7 @@ struct WrittenUnit {
 [[nodiscard]] std::size_t shown_size(const std::string &cell);
 
 /// Commands of a picture: as text, with the units of its axes, whose numbers are there already.
-[[nodiscard]] std::string script_in_written_units(const std::string &script,
-                                                  const std::string &kept);
+[[nodiscard]] std::string script_in_written_units(const std::string &script);
 
 /// What the page's scripts need: factors and names.
 [[nodiscard]] std::string script_units();

@@ -87,7 +87,7 @@ std::string range_text(const std::vector<double> &speeds) {
 }
 
 std::string heading(const model::Case &scene, const std::string &what) {
-    return fmt::format("{}\n{}\n\n", title_of(scene), what);
+    return fmt::format("{}\n{}\n\n", kept_as_written(title_of(scene)), what);
 }
 
 std::string model_text(const results::ModelSummary &model) {

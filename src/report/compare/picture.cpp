@@ -143,7 +143,7 @@ std::string upper_panel(const Comparison &comparison, double pixel, double botto
     const std::string &command = comparison.command;
     const UpperPanel &panel = upper_panels.at(command);
     const bool marks = command == "critical";
-    Curves drawn("curve");
+    Curves drawn;
     drawn.add("NaN notitle");
     std::size_t count = 0;
     for (std::size_t i = 0; i < comparison.results.size(); ++i)
@@ -167,7 +167,7 @@ std::string upper_panel(const Comparison &comparison, double pixel, double botto
 }
 
 std::string lower_panel(const Comparison &comparison, double pixel, double bottom, double top) {
-    Curves drawn("d");
+    Curves drawn;
     drawn.add("NaN notitle");
     double high = 1e-12;
     for (std::size_t other = 1; other < comparison.results.size(); ++other) {
@@ -195,13 +195,14 @@ std::string lower_panel(const Comparison &comparison, double pixel, double botto
                   fmt::format("using ($1-0.32):2:(0.64):(0) with vectors nohead lw 1 lc rgb '{}'",
                               style.colour));
     }
+    drawn.add("keyentry with lines lw 1 lc rgb '#555555' title 'both error bars'");
     return panel_margins(0.09, 0.96, bottom, top) + logarithmic_y +
            fmt::format("set yrange [{}:{}]\nset xrange [0.3:*]\nset xtics auto\n"
                        "set xlabel 'Quantity, number in the table of its result'\n"
                        "set ylabel 'Difference relative to the first'\n{}"
                        "set key at screen 0.525,{} center center horizontal samplen 2 font ',10'\n",
                        least_drawn / 3, 10 * high, grid, top + 16 * pixel) +
-           drawn.script(", keyentry with lines lw 1 lc rgb '#555555' title 'both error bars'");
+           drawn.script();
 }
 
 } // namespace

@@ -169,7 +169,7 @@ std::vector<std::filesystem::path> write_comparison(const Comparison &comparison
     OutputFiles files(folder);
     PlotJobs jobs;
     Figure figure = comparison_figure(comparison);
-    figure.script = script_in_written_units(figure.script, "");
+    figure.script = script_in_written_units(figure.script);
     std::string still;
     const auto svg = files.reserve("compare.svg");
     if (jobs.start(figure, PictureFormat::svg, svg)) {

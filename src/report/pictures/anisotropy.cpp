@@ -14,9 +14,9 @@ namespace {
 
 using results::AnisotropyChart;
 
-const char *const unstable_fill = "#F6D5D0";
-const char *const limit_colour = "#B00020";
-const char *const critical_colour = "#0072B2";
+constexpr const char *limit_look = "with lines lw 2 lc rgb '#B00020'";
+constexpr const char *critical_look = "with lines lw 1.8 dt (12,5) lc rgb '#0072B2'";
+constexpr const char *case_look = "lc rgb '#444444' dt (6,4) front";
 
 /// Speed axis in rad/s on the left and rev/min on the right.
 std::string speed_axes(const AnisotropyChart &chart) {
@@ -53,23 +53,20 @@ std::string signs_over_anisotropy(const AnisotropyChart &chart, double widest) {
 /// The region right of the limit curve is unstable.
 std::string anisotropy_panel(const AnisotropyChart &chart) {
     const double widest = widest_anisotropy(chart);
-    std::string region = "$region << EOD\n";
+    std::vector<PlotPoint> region;
     for (std::size_t i = 0; i < chart.speed.size(); ++i)
-        region += fmt::format("{} {}\n", std::min(chart.limit[i], widest), chart.speed[i]);
-    region += fmt::format("{0} {1}\n{0} 0\nEOD\n", widest, chart.speed.back());
-    return region + data_block("limit", {points_over(chart.limit, 1, chart.speed, 1)}) +
-           data_block("critical", {points_over(chart.undamped, 1, chart.speed, 1)}) +
-           speed_axes(chart) + signs_over_anisotropy(chart, widest) +
+        region.push_back({std::min(chart.limit[i], widest), chart.speed[i]});
+    region.push_back({widest, chart.speed.back()});
+    region.push_back({widest, 0});
+    Curves drawn;
+    drawn.add(region, "with filledcurves closed lc rgb '#F6D5D0'", "'unstable (−)'");
+    drawn.add(points_over(chart.limit, 1, chart.speed, 1), limit_look, "'stability limit'");
+    drawn.add(points_over(chart.undamped, 1, chart.speed, 1), critical_look, "'critical speed'");
+    return speed_axes(chart) + signs_over_anisotropy(chart, widest) +
            fmt::format("set title 'C = {:.4g} (upright line: the case)'\nset xlabel 'Anisotropy, "
-                       "half the difference of the "
-                       "diametral inertias / A'\nset xrange [0:{}]\n"
-                       "set arrow 1 from {},graph 0 to {},graph 1 nohead lc rgb '#444444' dt (6,4) "
-                       "front\n"
-                       "plot $region with filledcurves closed lc rgb '{}' title 'unstable (−)', "
-                       "$limit with lines lw 2 lc rgb '{}' title 'stability limit', "
-                       "$critical with lines lw 1.8 dt (12,5) lc rgb '{}' title 'critical speed'\n",
-                       chart.C, widest, chart.anisotropy, chart.anisotropy, unstable_fill,
-                       limit_colour, critical_colour);
+                       "half the difference of the diametral inertias / A'\nset xrange [0:{}]\n",
+                       chart.C, widest) +
+           upright(chart.anisotropy, case_look) + drawn.script();
 }
 
 /// Where (+) and (-) stand in the panel over C: (-) in the middle of the band where that is widest.
@@ -115,18 +112,15 @@ std::string polar_panel(const AnisotropyChart &chart) {
         first.push_back({C, speeds.empty() ? std::nullopt : std::optional(speeds.front())});
         second.push_back({C, speeds.size() < 2 ? std::nullopt : std::optional(speeds.back())});
     }
-    return region + "NaN NaN NaN\nEOD\n" + data_block("lower", {lower, upper}) +
-           data_block("speeds", {first, second}) + speed_axes(chart) + signs_over_polar(chart) +
+    Curves drawn;
+    drawn.add("$region using 1:2:3 with filledcurves lc rgb '#F6D5D0' notitle");
+    drawn.add_pieces({lower, upper}, limit_look);
+    drawn.add_pieces({first, second}, critical_look);
+    return region + "NaN NaN NaN\nEOD\n" + speed_axes(chart) + signs_over_polar(chart) +
            fmt::format("set title 'anisotropy {:.4g} (upright line: the case)'\nset xlabel 'Polar "
-                       "inertia C / A'\n"
-                       "set xrange [{}:{}]\n"
-                       "set arrow 1 from {},graph 0 to {},graph 1 nohead lc rgb '#444444' dt (6,4) "
-                       "front\n"
-                       "plot $region using 1:2:3 with filledcurves lc rgb '{}' notitle, "
-                       "$lower with lines lw 2 lc rgb '{}' notitle, "
-                       "$speeds with lines lw 1.8 dt (12,5) lc rgb '{}' notitle\n",
-                       chart.anisotropy, chart.polar.front(), chart.polar.back(), chart.C, chart.C,
-                       unstable_fill, limit_colour, critical_colour);
+                       "inertia C / A'\nset xrange [{}:{}]\n",
+                       chart.anisotropy, chart.polar.front(), chart.polar.back()) +
+           upright(chart.C, case_look) + drawn.script();
 }
 
 std::string subtitle(const AnisotropyChart &chart) {
@@ -144,10 +138,11 @@ std::string subtitle(const AnisotropyChart &chart) {
 } // namespace
 
 Figure anisotropy_figure(const model::Case &scene, const AnisotropyChart &chart) {
-    return figure_of(
-        1180, 560, "Critical speeds and stability: " + title_of(scene), subtitle(chart),
-        panel_margins(0.055, 0.41, 0.13, 0.8) + anisotropy_panel(chart) + "unset label\n" +
-            panel_margins(0.57, 0.925, 0.13, 0.8) + polar_panel(chart));
+    return figure_of(1180, 560, "Critical speeds and stability: " + title_of(scene),
+                     subtitle(chart),
+                     panel_margins(0.055, 0.41, 0.13, 0.8) + anisotropy_panel(chart) +
+                         "unset label\nunset arrow\n" + panel_margins(0.57, 0.925, 0.13, 0.8) +
+                         polar_panel(chart));
 }
 
 } // namespace whirl::report

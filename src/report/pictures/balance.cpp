@@ -28,32 +28,6 @@ std::string quoted(const std::string &text) {
     return whole.substr(0, whole.rfind(' '));
 }
 
-/// A row of the upper panel.
-struct Row {
-    std::string name;
-    const results::BalanceBands *bands = nullptr; ///< of the criterion; else of `position`
-    const results::BalancedPosition *position = nullptr;
-    const std::vector<results::SimulatedSpeed> *simulated = nullptr;
-};
-
-std::vector<Row> rows_of(const BalanceResult &result) {
-    std::vector<Row> rows;
-    for (std::size_t i = 0; i < result.planes.size(); ++i) {
-        const auto &plane = result.planes[i];
-        const std::string name = plane.name.empty() ? "plane " + std::to_string(i + 1) : plane.name;
-        constexpr double most = 280; // pixels
-        rows.push_back({fitting(name, picture_font, most) + ", z = " + readable(plane.z, 4) + " m",
-                        &plane.bands, nullptr, nullptr});
-    }
-    if (result.planes.size() > 1)
-        rows.push_back({"all planes together", &result.joint.bands, nullptr, nullptr});
-    if (result.balanced_position)
-        rows.push_back({"real balancers stable", nullptr, &*result.balanced_position, nullptr});
-    if (!result.simulated.empty())
-        rows.push_back({"motions in time", nullptr, nullptr, &result.simulated});
-    return rows;
-}
-
 std::string bars(const std::vector<results::SpeedBand> &bands, double low, double high,
                  const char *colour) {
     std::string out;
@@ -79,15 +53,6 @@ std::string end_labels(const results::BalanceBands &bands, double y, double widt
     return out;
 }
 
-std::string critical_lines(const BalanceResult &result, double top) {
-    std::string out;
-    for (const double speed : result.critical_speeds)
-        out += fmt::format("set arrow from first {0:.9g},0 to first {0:.9g},{1} nohead "
-                           "dt (4,4) lc rgb '#777777' lw 1 back\n",
-                           speed * rpm, top);
-    return out;
-}
-
 /// A mark for each motion in time: a full one where it ends balanced, else a cross.
 std::string outcome_marks(const std::vector<results::SimulatedSpeed> &runs, double y) {
     std::string out;
@@ -101,61 +66,89 @@ std::string outcome_marks(const std::vector<results::SimulatedSpeed> &runs, doub
 }
 
 /// What the marks of the upper panel mean: those that are drawn.
-std::string bands_key(const BalanceResult &result) {
-    const auto box = [](const char *colour, const char *title) {
-        return fmt::format("NaN with boxes fs solid lc rgb '{}' title '{}'", colour, title);
+Curves bands_key(const BalanceResult &result) {
+    Curves key;
+    const auto add_box = [&key](const char *colour, const char *title) {
+        key.add(fmt::format("NaN with boxes fs solid lc rgb '{}' title '{}'", colour, title));
     };
-    std::string key = box(balanced_colour, "criterion") + ", " + box(rigid_colour, "rigid form");
+    add_box(balanced_colour, "criterion");
+    add_box(rigid_colour, "rigid form");
     if (result.balanced_position)
-        key += ", " + box(stable_colour, "real balancers");
+        add_box(stable_colour, "real balancers");
     if (!result.simulated.empty())
-        key += fmt::format(", NaN with points pt 7 ps 1.3 lc rgb '{}' title 'in time: balanced', "
-                           "NaN with points pt 2 ps 1.3 lc rgb '{}' title 'not'",
-                           stable_colour, unbalanced_colour);
+        key.add(fmt::format("NaN with points pt 7 ps 1.3 lc rgb '{}' title 'in time: balanced', "
+                            "NaN with points pt 2 ps 1.3 lc rgb '{}' title 'not'",
+                            stable_colour, unbalanced_colour));
     if (!result.critical_speeds.empty())
-        key += ", NaN with lines dt (4,4) lc rgb '#777777' title 'critical speed'";
+        key.add("NaN with lines dt (4,4) lc rgb '#777777' title 'critical speed'");
     return key;
 }
 
-/// The word `nowhere` at the left of a row without a bar.
-std::string nowhere(double y) {
-    return fmt::format("set label 'nowhere in this range' at graph 0.01,first {} left textcolor "
-                       "'#777777' font ',9' front\n",
-                       y);
+/// The bars of a row; the word `nowhere` at its left without any.
+std::string main_bars(const std::vector<results::SpeedBand> &bands, double base,
+                      const char *colour) {
+    if (bands.empty())
+        return fmt::format("set label 'nowhere in this range' at graph 0.01,first {} left "
+                           "textcolor '#777777' font ',9' front\n",
+                           base + 0.58);
+    return bars(bands, base + 0.42, base + 0.74, colour);
+}
+
+/// A row of the upper panel; the first one lies from -1 to 0, the next below it.
+struct Row {
+    std::string name;
+    std::string marks;
+};
+
+/// @param width  of the axis of speeds
+std::vector<Row> rows_of(const BalanceResult &result, double width) {
+    std::vector<Row> rows;
+    const auto base = [&rows] { return -1 - static_cast<double>(rows.size()); };
+    const auto add = [&](const std::string &name, const results::BalanceBands &of) {
+        std::string marks = main_bars(of.bands, base(), balanced_colour);
+        if (of.rigid_bands)
+            marks += bars(*of.rigid_bands, base() + 0.2, base() + 0.36, rigid_colour);
+        rows.push_back({name, marks + end_labels(of, base() + 0.86, width)});
+    };
+    for (std::size_t i = 0; i < result.planes.size(); ++i) {
+        const auto &plane = result.planes[i];
+        const std::string name = plane.name.empty() ? "plane " + std::to_string(i + 1) : plane.name;
+        constexpr double most = 280; // pixels
+        add(fitting(name, picture_font, most) + ", z = " + readable(plane.z, 4) + " m",
+            plane.bands);
+    }
+    if (result.planes.size() > 1)
+        add("all planes together", result.joint.bands);
+    if (const auto &position = result.balanced_position) {
+        std::string marks = bars(position->with_some, base() + 0.42, base() + 0.74, some_colour);
+        if (position->with_some.empty() || !position->bands.empty())
+            marks += main_bars(position->bands, base(), stable_colour);
+        rows.push_back({"real balancers stable", marks});
+    }
+    if (!result.simulated.empty())
+        rows.push_back({"motions in time", outcome_marks(result.simulated, base() + 0.5)});
+    return rows;
 }
 
 std::string bands_panel(const model::Case &scene, const BalanceResult &result,
                         const std::vector<Row> &rows, Range x) {
-    const auto count = static_cast<double>(rows.size());
-    std::string script = operation_band(scene, x) + critical_lines(result, count);
+    std::string script = operation_band(scene, x);
+    for (const double speed : result.critical_speeds)
+        script += upright(speed * rpm, "dt (4,4) lc rgb '#777777' lw 1 back");
     std::string names;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const double base = count - 1 - static_cast<double>(i);
-        names += fmt::format("{}{} {}", i == 0 ? "" : ", ", quoted(rows[i].name), base + 0.5);
-        if (rows[i].simulated) {
-            script += outcome_marks(*rows[i].simulated, base + 0.5);
-            continue;
-        }
-        if (rows[i].position) {
-            script += bars(rows[i].position->with_some, base + 0.42, base + 0.74, some_colour);
-            script += bars(rows[i].position->bands, base + 0.42, base + 0.74, stable_colour);
-            if (rows[i].position->with_some.empty() && rows[i].position->bands.empty())
-                script += nowhere(base + 0.58);
-            continue;
-        }
-        script += bars(rows[i].bands->bands, base + 0.42, base + 0.74, balanced_colour);
-        if (rows[i].bands->bands.empty())
-            script += nowhere(base + 0.58);
-        if (rows[i].bands->rigid_bands)
-            script += bars(*rows[i].bands->rigid_bands, base + 0.2, base + 0.36, rigid_colour);
-        script += end_labels(*rows[i].bands, base + 0.86, x.high - x.low);
+    double middle = -0.5;
+    for (const Row &row : rows) {
+        names += fmt::format("{}{} {}", names.empty() ? "" : ", ", quoted(row.name), middle--);
+        script += row.marks;
     }
+    Curves key = bands_key(result);
+    key.add(operation_key(scene, x));
     return script +
            fmt::format(
-               "set yrange [0:{0}]\nset ytics ({1}) noenhanced\nset grid noytics\n"
-               "set key at graph 1,1.02 right bottom horizontal maxrows 1 samplen 1.2 font ',9'\n"
-               "plot {2}\n",
-               count, names, bands_key(result) + operation_key(scene, x));
+               "set yrange [-{}:0]\nset ytics ({}) noenhanced\nset grid noytics\n"
+               "set key at graph 1,1.02 right bottom horizontal maxrows 1 samplen 1.2 font ',9'\n",
+               rows.size(), names) +
+           key.script();
 }
 
 /// Linear near zero, logarithmic in modulus beyond `unit`.
@@ -219,7 +212,7 @@ std::string signature_panel(const model::Case &scene, const BalanceResult &resul
         for (const double value : point.eigenvalues)
             largest = std::max(largest, std::min(std::abs(value) * mass, 1e3));
     const double top = 1.05 * folded(largest, unit);
-    Curves drawn("eigenvalues");
+    Curves drawn;
     drawn.add_pieces(eigenvalue_lines(result, mass, unit, Sign::any),
                      "with lines lw 1.2 lc rgb '#B5B5B5'");
     drawn.add_pieces(eigenvalue_lines(result, mass, unit, Sign::minus),
@@ -243,15 +236,14 @@ std::string signature_panel(const model::Case &scene, const BalanceResult &resul
 } // namespace
 
 Figure balance_figure(const model::Case &scene, const BalanceResult &result) {
-    const std::vector<Row> rows = rows_of(result);
+    const Range x = speed_range(result.speeds);
+    const std::vector<Row> rows = rows_of(result, x.high - x.low);
     if (rows.empty())
         return {"set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\n"};
     const double bands_height = 60.0 + 62.0 * static_cast<double>(rows.size());
     constexpr int width = 1080;
     const int height = static_cast<int>(bands_height) + 520;
     const double pixel = 1.0 / height;
-    const Range speeds = range_of(result.speeds);
-    const Range x{speeds.low * rpm, speeds.high * rpm};
     const double split = 1 - (100 + bands_height) * pixel;
     std::vector<std::string> names;
     for (const Row &row : rows)
@@ -262,8 +254,8 @@ Figure balance_figure(const model::Case &scene, const BalanceResult &result) {
         width, height, "Where auto-balancers work: " + title_of(scene),
         "the empirical criterion beside the rigid closed form, the real balancers at their "
         "balanced position, and motions in time; numbers: ends in rpm",
-        fmt::format("set grid xtics lc rgb '#E4E4E4' lt 1 lw 0.6\nset xrange [{:.9g}:{:.9g}]\n",
-                    x.low, x.high) +
+        fmt::format("set grid xtics lc rgb '#E4E4E4' lt 1 lw 0.6\nset xrange [{}:{}]\n", x.low,
+                    x.high) +
             panel_margins(left, 0.965, split, 1 - 100 * pixel) + "set format x ''\n" +
             bands_panel(scene, result, rows, x) + "set format x '%g'\n" +
             panel_margins(left, 0.965, 70 * pixel, split - 55 * pixel) +

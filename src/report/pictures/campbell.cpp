@@ -2,6 +2,7 @@
 
 #include "report/common/text_width.h"
 #include "report/pictures/campbell_panel.h"
+#include "report/pictures/labels.h"
 #include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/campbell.h"
@@ -234,9 +235,7 @@ std::string crossing_marks(const Panel &panel, const model::Case &scene,
 
 std::string axes(const Panel &panel, bool first, bool last) {
     std::string script =
-        fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\nset xtics nomirror\nset ytics "
-                    "nomirror\nset grid lc rgb '#E4E4E4' lt 1 lw 0.6\n",
-                    panel.x.low, panel.x.high, panel.y.low, panel.y.high);
+        axes_over(panel.x, panel.y) + "set xtics nomirror\nset ytics nomirror\n" + grid;
     script += last ? "set xlabel 'Spin speed (rpm)'\n" : "unset xlabel\n";
     if (first)
         script += fmt::format("set x2range [{}:{}]\nset x2tics\nset x2label 'Spin speed (rad/s)' "
@@ -264,7 +263,7 @@ std::string draw(const Panel &panel, const model::Case &scene, const CampbellRes
     std::string script = panel_margins(0.088, 0.892, panel.bottom, panel.top);
     script += operation_band(scene, {panel.x.low, end});
     script += axes(panel, first, last) + end_labels(panel, scene, result);
-    Curves drawn(panel.name);
+    Curves drawn;
     add_curves(panel, result, first, drawn);
     if (panel.damping) {
         // The limit of stability, as far as there are curves and not through their names.
@@ -278,8 +277,9 @@ std::string draw(const Panel &panel, const model::Case &scene, const CampbellRes
     script += first ? fmt::format("set key at screen 0.49,{} center center horizontal samplen 4\n",
                                   panel.top + 84 * pixel)
                     : "unset key\n";
-    return script + drawn.script(first ? operation_key(scene, {panel.x.low, end}) : "") +
-           "unset label\nunset arrow\nunset object\n";
+    if (first)
+        drawn.add(operation_key(scene, {panel.x.low, end}));
+    return script + drawn.script() + "unset label\nunset arrow\nunset object\n";
 }
 
 /// The panels this result needs, from top to bottom, without their places in the figure.
@@ -297,7 +297,7 @@ std::vector<Panel> panels_of(const CampbellResult &result) {
     }
     Range x = range_of(result.speeds);
     x = {x.low * rpm, (x.high + label_strip * (x.high - x.low)) * rpm};
-    std::vector<Panel> panels{{"full", false, x, {0, highest > 0 ? 1.05 * highest : 1}}};
+    std::vector<Panel> panels{{false, x, {0, highest > 0 ? 1.05 * highest : 1}}};
     // Where what happens at the spin speed is low down, or all crossings are, that part alone.
     double reach = result.speeds.empty() ? 0 : result.speeds.back() * hertz;
     double crossed = 0;
@@ -306,12 +306,11 @@ std::vector<Panel> panels_of(const CampbellResult &result) {
     if (crossed > 0 && crossed < 0.3 * reach)
         reach = 1.5 * crossed;
     if (reach > 0 && reach < 0.22 * highest)
-        panels.push_back({"low", false, x, {0, 1.35 * reach}});
+        panels.push_back({false, x, {0, 1.35 * reach}});
     if (largest_decrement > 1e-9 || smallest_decrement < -1e-9) {
         const double top = 1.08 * std::min(largest_decrement, log_dec_limit);
         const double bottom = 1.35 * std::max(smallest_decrement, -log_dec_limit);
-        panels.push_back(
-            {"damping", true, x, {std::min(bottom, -0.04 * top), std::max(top, 0.02)}});
+        panels.push_back({true, x, {std::min(bottom, -0.04 * top), std::max(top, 0.02)}});
     }
     return panels;
 }

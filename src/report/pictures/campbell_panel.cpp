@@ -89,6 +89,13 @@ std::vector<bool> springs(const CampbellMode &mode, const CampbellResult &result
     return sprung;
 }
 
+/// Takes over a line that has ended; one point is none.
+void end_line(std::vector<PlotPoint> &line, std::vector<std::vector<PlotPoint>> &lines) {
+    if (line.size() > 1)
+        lines.push_back(line);
+    line.clear();
+}
+
 double highest_frequency(const CampbellResult &result) {
     double highest = 0;
     for (const CampbellMode &mode : result.modes)
@@ -114,13 +121,11 @@ stretches(const Panel &panel, const CampbellResult &result,
                 if (line.empty())
                     line.push_back({result.speeds[i] * rpm, here});
                 line.push_back({result.speeds[i + 1] * rpm, next});
-            } else if (!line.empty()) {
-                lines.push_back(std::move(line));
-                line.clear();
+            } else {
+                end_line(line, lines);
             }
         }
-        if (!line.empty())
-            lines.push_back(std::move(line));
+        end_line(line, lines);
     }
     return lines;
 }
@@ -133,15 +138,10 @@ std::vector<std::vector<PlotPoint>> other_frequencies(const Panel &panel,
             continue;
         const std::vector<bool> changes = other_of_two(mode, result.speeds);
         std::vector<PlotPoint> line;
-        const auto end_line = [&] {
-            if (line.size() > 1)
-                lines.push_back(line);
-            line.clear();
-        };
         for (std::size_t i = 0; i < result.speeds.size(); ++i) {
             const auto value = entry(mode.other_frequency, i);
             if (!value)
-                end_line();
+                end_line(line, lines);
             else
                 line.push_back({result.speeds[i] * rpm, *value * hertz});
             if (!changes[i])
@@ -149,12 +149,12 @@ std::vector<std::vector<PlotPoint>> other_frequencies(const Panel &panel,
             // There the frequency that was drawn becomes the other one: the lines meet.
             if (const auto next = entry(mode.frequency, i + 1); value && next)
                 line.push_back({result.speeds[i + 1] * rpm, *next * hertz});
-            end_line();
+            end_line(line, lines);
             if (const auto here = entry(mode.frequency, i);
                 here && entry(mode.other_frequency, i + 1))
                 line.push_back({result.speeds[i] * rpm, *here * hertz});
         }
-        end_line();
+        end_line(line, lines);
     }
     return lines;
 }

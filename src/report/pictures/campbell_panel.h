@@ -18,7 +18,6 @@ std::optional<T> entry(const std::vector<std::optional<T>> &list, std::size_t i)
 
 /// What a panel shows over the spin speed, and where.
 struct Panel {
-    std::string name; ///< prefix of its data blocks
     bool damping = false;
     Range x;                    ///< rpm
     Range y;                    ///< Hz, or logarithmic decrement

@@ -24,25 +24,25 @@ struct Line {
     double width = 2;
 };
 
-std::string plot_lines(const std::string &name, const Values &x, const std::vector<Line> &lines,
+/// @param first  behind the lines
+std::string plot_lines(const Values &x, const std::vector<Line> &lines,
                        const std::string &first = "") {
-    Curves drawn(name);
+    Curves drawn;
+    drawn.add(first);
     for (const Line &line : lines)
         drawn.add(points_over(x, 1, line.y, 1), line_look(line.style, line.width),
                   line.title.empty() ? "" : "'" + line.title + "'");
-    return drawn.script("", first);
+    return drawn.script();
 }
 
 const LineStyle grey{"", "#9A9A9A", "(3,4)", 7};
 
 /// Axes of a panel over the balls' mass, with a mark at the case's own.
 std::string mass_axes(const BalancerNumbers &balancer, const std::string &title) {
-    const double m = balancer.dimensionless.m;
     return fmt::format("set title '{}'\nset xlabel 'n m / M_s'\nset xrange [0:{}]\n"
-                       "set yrange [0:*]\nset grid lc rgb '#E4E4E4' lt 1\n"
-                       "set arrow 1 from {},graph 0 to {},graph 1 nohead lc rgb '#B00020' lw 1 "
-                       "dt (6,4)\n",
-                       title, balancer.curves->m.back(), m, m);
+                       "set yrange [0:*]\nset grid lc rgb '#E4E4E4' lt 1\nunset arrow\n",
+                       title, balancer.curves->m.back()) +
+           upright(balancer.dimensionless.m, "lc rgb '#B00020' lw 1 dt (6,4)");
 }
 
 /// The unsigned harmonic gives other curves.
@@ -64,7 +64,7 @@ std::string inertia_panel(const BalancerNumbers &balancer) {
            fmt::format("set yrange [0:{}]\nset key top left opaque maxrows 2\n",
                        1.45 * std::max({c.A_C1.back(), c.A_C2.back(), c.A_C1_paper.back(),
                                         c.A_C2_paper.back(), c.A_m.back()})) +
-           plot_lines("inertia", c.m, lines) + "unset label\n"; // the heading is drawn
+           plot_lines(c.m, lines) + "unset label\n"; // the heading is drawn
 }
 
 std::string anisotropy_panel(const BalancerNumbers &balancer) {
@@ -78,7 +78,7 @@ std::string anisotropy_panel(const BalancerNumbers &balancer) {
             text += fmt::format("{} {} {}\n", c.m[i], c.A_least[i], c.A_largest[i]);
         text += "EOD\n";
         band =
-            "$band using 1:2:3 with filledcurves lc rgb '#D6E6F2' title 'all balanced positions', ";
+            "$band using 1:2:3 with filledcurves lc rgb '#D6E6F2' title 'all balanced positions'";
     }
     LineStyle bound = grey;
     bound.dash = "1";
@@ -91,40 +91,36 @@ std::string anisotropy_panel(const BalancerNumbers &balancer) {
          std::abs(balancer.D->imag()) > 1e-12
              ? fmt::format("D = {:.4g} {:+.4g} i", balancer.D->real(), balancer.D->imag())
              : fmt::format("D_c = {:.4g}", balancer.D->real())});
-    return text + plot_lines("anisotropy", c.m, lines, band);
+    return text + plot_lines(c.m, lines, band);
 }
 
 std::string polar_panel(const BalancerNumbers &balancer) {
     const CompositeCurves &c = *balancer.curves;
     return mass_axes(balancer, "Polar inertia C / A_Σ") + "unset key\nset yrange [*:*]\n" +
-           plot_lines("polar", c.m, {{c.C, series_style(0), ""}});
+           plot_lines(c.m, {{c.C, series_style(0), ""}});
 }
 
 /// The curve with radius A_C in the direction of its axis.
 std::string hodograph_panel(const BalancerNumbers &balancer) {
     const CompositeCurves &c = *balancer.curves;
-    const auto around = [&](const std::string &name, const Values &radius) {
+    const auto around = [&](const Values &radius) {
         std::vector<PlotPoint> points;
         for (std::size_t i = 0; i < radius.size(); ++i)
             points.push_back({radius[i] * std::cos(c.angle[i]), radius[i] * std::sin(c.angle[i])});
-        return data_block(name, {points});
+        return points;
     };
     const double reach = 1.15 * std::max(*std::max_element(c.A_C.begin(), c.A_C.end()),
                                          *std::max_element(c.A_C_paper.begin(), c.A_C_paper.end()));
-    const Values ones(c.angle.size(), 1);
-    std::string text = around("hodograph", c.A_C) + around("paper", c.A_C_paper) +
-                       around("circle", ones) +
-                       fmt::format("unset arrow\nset title 'Diametral inertia / A_Σ about an axis, "
-                                   "by its direction'\nset size ratio -1\nset xlabel 'direction of "
-                                   "the imbalance'\nset xrange [-{0}:{0}]\nset yrange [-{0}:{0}]\n"
-                                   "set key outside right center\n",
-                                   reach);
-    text += "plot $circle with lines lw 1 dt (2,3) lc rgb '#7A7A7A' title 'mean, A_Σ'";
+    Curves drawn;
+    drawn.add(around(Values(c.angle.size(), 1)), "with lines lw 1 dt (2,3) lc rgb '#7A7A7A'",
+              "'mean, A_Σ'");
     if (paper_differs(balancer))
-        text += fmt::format(", $paper with lines lw 1.8 dt {} lc rgb '{}' title 'unsigned D_A'",
-                            series_style(1).dash, series_style(1).colour);
-    return text + fmt::format(", $hodograph with lines lw 2 lc rgb '{}' title 'A_C'\n",
-                              series_style(0).colour);
+        drawn.add(around(c.A_C_paper), line_look(series_style(1), 1.8), "'unsigned D_A'");
+    drawn.add(around(c.A_C), line_look(series_style(0), 2), "'A_C'");
+    return "unset arrow\nset title 'Diametral inertia / A_Σ about an axis, by its direction'\n"
+           "set size ratio -1\nset xlabel 'direction of the imbalance'\n"
+           "set key outside right center\n" +
+           axes_over({-reach, reach}, {-reach, reach}) + drawn.script();
 }
 
 } // namespace

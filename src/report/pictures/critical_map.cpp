@@ -1,6 +1,7 @@
 #include "report/pictures/figures.h"
 
 #include "report/critical_map.h"
+#include "report/pictures/labels.h"
 #include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/critical.h"
@@ -24,7 +25,7 @@ constexpr double map_left = 0.085;
 constexpr double map_right = 0.955;
 
 /// Speeds of the map, rpm, with room above and below on a logarithmic axis.
-Range speed_range(const CriticalMap &map) {
+Range map_speeds(const CriticalMap &map) {
     double low = HUGE_VAL;
     double high = 0;
     for (const CriticalMapCurve &curve : map.curves)
@@ -88,24 +89,20 @@ std::string curve_labels(const CriticalMap &map, Range y) {
 
 /// Crossings as circles with their numbers in the table, where there is room for these, and lines
 /// that lead to them.
-std::string crossing_marks(const CriticalMap &map, Range x, Range y) {
+std::string crossing_marks(const std::vector<PlotPoint> &crossings, Range x, Range y) {
     LabelPlacer placer;
-    for (const auto &at : map.crossings) {
-        const double u = along(at.stiffness * newtons_per_metre, x);
-        const double v = along(at.speed * rpm, y);
-        placer.block({u - 0.006, v - 0.012, 0.012, 0.024});
-    }
+    for (const PlotPoint &at : crossings)
+        placer.block({along(at.x, x) - 0.006, along(*at.y, y) - 0.012, 0.012, 0.024});
     std::string labels;
-    for (std::size_t i = 0; i < map.crossings.size(); ++i) {
-        const auto &at = map.crossings[i];
-        const auto box = placer.place(along(at.stiffness * newtons_per_metre, x),
-                                      along(at.speed * rpm, y), i < 9 ? 0.013 : 0.022, 0.032);
-        if (!box)
-            continue;
-        labels +=
-            fmt::format("set label '{}' at graph {:.5g},graph {:.5g} center font ',10' front\n",
-                        i + 1, box->x + box->width / 2, box->y + box->height / 2) +
-            leader(*box, along(at.stiffness * newtons_per_metre, x), along(at.speed * rpm, y));
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+        const double u = along(crossings[i].x, x);
+        const double v = along(*crossings[i].y, y);
+        const auto box = placer.place(u, v, i < 9 ? 0.013 : 0.022, 0.032);
+        if (box)
+            labels +=
+                fmt::format("set label '{}' at graph {:.5g},graph {:.5g} center font ',10' front\n",
+                            i + 1, box->x + box->width / 2, box->y + box->height / 2) +
+                leader(*box, u, v);
     }
     return labels;
 }
@@ -113,8 +110,8 @@ std::string crossing_marks(const CriticalMap &map, Range x, Range y) {
 std::string map_panel(const model::Case &scene, const CriticalMap &map, double pixel) {
     const Range x{map.stiffness.front() * newtons_per_metre,
                   map.stiffness.back() * newtons_per_metre};
-    const Range y = speed_range(map);
-    Curves drawn("map");
+    const Range y = map_speeds(map);
+    Curves drawn;
     for (std::size_t i = 0; i < map.curves.size(); ++i) {
         const CriticalMapCurve &curve = map.curves[i];
         const LineStyle style = whirl_style(curve.whirl);
@@ -125,31 +122,28 @@ std::string map_panel(const model::Case &scene, const CriticalMap &map, double p
     if (map.curves.empty())
         drawn.add("NaN notitle");
     add_bearings(scene, map, drawn);
-    if (const std::string key = operation_key(scene, y); !key.empty())
-        drawn.add(key.substr(2)); // behind its comma
+    drawn.add(operation_key(scene, y));
     std::vector<PlotPoint> crossings;
     for (const auto &at : map.crossings)
         crossings.push_back({at.stiffness * newtons_per_metre, at.speed * rpm});
     if (!crossings.empty())
         drawn.add(crossings, "with points pt 6 ps 1.2 lw 1.4 lc rgb '#000000'",
                   "'crossing, number in the table'");
-    return panel_margins(map_left, map_right, 330 * pixel, 1 - 112 * pixel) +
-           fmt::format("set logscale xy\nset xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n"
-                       "set format x '10^{{%L}}'\nset format y '{}'\n"
+    return panel_margins(map_left, map_right, 330 * pixel, 1 - 112 * pixel) + axes_over(x, y) +
+           fmt::format("set logscale xy\nset format x '10^{{%L}}'\nset format y '{}'\n"
                        "set xlabel 'Stiffness of the supports (N/m)'\n"
                        "set ylabel 'Critical speed (rpm)'\n{}"
                        "set key at screen 0.5,{} center center horizontal samplen 3 font ',10'\n",
-                       x.low, x.high, y.low, y.high, y.high < 1e6 ? "%g" : "10^{%L}", grid,
-                       1 - 84 * pixel) +
+                       y.high < 1e6 ? "%g" : "10^{%L}", grid, 1 - 84 * pixel) +
            operation_band(scene, y, SpeedAxis::y) + curve_labels(map, y) +
-           crossing_marks(map, x, y) + drawn.script() +
+           crossing_marks(crossings, x, y) + drawn.script() +
            "unset label\nunset object\nunset arrow\nunset logscale\nset format\n";
 }
 
 /// Deflections of the lowest forward motions at one end of the map.
-std::string shape_panel(const CriticalMap &map, bool soft, double pixel) {
+std::string shape_panel(const model::Case &scene, const CriticalMap &map, bool soft, double pixel) {
     constexpr std::size_t most = 4;
-    Curves drawn(soft ? "soft" : "stiff");
+    Curves drawn;
     std::size_t count = 0;
     for (const CriticalMapCurve &curve : map.curves) {
         const std::vector<double> &shape = soft ? curve.soft : curve.stiff;
@@ -160,18 +154,21 @@ std::string shape_panel(const CriticalMap &map, bool soft, double pixel) {
                       "{}, {} rpm", curve_name(curve.whirl, curve.number),
                       readable((soft ? curve.speed.front() : curve.speed.back()) * rpm, 6))));
     }
-    drawn.add("$bearings with points pt 9 ps 1.4 lc rgb '#555555' notitle");
+    std::vector<PlotPoint> bearings;
+    for (const auto &bearing : scene.rotor.supports())
+        bearings.push_back({bearing.z * metres, -1.12});
+    drawn.add(bearings, "with points pt 9 ps 1.4 lc rgb '#555555'");
     const double length = std::max(map.z.empty() ? 1 : map.z.back(), 1e-12) * metres;
     const double left = soft ? map_left : 0.54;
     return panel_margins(left, left + 0.415, 60 * pixel, 186 * pixel) +
-           fmt::format("set title {} font ',12' offset 0,1.3\n"
-                       "set xrange [{}:{}]\nset yrange [-1.25:1.25]\nset ytics -1,1,1\n"
+           axes_over({-0.03 * length, 1.03 * length}, {-1.25, 1.25}) +
+           fmt::format("set title {} font ',12' offset 0,1.3\nset ytics -1,1,1\n"
                        "set xlabel 'z (m)'\nset ylabel ''\n"
                        "set key at screen {},{} center center horizontal samplen 2.5 font ',10'\n",
                        plot_text(fmt::format(
                            "Shapes at the {} end, {} N/m", soft ? "soft" : "stiff",
                            readable(soft ? map.stiffness.front() : map.stiffness.back(), 4))),
-                       -0.03 * length, 1.03 * length, left + 0.2075, 204 * pixel) +
+                       left + 0.2075, 204 * pixel) +
            drawn.script();
 }
 
@@ -180,15 +177,12 @@ std::string shape_panel(const CriticalMap &map, bool soft, double pixel) {
 Figure critical_map_figure(const model::Case &scene, const CriticalMap &map) {
     constexpr int height = 960;
     constexpr double pixel = 1.0 / height;
-    std::vector<PlotPoint> bearings;
-    for (const auto &bearing : scene.rotor.supports())
-        bearings.push_back({bearing.z * metres, -1.12});
     return figure_of(1200, height, "Critical speed map: " + title_of(scene),
                      "undamped critical speeds over the stiffness of " +
                          (map.bearing ? bearings_text(scene, {*map.bearing})
                                       : std::string("all bearings together")),
-                     map_panel(scene, map, pixel) + data_block("bearings", {bearings}) +
-                         shape_panel(map, true, pixel) + shape_panel(map, false, pixel));
+                     map_panel(scene, map, pixel) + shape_panel(scene, map, true, pixel) +
+                         shape_panel(scene, map, false, pixel));
 }
 
 } // namespace whirl::report

@@ -16,6 +16,7 @@ struct CampbellMode;
 struct CampbellResult;
 struct CriticalMap;
 struct Level1;
+struct ModeShape;
 struct ModesResult;
 struct PendulumBalance;
 struct Placement;
@@ -52,6 +53,18 @@ namespace whirl::report {
 /// Indices of the nodes that are drawn: all of them, or of many those with names first, filled up
 /// with others that are spread along the shaft.
 [[nodiscard]] std::vector<std::size_t> drawn_nodes(const results::ResponseResult &result);
+
+/// Deflection of a mode in the two planes at the instants that tell its whirl: y a quarter period
+/// after x, so that circular forward whirl has equal and backward whirl opposite curves. Where the
+/// planes move rather in step, as in a straight orbit aslant, y would vanish then: both are at one
+/// instant. Of all instants the one with the largest sum of squares along the shaft.
+struct ModeCurves {
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<double> envelope; ///< major semi-axis of the orbit at each station
+    bool at_one_instant = false;  ///< y not a quarter period later
+};
+[[nodiscard]] ModeCurves mode_curves(const results::ModeShape &mode);
 
 /// One panel a mode: the orbits' envelope, the x and y curves and the rotor's outline.
 [[nodiscard]] Figure modes_figure(const model::Case &scene, const results::ModesResult &result);

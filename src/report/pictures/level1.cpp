@@ -35,9 +35,9 @@ std::string root_mark(double q, double largest, const Unit &unit) {
 }
 
 std::string anticipated_line(double q) {
-    return fmt::format("set arrow from first {0:.9g},graph 0 to first {0:.9g},graph 1 nohead back "
-                       "lw 1.3 dt (9,7) lc rgb '#7A5200'\nset label 2 'anticipated' at first "
-                       "{0:.9g},graph 0.96 left offset 0.7,0 font ',10' textcolor '#7A5200'\n",
+    return upright(q, "back lw 1.3 dt (9,7) lc rgb '#7A5200'") +
+           fmt::format("set label 2 'anticipated' at first {:.9g},graph 0.96 left offset 0.7,0 "
+                       "font ',10' textcolor '#7A5200'\n",
                        q);
 }
 
@@ -48,30 +48,30 @@ Figure level1_figure(const model::Case &scene, const results::Level1 &level1) {
     constexpr double pixel = 1.0 / height;
     const Unit unit =
         unit_of(std::max(level1.q.empty() ? 0 : level1.q.back(), level1.anticipated.value_or(0)));
-    std::vector<PlotPoint> points;
+    const std::vector<PlotPoint> points = points_over(level1.q, 1 / unit.size, level1.log_dec, 1);
     double low = 0;
     double high = 0;
-    for (std::size_t i = 0; i < level1.q.size(); ++i) {
-        points.push_back({level1.q[i] / unit.size, level1.log_dec[i]});
-        if (std::isfinite(level1.log_dec[i])) {
-            low = std::min(low, level1.log_dec[i]);
-            high = std::max(high, level1.log_dec[i]);
+    for (const double log_dec : level1.log_dec)
+        if (std::isfinite(log_dec)) {
+            low = std::min(low, log_dec);
+            high = std::max(high, log_dec);
         }
-    }
     const double margin = high > low ? 0.08 * (high - low) : 0.1;
     double largest = points.empty() || points.back().x <= 0 ? 1 : points.back().x;
     largest = std::max(largest, 1.02 * level1.anticipated.value_or(0) / unit.size);
+    Curves drawn;
+    drawn.add(points, "with lines lw 2.2 lc rgb '#0072B2'");
     std::string panel =
-        panel_margins(0.1, 0.96, 70 * pixel, 1 - 80 * pixel) + data_block("logdec", {points}) +
-        fmt::format("set xrange [0:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n"
-                    "set xlabel 'Added cross coupling Q = k_{{xy}} = −k_{{yx}} ({})' enhanced\n"
-                    "set ylabel 'Logarithmic decrement'\nset grid lc rgb '#E4E4E4' lt 1 lw 0.6\n"
+        panel_margins(0.1, 0.96, 70 * pixel, 1 - 80 * pixel) +
+        axes_over({0, largest}, {low - margin, high + margin}) + grid +
+        fmt::format("set xlabel 'Added cross coupling Q = k_{{xy}} = −k_{{yx}} ({})' enhanced\n"
+                    "set ylabel 'Logarithmic decrement'\n"
                     "set xzeroaxis lt 1 lw 1.2 lc rgb '#555555'\nunset key\n"
                     "set object rectangle from graph 0,graph 0 to graph 1,first 0 behind fs solid "
                     "noborder fc rgb '#FBE3EA'\n"
                     "set label 3 'grows' at graph 0.01,first {:.9g} left font ',10' textcolor "
                     "'#B0305C'\n",
-                    largest, low - margin, high + margin, unit.name, low - 0.4 * margin);
+                    unit.name, low - 0.4 * margin);
     if (const auto &root = level1.critical_cross_coupling; root && *root / unit.size <= largest)
         panel += root_mark(*root / unit.size, largest, unit);
     if (level1.anticipated)
@@ -79,7 +79,7 @@ Figure level1_figure(const model::Case &scene, const results::Level1 &level1) {
     return figure_of(1080, height, "Level-I stability: " + title_of(scene),
                      fmt::format("at {} rpm, cross coupling Q added at z = {} m",
                                  readable(level1.speed * rpm, 6), readable(level1.z, 5)),
-                     panel + "plot $logdec using 1:2 with lines lw 2.2 lc rgb '#0072B2' notitle\n");
+                     panel + drawn.script());
 }
 
 } // namespace whirl::report

@@ -1,5 +1,4 @@
 #include "report/pictures/figures.h"
-#include "report/pictures/mode_curves.h"
 
 #include "report/pictures/shaft_outline.h"
 #include "report/pictures/style.h"
@@ -14,20 +13,6 @@ namespace whirl::report {
 
 using results::ModeShape;
 using results::ModesResult;
-
-namespace {
-
-std::string mode_data(const std::string &name, const ModesResult &result,
-                      const ModeCurves &curves) {
-    std::string data = "$" + name + " << EOD\n";
-    const std::size_t count = std::min(result.z.size(), curves.x.size());
-    for (std::size_t i = 0; i < count; ++i)
-        data += fmt::format("{:.7g} {} {} {}\n", result.z[i] * metres, plot_number(curves.x[i]),
-                            plot_number(curves.y[i]), plot_number(curves.envelope[i]));
-    return data + (count == 0 ? "NaN NaN NaN NaN\n" : "") + "EOD\n";
-}
-
-} // namespace
 
 ModeCurves mode_curves(const ModeShape &mode) {
     const std::complex<double> i(0, 1);
@@ -78,8 +63,8 @@ std::string name_before(const ModeShape &mode) {
     return mode.label.empty() ? "" : mode.label + " · ";
 }
 
-} // namespace
-
+/// "1F · 13.97 Hz · forward", with the damping ratio where there is damping.
+/// @param largest  modulus of the eigenvalues drawn together, rad/s: what rounding is measured by
 std::string mode_heading(const ModeShape &mode, double largest) {
     const double modulus = std::abs(mode.eigenvalue);
     const double frequency = std::abs(mode.eigenvalue.imag());
@@ -91,58 +76,48 @@ std::string mode_heading(const ModeShape &mode, double largest) {
            motion_words(mode);
 }
 
+/// "1F · 5721.2 rpm · forward": of the mode at a critical speed, which is its frequency.
 std::string critical_heading(const ModeShape &mode) {
     return name_before(mode) + readable(mode.at * rpm) + " rpm" + motion_words(mode);
 }
-
-namespace {
 
 constexpr double head = 120;   // pixels: above the first panels
 constexpr double pitch = 238;  // from a row of panels to the next
 constexpr double between = 45; // what says that critical speeds follow
 
-/// One shape in a panel whose upper edge is `top` pixels above the bottom of the figure.
-struct ModePanel {
-    const ModeShape &mode;
-    std::string heading;
-    std::string name; ///< of its data
-    bool right = false, alone = false, last = false;
-    double top = 0;
-};
-
-std::string panel_script(const ModePanel &panel, const ModesResult &result, int height) {
-    const double left = panel.right ? 0.545 : 0.05;
-    const double right = panel.alone ? 0.975 : left + 0.43;
-    const ModeCurves curves = mode_curves(panel.mode);
+/// One shape below its heading, but for the margins of the panel.
+std::string shape_script(const ModeShape &mode, const std::string &heading,
+                         const ModesResult &result) {
+    const ModeCurves curves = mode_curves(mode);
     // An orbit aslant reaches farther than its parts along x and y.
     double reach = 1.25;
     for (const double value : curves.envelope)
         reach = std::isfinite(value) ? std::max(reach, 1.1 * value) : reach;
-    return fmt::format("set yrange [{}:{}]\n", -reach, reach) +
-           mode_data(panel.name, result, curves) +
-           panel_margins(left, right, (panel.top - 175) / height, panel.top / height) +
-           fmt::format(
-               "set title {} font ',12' offset 0,-0.4\n{}\n",
-               plot_text(panel.heading + (curves.at_one_instant ? " · y at the same instant" : "")),
-               panel.last ? "set xlabel 'z (m)'" : "unset xlabel") +
-           curves_over_outline(panel.name) + "unset label\n"; // gnuplot draws it with each panel
+    return fmt::format(
+               "set yrange [{}:{}]\nset title {} font ',12' offset 0,-0.4\n", -reach, reach,
+               plot_text(heading + (curves.at_one_instant ? " · y at the same instant" : ""))) +
+           curves_over_outline(result.z, curves.x, curves.y, curves.envelope, 1) +
+           "unset label\n"; // gnuplot draws it with each panel
 }
 
 /// Two panels a row, the first `top` pixels above the bottom of the figure.
-std::string group_script(const std::vector<ModeShape> &modes, const std::string &name, double top,
-                         const ModesResult &result, int height) {
+std::string group_script(const std::vector<ModeShape> &modes, double top, const ModesResult &result,
+                         int height) {
     double largest = 0; // rad/s
     for (const ModeShape &mode : modes)
         largest = std::max(largest, std::abs(mode.eigenvalue));
+    const bool critical = &modes == &result.critical;
     std::string script;
     for (std::size_t m = 0; m < modes.size(); ++m) {
-        const bool critical = &modes == &result.critical;
-        const std::size_t row = m / 2;
-        script += panel_script(
-            {modes[m], critical ? critical_heading(modes[m]) : mode_heading(modes[m], largest),
-             name + std::to_string(m), m % 2 == 1, modes.size() == 1, m + 2 >= modes.size(),
-             top - pitch * static_cast<double>(row)},
-            result, height);
+        const double left = m % 2 == 1 ? 0.545 : 0.05;
+        const double right = modes.size() == 1 ? 0.975 : left + 0.43;
+        script +=
+            panel_margins(left, right, (top - 175) / height, top / height) +
+            (m + 2 >= modes.size() ? "set xlabel 'z (m)'\n" : "unset xlabel\n") +
+            shape_script(modes[m],
+                         critical ? critical_heading(modes[m]) : mode_heading(modes[m], largest),
+                         result);
+        top -= m % 2 == 1 ? pitch : 0;
     }
     return script;
 }
@@ -166,13 +141,13 @@ Figure modes_figure(const model::Case &scene, const ModesResult &result) {
                          "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\nset ytics -1,1,1\n" +
                          fmt::format("set xrange [{}:{}]\n", -0.03 * length, 1.03 * length) +
                          (result.modes.empty() ? "plot NaN notitle\n" : "") +
-                         group_script(result.modes, "m", top, result, height);
+                         group_script(result.modes, top, result, height);
     if (!result.critical.empty()) {
         top -= pitch * rows + between;
         panels += fmt::format("set label 103 'At the critical speeds' at screen 0.5,{} center "
                               "font ',13'\n",
                               (top + 40) / height) +
-                  group_script(result.critical, "c", top, result, height);
+                  group_script(result.critical, top, result, height);
     }
     return figure_of(
         1080, height, "Mode shapes: " + title_of(scene),

@@ -17,9 +17,11 @@ std::string at(double speed, SpeedAxis axis, int end) {
                                 : fmt::format("graph {},first {:.9g}", end, speed);
 }
 
+bool within(Range range, double speed) { return speed >= range.low && speed <= range.high; }
+
 /// Arrows are not cut at the border: nothing beyond the axis.
-std::string line_at(double speed, Range range, SpeedAxis axis, const char *look) {
-    if (speed < range.low || speed > range.high)
+std::string line_at(double speed, Range range, SpeedAxis axis, const std::string &look) {
+    if (!within(range, speed))
         return "";
     return fmt::format("set arrow from {} to {} nohead {} lw 1.4\n", at(speed, axis, 0),
                        at(speed, axis, 1), look);
@@ -34,11 +36,6 @@ std::optional<Range> shown_band(const model::Case &scene, Range range) {
     return band.high > band.low ? std::optional(band) : std::nullopt;
 }
 
-bool trip_shown(const model::Case &scene, Range range) {
-    const auto trip = scene.operation ? scene.operation->trip : std::nullopt;
-    return trip && *trip * rpm >= range.low && *trip * rpm <= range.high;
-}
-
 } // namespace
 
 std::string operation_band(const model::Case &scene, Range range, SpeedAxis axis) {
@@ -47,9 +44,9 @@ std::string operation_band(const model::Case &scene, Range range, SpeedAxis axis
         out +=
             fmt::format("set object rectangle from {} to {} behind fs solid noborder fc rgb '{}'\n",
                         at(band->low, axis, 0), at(band->high, axis, 1), band_colour);
-    if (trip_shown(scene, range))
+    if (scene.operation && scene.operation->trip)
         out += line_at(*scene.operation->trip * rpm, range, axis,
-                       fmt::format("back lc rgb '{}'", trip_colour).c_str());
+                       fmt::format("back lc rgb '{}'", trip_colour));
     return out;
 }
 
@@ -77,14 +74,16 @@ std::string operation_lines(const model::Case &scene, Range range, SpeedAxis axi
 }
 
 std::string operation_key(const model::Case &scene, Range range) {
-    std::string out;
+    std::vector<std::string> entries;
     if (shown_band(scene, range))
-        out += fmt::format(", keyentry with boxes fs solid fc rgb '{0}' lc rgb '{0}' title "
-                           "'operating speeds'",
-                           band_colour);
-    if (trip_shown(scene, range))
-        out += fmt::format(", keyentry with lines lw 1.4 lc rgb '{}' title 'trip'", trip_colour);
-    return out;
+        entries.push_back(fmt::format("keyentry with boxes fs solid fc rgb '{0}' lc rgb '{0}' "
+                                      "title 'operating speeds'",
+                                      band_colour));
+    const auto trip = scene.operation ? scene.operation->trip : std::nullopt;
+    if (trip && within(range, *trip * rpm))
+        entries.push_back(
+            fmt::format("keyentry with lines lw 1.4 lc rgb '{}' title 'trip'", trip_colour));
+    return joined(entries, ", ");
 }
 
 } // namespace whirl::report

@@ -24,7 +24,7 @@ enum class SpeedAxis { x, y };
 /// The same over a picture that fills its panel: lines at both ends and at the trip speed.
 [[nodiscard]] std::string operation_lines(const model::Case &scene, Range range, SpeedAxis axis);
 
-/// Entries of a legend for what operation_band draws, each after a comma and a blank; or nothing.
+/// Entries of a legend for what operation_band draws, or nothing.
 [[nodiscard]] std::string operation_key(const model::Case &scene, Range range);
 
 } // namespace whirl::report

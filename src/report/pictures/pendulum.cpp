@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <string>
-#include <utility>
 
 namespace whirl::report {
 
@@ -25,28 +24,27 @@ constexpr const char *efficiency_meaning =
 /// Axes of one panel or more, with the legend at the right and a line where the balancer neither
 /// helps nor harms.
 std::string efficiency_axes(Range x, const std::string &x_name) {
-    return fmt::format(
-        "{}set xrange [{:.9g}:{:.9g}]\nset yrange [0:{}]\n"
-        "set xlabel '{}'\nset ylabel 'Efficiency n'\n"
-        "set key at graph 1.02,1 left top reverse Left vertical samplen 2.5 spacing 1.3\n"
-        "set arrow from graph 0,first 1 to graph 1,first 1 nohead lc rgb '#555555' dt (4,4)\n",
-        grid, x.low, x.high, highest_efficiency, x_name);
+    return grid + axes_over(x, {0, highest_efficiency}) +
+           fmt::format(
+               "set xlabel '{}'\nset ylabel 'Efficiency n'\n"
+               "set key at graph 1.02,1 left top reverse Left vertical samplen 2.5 spacing 1.3\n"
+               "set arrow from graph 0,first 1 to graph 1,first 1 nohead lc rgb '#555555' dt "
+               "(4,4)\n",
+               x_name);
 }
 
 /// Efficiencies over the speed, with gaps where they are far off the picture.
 /// @param far  in picture heights
+template <class Value>
 std::vector<PlotPoint> efficiencies(const std::vector<double> &x, double factor,
-                                    const std::vector<std::optional<double>> &values, double far) {
+                                    const std::vector<Value> &values, double far) {
     std::vector<PlotPoint> points;
     for (std::size_t i = 0; i < x.size(); ++i) {
-        const bool drawn =
-            values[i] && std::isfinite(*values[i]) && *values[i] < far * highest_efficiency;
-        points.push_back({x[i] * factor, drawn ? values[i] : std::nullopt});
+        const std::optional<double> value = values[i];
+        const bool drawn = value && std::isfinite(*value) && *value < far * highest_efficiency;
+        points.push_back({x[i] * factor, drawn ? value : std::nullopt});
     }
     return points;
-}
-std::vector<std::optional<double>> all_of(const std::vector<double> &values) {
-    return {values.begin(), values.end()};
 }
 
 /// Points of the steady motions with this stability, apart from or with colliding pendulums.
@@ -82,10 +80,10 @@ void add_motions(const results::PendulumBalance &balancer, Curves &drawn) {
 } // namespace
 
 Figure pendulum_figure(const model::Case &scene, const results::PendulumBalance &balancer) {
-    const Range speeds = range_of(balancer.speeds);
-    const Range x{speeds.low * rpm, speeds.high * rpm};
-    Curves drawn("efficiency");
-    drawn.add(efficiencies(balancer.speeds, rpm, all_of(balancer.approximate), 3),
+    const Range x = speed_range(balancer.speeds);
+    const double threshold = balancer.threshold * balancer.omega_0 * rpm;
+    Curves drawn;
+    drawn.add(efficiencies(balancer.speeds, rpm, balancer.approximate, 3),
               "with lines lw 2 dt (12,5) lc rgb '#7A7A7A'", "'planar, small angles'");
     drawn.add(efficiencies(balancer.speeds, rpm, balancer.planar, 3),
               "with lines lw 2 lc rgb '#B77F00'", "'planar, exact'");
@@ -93,6 +91,7 @@ Figure pendulum_figure(const model::Case &scene, const results::PendulumBalance 
     drawn.add(fmt::format("{:.6g} with lines dt (2,4) lc rgb '#007D5A' title 'fast rotation "
                           "1/(1 + ρ)'",
                           balancer.limit));
+    drawn.add(operation_key(scene, x));
     constexpr int height = 620;
     return figure_of(
         1080, height, "Four-pendulum balancer: " + title_of(scene),
@@ -100,19 +99,16 @@ Figure pendulum_figure(const model::Case &scene, const results::PendulumBalance 
                     efficiency_meaning),
         panel_margins(0.075, 0.74, 70.0 / height, 1 - 75.0 / height) + operation_band(scene, x) +
             efficiency_axes(x, "Spin speed (rpm)") +
-            fmt::format("set arrow from first {0:.9g},0 to first {0:.9g},{1} nohead lc rgb "
-                        "'#5B2A86' dt (2,4)\nset label 'threshold' at first {0:.9g},{2} left "
-                        "offset 0.5,0 textcolor '#5B2A86'\n",
-                        balancer.threshold * balancer.omega_0 * rpm, highest_efficiency,
-                        0.95 * highest_efficiency) +
-            drawn.script(operation_key(scene, x)));
+            upright(threshold, "lc rgb '#5B2A86' dt (2,4)") +
+            fmt::format("set label 'threshold' at first {:.9g},{} left offset 0.5,0 textcolor "
+                        "'#5B2A86'\n",
+                        threshold, 0.95 * highest_efficiency) +
+            drawn.script());
 }
 
 namespace {
 
 using results::PendulumCurve;
-
-using NamedCurves = std::vector<std::pair<std::string, const PendulumCurve *>>;
 
 std::vector<PlotPoint> exact_points(const PendulumCurve &of, bool stable) {
     std::vector<PlotPoint> points;
@@ -124,55 +120,51 @@ std::vector<PlotPoint> exact_points(const PendulumCurve &of, bool stable) {
     return points;
 }
 
-std::string panel(const std::string &name, const NamedCurves &curves) {
-    Curves drawn(name);
+/// @param title_of_curve  in the legend
+std::string panel(const std::string &heading, const std::vector<PendulumCurve> &curves,
+                  const auto &title_of_curve) {
+    Curves drawn;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-        const auto &[title, curve] = curves[i];
+        const PendulumCurve &curve = curves[i];
         const std::string colour = series_style(i).colour;
-        drawn.add(exact_points(*curve, true), fmt::format("with lines lw 2.4 lc rgb '{}'", colour),
-                  plot_text(title));
-        drawn.add(exact_points(*curve, false),
+        drawn.add(exact_points(curve, true), fmt::format("with lines lw 2.4 lc rgb '{}'", colour),
+                  plot_text(title_of_curve(curve)));
+        drawn.add(exact_points(curve, false),
                   fmt::format("with lines lw 1.8 dt (2,2) lc rgb '{}'", colour));
-        drawn.add(efficiencies(curve->ratios, 1, all_of(curve->approximate), 2),
+        drawn.add(efficiencies(curve.ratios, 1, curve.approximate, 2),
                   "with lines lw 0.8 lc rgb '#8A8A8A'");
     }
     // The three ways of drawing, once.
-    return drawn.script(
-        ", NaN with lines lw 2.4 lc rgb '#555555' title 'exact, stable', NaN with lines lw "
-        "1.8 dt (2,2) lc rgb '#555555' title 'exact, unstable', NaN with lines lw 0.8 lc rgb "
-        "'#8A8A8A' title 'small angles'");
+    drawn.add("NaN with lines lw 2.4 lc rgb '#555555' title 'exact, stable'");
+    drawn.add("NaN with lines lw 1.8 dt (2,2) lc rgb '#555555' title 'exact, unstable'");
+    drawn.add("NaN with lines lw 0.8 lc rgb '#8A8A8A' title 'small angles'");
+    return fmt::format("set title {} offset 0,-0.5\n", plot_text(heading)) + drawn.script();
 }
 
 std::string design_title(const PendulumCurve &of) {
     return fmt::format("l {} m, a {} m, ρ {}", readable(of.arm, 3), readable(of.pivot, 3),
                        readable(of.rho, 3));
 }
+std::string damping_title(const PendulumCurve &of) {
+    return "H = " + readable(of.external_damping, 3);
+}
 
 } // namespace
 
 Figure pendulum_designs_figure(const model::Case &scene, const results::PendulumBalance &balancer) {
-    NamedCurves designs;
-    for (const PendulumCurve &curve : balancer.designs)
-        designs.emplace_back(design_title(curve), &curve);
-    NamedCurves dampings;
-    for (const PendulumCurve &curve : balancer.dampings)
-        dampings.emplace_back("H = " + readable(curve.external_damping, 3), &curve);
-    const bool both = !designs.empty();
+    const bool both = !balancer.designs.empty();
     const LegendedFigure room{1080, 0.075, 0.70, both ? 1010 : 560};
     const auto &shown = balancer.dampings.front();
-    const auto heading = [](const std::string &text) {
-        return fmt::format("set title {} offset 0,-0.5\n", plot_text(text));
-    };
     std::string panels =
         efficiency_axes({shown.ratios.front(), shown.ratios.back()}, "Spin speed / resonance");
     if (both)
         panels += room.panel(105, 480) +
-                  heading("Designs, external damping H = " +
-                          readable(balancer.designs.front().external_damping, 3)) +
-                  panel("d", designs) + "unset label\n";
-    panels += room.panel(both ? 590 : 105, both ? 940 : 490) +
-              heading(fmt::format("External damping, ρ = {}", readable(shown.rho, 4))) +
-              panel("h", dampings);
+                  panel("Designs, external damping " + damping_title(balancer.designs.front()),
+                        balancer.designs, design_title) +
+                  "unset label\n";
+    panels +=
+        room.panel(both ? 590 : 105, both ? 940 : 490) +
+        panel("External damping, ρ = " + readable(shown.rho, 4), balancer.dampings, damping_title);
     return figure_of(room.width, room.height,
                      "Efficiency of the pendulum balancer: " + title_of(scene),
                      fmt::format("planar rotor, z = {} m, h = {}; {}", readable(balancer.z, 4),

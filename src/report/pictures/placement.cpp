@@ -74,12 +74,13 @@ std::string rotor_panel(const model::Case &scene) {
     for (const auto &bearing : rotor.supports())
         bearings.push_back(
             {bearing.z * metres, -shaft_radius(rotor.shaft, bearing.z) - 0.25 * widest});
-    return discs + data_block("outline", {upper}) + data_block("bearings", {bearings}) +
-           fmt::format("set yrange [{}:{}]\nunset ytics\nset border 0\nset xtics nomirror\n"
-                       "plot $outline using 1:2:(-$2) with filledcurves lc rgb '#C5D0DA' notitle, "
-                       "$bearings with points pt 9 ps 2 lc rgb '#333333' notitle\n"
-                       "set border 31\nset ytics\nset xtics mirror\nunset object\n",
-                       -1.5 * widest, 1.1 * widest);
+    Curves drawn;
+    drawn.add(upper, "using 1:2:(-$2) with filledcurves lc rgb '#C5D0DA'");
+    drawn.add(bearings, "with points pt 9 ps 2 lc rgb '#333333'");
+    return discs +
+           fmt::format("set yrange [{}:{}]\nunset ytics\nset border 0\nset xtics nomirror\n",
+                       -1.5 * widest, 1.1 * widest) +
+           drawn.script() + "set border 31\nset ytics\nset xtics mirror\nunset object\n";
 }
 
 std::vector<double> scaled(std::vector<double> values, double factor) {

@@ -18,74 +18,23 @@ namespace {
 
 constexpr std::size_t most_curves = 8;
 
-/// A curve of a panel: its name in the legend and its values over the speeds.
-struct Curve {
-    std::string name;
-    std::vector<PlotPoint> points;
-};
-
-std::vector<std::string> names_of(const std::vector<Curve> &curves,
-                                  const std::vector<Curve> &others) {
-    std::vector<std::string> names{"operating speeds"};
-    for (const std::vector<Curve> *list : {&curves, &others})
-        for (const Curve &curve : *list)
-            names.push_back(curve.name);
-    return names;
-}
-
 std::vector<PlotPoint> over_speed(const std::vector<double> &speeds,
                                   const std::vector<double> &values, double factor) {
-    std::vector<PlotPoint> points;
-    for (std::size_t i = 0; i < speeds.size() && i < values.size(); ++i) {
-        // A logarithmic axis has no place for zero, the response at rest.
-        const bool drawn = std::isfinite(values[i]) && values[i] > 0;
-        points.push_back(
-            {speeds[i] * rpm, drawn ? std::optional(values[i] * factor) : std::nullopt});
-    }
+    std::vector<PlotPoint> points = points_over(speeds, rpm, values, factor);
+    for (PlotPoint &point : points)
+        if (!std::isfinite(*point.y) || *point.y <= 0) // the response at rest is zero, which a
+            point.y.reset();                           // logarithmic axis has no place for
     return points;
-}
-
-/// Phase in degrees within (-180, 180], cut where it jumps from one end to the other.
-std::vector<PlotPoint> phase_points(const std::vector<double> &speeds,
-                                    const std::vector<double> &phase) {
-    std::vector<PlotPoint> points;
-    for (std::size_t i = 0; i < speeds.size() && i < phase.size(); ++i) {
-        if (!std::isfinite(phase[i])) { // none at a resonance without damping
-            points.push_back({speeds[i] * rpm, std::nullopt});
-            continue;
-        }
-        const double degrees = std::remainder(phase[i], 2 * pi) * 180 / pi;
-        if (!points.empty() && points.back().y && std::abs(degrees - *points.back().y) > 180)
-            points.push_back({speeds[i] * rpm, std::nullopt});
-        points.push_back({speeds[i] * rpm, degrees});
-    }
-    return points;
-}
-
-/// @param further  entries of the legend, each after a comma
-std::string draw(const std::string &panel, const std::vector<Curve> &curves, bool legend,
-                 const std::string &further = "") {
-    Curves drawn(panel);
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        const LineStyle style = series_style(i);
-        const std::size_t step = std::max<std::size_t>(1, curves[i].points.size() / 9);
-        drawn.add(
-            curves[i].points,
-            fmt::format("with linespoints lc rgb '{}' lw 1.8 dt {} pt {} ps 0.8 pointinterval {}",
-                        style.colour, style.dash, style.point, step),
-            legend ? plot_text(curves[i].name) : "");
-    }
-    return drawn.script(further);
 }
 
 /// Logarithmic axis over the curves, at most three powers of ten down from the largest value of the
 /// smallest of them and six from that of all, so that the start from rest does not squeeze the
 /// peaks; with room for the names of these.
-Range logarithmic_range(const std::vector<Curve> &curves) {
+Range logarithmic_range(const std::vector<NamedCurve> &curves) {
     double high = 0;
     double low = HUGE_VAL;
     double smallest = HUGE_VAL; // of the largest values
-    for (const Curve &curve : curves) {
+    for (const NamedCurve &curve : curves) {
         double largest = 0;
         for (const PlotPoint &point : curve.points)
             if (point.y) {
@@ -103,21 +52,9 @@ Range logarithmic_range(const std::vector<Curve> &curves) {
     return {std::pow(10, std::floor(std::log10(low))), high > 0.5 * power ? 2 * power : power};
 }
 
-std::string logarithmic_axis(const std::vector<Curve> &curves) {
+std::string logarithmic_axis(const std::vector<NamedCurve> &curves) {
     const Range y = logarithmic_range(curves);
     return logarithmic_y + fmt::format("set ytics auto\nset yrange [{}:{}]\n", y.low, y.high);
-}
-
-/// rpm
-Range speed_axis(const ResponseResult &result) {
-    const Range x = range_of(result.speeds);
-    return {x.low * rpm, x.high * rpm};
-}
-
-std::string panel_axes(const ResponseResult &result, const std::string &label, bool last) {
-    const Range x = speed_axis(result);
-    return fmt::format("set xrange [{}:{}]\nset ylabel {}\n{}\n{}", x.low, x.high, plot_text(label),
-                       last ? "set xlabel 'Spin speed (rpm)'" : "unset xlabel", legend_beside);
 }
 
 /// At most `count` of a list, evenly spread, with its first and last.
@@ -160,10 +97,61 @@ std::vector<std::size_t> drawn_nodes(const ResponseResult &result) {
 
 namespace {
 
-struct Panels {
-    std::vector<Curve> amplitude, phase, force;
-    std::size_t nodes = 0; ///< curves of nodes among the amplitudes
+/// A panel over the spin speed: the name and the kind of its axis, curves with and without names.
+struct SpeedPanel {
+    std::string label;
+    std::string axis;
+    std::vector<NamedCurve> curves;
 };
+SpeedPanel logarithmic_panel(const std::string &label, const std::vector<NamedCurve> &curves) {
+    return {label, logarithmic_axis(curves), curves};
+}
+
+Curves curves_of(const SpeedPanel &panel) {
+    Curves drawn;
+    for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+        const auto &[name, points] = panel.curves[i];
+        const LineStyle style = series_style(i);
+        drawn.add(points,
+                  fmt::format("with linespoints lc rgb '{}' lw 1.8 dt {} pt {} ps 0.8 "
+                              "pointinterval {}",
+                              style.colour, style.dash, style.point,
+                              std::max<std::size_t>(1, points.size() / 9)),
+                  name.empty() ? "" : plot_text(name));
+    }
+    return drawn;
+}
+
+/// Up to three panels one below the other.
+/// @param marks  in the first one
+Figure stacked(const model::Case &scene, const ResponseResult &result, const std::string &heading,
+               const std::string &subtitle, const std::vector<SpeedPanel> &panels,
+               const PeakMarks &marks) {
+    struct Place {
+        int top, bottom, height; ///< of the panel; of the figure where it is the last; pixels
+    };
+    constexpr Place places[] = {{75, 430, 500}, {460, 700, 780}, {730, 975, 1040}};
+    std::vector<std::string> names{"operating speeds", marks.name};
+    for (const SpeedPanel &panel : panels)
+        for (const NamedCurve &curve : panel.curves)
+            names.push_back(curve.name);
+    const LegendedFigure room = beside_legend(842, 1080, places[panels.size() - 1].height, names);
+    const Range x = speed_range(result.speeds);
+    std::string script = grid + operation_band(scene, x) +
+                         fmt::format("set xrange [{}:{}]\n{}", x.low, x.high, marks.before);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        Curves drawn = curves_of(panels[i]);
+        if (i == 0) {
+            drawn.add(marks.plots);
+            drawn.add(operation_key(scene, x));
+        }
+        script +=
+            panels[i].axis + room.panel(places[i].top, places[i].bottom) +
+            axes_beside_legend(panels[i].label, i + 1 == panels.size() ? "Spin speed (rpm)" : "") +
+            drawn.script() + (i == 0 ? marks.after : "") + "unset label\n";
+    }
+    return figure_of(room.width, room.height, heading + title_of(scene), subtitle, script);
+}
 
 /// The values at the speeds of the case, or those of the i-th dense curve where there is one.
 std::vector<PlotPoint> dense(const results::ResponseCurves &curves, std::size_t i,
@@ -177,19 +165,35 @@ std::string name_or(const std::string &name, const char *kind) {
     return name.empty() ? kind : name;
 }
 
-Panels panels_of(const ResponseResult &result) {
-    Panels panels;
-    std::vector<Curve> &amplitude = panels.amplitude;
+/// Forces in the bearings: `largest` of each over the speeds of the case.
+/// @param before  dense curves of other places in front of theirs
+template <class Bearing>
+std::vector<NamedCurve> forces_of(const std::vector<Bearing> &bearings,
+                                  std::vector<double> Bearing::*largest,
+                                  const results::ResponseCurves &curves, std::size_t before,
+                                  const std::vector<double> &speeds) {
+    std::vector<NamedCurve> forces;
+    for (std::size_t i = 0; i < bearings.size() && i < most_curves; ++i)
+        forces.push_back({place_text(name_or(bearings[i].name, "bearing"), bearings[i].z),
+                          dense(curves, before + i, speeds, bearings[i].*largest, newtons)});
+    return forces;
+}
+
+} // namespace
+
+Figure response_figure(const model::Case &scene, const ResponseResult &result) {
     const results::ResponseCurves &curves = result.curves;
+    std::vector<NamedCurve> amplitude;
+    std::vector<NamedCurve> phase;
     const auto add = [&](std::size_t i, const std::string &name, const auto &of) {
         amplitude.push_back({name, dense(curves, i, result.speeds, of.amplitude, micrometres)});
         const bool fine = i < curves.values.size();
-        panels.phase.push_back({"", phase_points(fine ? curves.speeds : result.speeds,
-                                                 fine ? curves.phases[i] : of.phase)});
+        phase.push_back({"", angles_over(fine ? curves.speeds : result.speeds, rpm,
+                                         fine ? curves.phases[i] : of.phase)});
     };
-    for (const std::size_t i : drawn_nodes(result))
+    const std::vector<std::size_t> nodes = drawn_nodes(result);
+    for (const std::size_t i : nodes)
         add(i, place_text(result.nodes[i].name, result.nodes[i].z), result.nodes[i]);
-    panels.nodes = amplitude.size();
     for (std::size_t i = 0; i < result.probes.size() && amplitude.size() < 2 * most_curves; ++i) {
         const auto &probe = result.probes[i];
         add(result.nodes.size() + result.bearings.size() + i,
@@ -197,116 +201,57 @@ Panels panels_of(const ResponseResult &result) {
                         readable(probe.angle * 180 / pi, 4)),
             probe);
     }
-    for (std::size_t i = 0; i < result.bearings.size() && i < most_curves; ++i) {
-        const auto &bearing = result.bearings[i];
-        panels.force.push_back(
-            {place_text(name_or(bearing.name, "bearing"), bearing.z),
-             dense(curves, result.nodes.size() + i, result.speeds, bearing.force, newtons)});
-    }
-    return panels;
-}
-
-} // namespace
-
-Figure response_figure(const model::Case &scene, const ResponseResult &result) {
-    const auto [amplitude, phase, force, nodes] = panels_of(result);
-    const Range x = speed_axis(result);
-    std::vector<std::string> names = names_of(amplitude, force);
+    std::vector<SpeedPanel> panels{
+        logarithmic_panel("Amplitude (µm)", amplitude),
+        {result.probes.empty() ? "Phase of x (deg)" : "Phase of x, of a probe (deg)",
+         std::string(linear_y) + "set yrange [-190:190]\nset ytics 90\n", phase}};
+    if (!result.bearings.empty())
+        panels.push_back(
+            logarithmic_panel("Largest bearing force (N)",
+                              forces_of(result.bearings, &results::ResponseBearing::force, curves,
+                                        result.nodes.size(), result.speeds)));
     PeakMarks marks;
-    if (const auto largest = largest_station(result)) {
-        std::vector<std::vector<PlotPoint>> busy;
-        for (const Curve &curve : amplitude)
-            busy.push_back(curve.points);
-        marks = peak_marks(result, *largest, {x, logarithmic_range(amplitude), 750, 355}, busy);
-        names.push_back("peaks of " +
-                        place_text(result.nodes[*largest].name, result.nodes[*largest].z));
-    }
-    LegendedFigure room = beside_legend(92, 842, 1080, names);
-    room.height = force.empty() ? 780 : 1040;
-    std::string panels =
-        grid + operation_band(scene, x) + logarithmic_axis(amplitude) + room.panel(75, 430) +
-        panel_axes(result, "Amplitude (µm)", false) + marks.before +
-        draw("a", amplitude, true, marks.plots + operation_key(scene, x)) + marks.after +
-        "unset label\n" + linear_y + "set yrange [-190:190]\nset ytics 90\n" +
-        room.panel(460, 700) +
-        panel_axes(result,
-                   result.probes.empty() ? "Phase of x (deg)" : "Phase of x, of a probe (deg)",
-                   force.empty()) +
-        draw("p", phase, false);
-    if (!force.empty())
-        panels += logarithmic_axis(force) + room.panel(730, 975) +
-                  panel_axes(result, "Largest bearing force (N)", true) + draw("f", force, true);
-    return figure_of(room.width, room.height, "Unbalance response: " + title_of(scene),
-                     fmt::format("{} stations drawn of {}", nodes, result.nodes.size()), panels);
+    if (const auto largest = largest_station(result))
+        marks = peak_marks(result, *largest,
+                           {speed_range(result.speeds), logarithmic_range(amplitude), 750, 355},
+                           amplitude);
+    return stacked(scene, result, "Unbalance response: ",
+                   fmt::format("{} stations drawn of {}", nodes.size(), result.nodes.size()),
+                   panels, marks);
 }
-
-namespace {
-
-std::string gravity_subtitle(const results::GravityResponse &of, std::size_t drawn) {
-    return fmt::format("gravity {} m/s² towards −y, {} stations drawn of {}",
-                       readable(of.gravity, 5), drawn, of.stations.size());
-}
-
-/// A shaft that is equally stiff in all directions: it stands still in its sag.
-Figure sag_figure(const model::Case &scene, const ResponseResult &result) {
-    const results::GravityResponse &of = *result.gravity;
-    std::vector<Curve> still;
-    for (const std::size_t i : drawn_of(of.stations)) {
-        const auto &station = of.stations[i];
-        still.push_back({place_text(station.name, station.z),
-                         over_speed(result.speeds, station.sag, still_micrometres)});
-    }
-    LegendedFigure room = beside_legend(92, 842, 1080, names_of(still, {}));
-    room.height = 500;
-    const Range x = speed_axis(result);
-    return figure_of(room.width, room.height, "Sag under the weight: " + title_of(scene),
-                     gravity_subtitle(of, still.size()),
-                     grid + operation_band(scene, x) + room.panel(75, 430) +
-                         panel_axes(result, "Static deflection (µm)", true) +
-                         draw("p", still, true, operation_key(scene, x)));
-}
-
-bool moves(const results::GravityResponse &of) {
-    return std::any_of(of.stations.begin(), of.stations.end(), [](const auto &station) {
-        return std::any_of(station.twice.begin(), station.twice.end(),
-                           [](double value) { return value != 0; });
-    });
-}
-
-} // namespace
 
 Figure gravity_figure(const model::Case &scene, const ResponseResult &result) {
     const results::GravityResponse &of = *result.gravity;
-    if (!moves(of))
-        return sag_figure(scene, result);
-    std::vector<Curve> circle;
-    std::vector<Curve> still;
-    std::vector<Curve> force;
-    for (const std::size_t i : drawn_of(of.stations)) {
+    std::vector<NamedCurve> circle;
+    std::vector<NamedCurve> still;
+    const std::vector<std::size_t> drawn = drawn_of(of.stations);
+    for (const std::size_t i : drawn) {
         const auto &station = of.stations[i];
         circle.push_back({place_text(station.name, station.z),
                           dense(of.curves, i, result.speeds, station.twice, micrometres)});
         still.push_back({"", over_speed(result.speeds, station.sag, still_micrometres)});
     }
-    for (std::size_t i = 0; i < of.bearings.size() && i < most_curves; ++i) {
-        const auto &bearing = of.bearings[i];
-        force.push_back(
-            {place_text(name_or(bearing.name, "bearing"), bearing.z),
-             dense(of.curves, of.stations.size() + i, result.speeds, bearing.twice, newtons)});
+    const std::string subtitle =
+        fmt::format("gravity {} m/s² towards −y, {} stations drawn of {}", readable(of.gravity, 5),
+                    drawn.size(), of.stations.size());
+    const bool moves = std::ranges::any_of(of.stations, [](const auto &station) {
+        return std::ranges::any_of(station.twice, [](double value) { return value != 0; });
+    });
+    // A shaft that is equally stiff in all directions stands still in its sag.
+    if (!moves) {
+        for (std::size_t i = 0; i < still.size(); ++i)
+            still[i].name = circle[i].name;
+        return stacked(scene, result, "Sag under the weight: ", subtitle,
+                       {{"Static deflection (µm)", "", still}}, {});
     }
-    LegendedFigure room = beside_legend(92, 842, 1080, names_of(circle, force));
-    room.height = 1040;
-    const Range x = speed_axis(result);
-    return figure_of(
-        room.width, room.height, "Motion under the weight: " + title_of(scene),
-        gravity_subtitle(of, circle.size()),
-        grid + operation_band(scene, x) + logarithmic_axis(circle) + room.panel(75, 430) +
-            panel_axes(result, "Circle at twice the spin speed (µm)", false) +
-            draw("a", circle, true, operation_key(scene, x)) + "unset label\n" + linear_y +
-            "set autoscale y\nset ytics auto\n" + room.panel(460, 700) +
-            panel_axes(result, "Static deflection (µm)", false) + draw("p", still, false) +
-            logarithmic_axis(force) + room.panel(730, 975) +
-            panel_axes(result, "Bearing force at 2x (N)", true) + draw("f", force, true));
+    return stacked(scene, result, "Motion under the weight: ", subtitle,
+                   {logarithmic_panel("Circle at twice the spin speed (µm)", circle),
+                    {"Static deflection (µm)",
+                     std::string(linear_y) + "set autoscale y\nset ytics auto\n", still},
+                    logarithmic_panel("Bearing force at 2x (N)",
+                                      forces_of(of.bearings, &results::GravityBearing::twice,
+                                                of.curves, of.stations.size(), result.speeds))},
+                   {});
 }
 
 } // namespace whirl::report

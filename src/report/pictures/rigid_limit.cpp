@@ -19,16 +19,11 @@ namespace {
 /// Differences below this are drawn here: zero has no logarithm.
 constexpr double least_shown = 1e-17;
 
-/// Quantities get their style by the order of their first row.
-class Styles {
-  public:
-    LineStyle of(const std::string &quantity) {
-        return series_style(_index.emplace(quantity, _index.size()).first->second);
-    }
-
-  private:
-    std::map<std::string, std::size_t> _index;
-};
+/// Indices of the styles of quantities, in the order in which these are drawn first.
+using Styles = std::map<std::string, std::size_t>;
+LineStyle style_of(const std::string &quantity, Styles &styles) {
+    return series_style(styles.emplace(quantity, styles.size()).first->second);
+}
 
 std::vector<PlotPoint> points_of(const RigidLimitRow &row) {
     std::vector<PlotPoint> points;
@@ -43,8 +38,7 @@ std::vector<PlotPoint> points_of(const RigidLimitRow &row) {
 
 /// What a panel draws, and how far it reaches.
 struct Panel {
-    Curves curves;
-    bool legend = false;
+    Curves curves{};
     double least_x = INFINITY, largest_x = 0, largest_y = 0, least_y = INFINITY;
 
     void add(const std::string &title, const LineStyle &style, bool filled,
@@ -55,7 +49,7 @@ struct Panel {
                    fmt::format("with linespoints lw {} dt {} pt {} ps 1 lc rgb '{}'",
                                filled ? 1.8 : 1.0, filled ? "1" : "(4,4)", style.point,
                                style.colour),
-                   legend && !title.empty() ? plot_text(title) : "");
+                   title.empty() ? "" : plot_text(title));
         for (const PlotPoint &point : points) {
             least_x = std::min(least_x, point.x);
             largest_x = std::max(largest_x, point.x);
@@ -66,33 +60,31 @@ struct Panel {
     [[nodiscard]] bool empty() const { return curves.empty(); }
     [[nodiscard]] std::string script(const std::string &before) const {
         return empty() ? "set xrange [1:10]\nset yrange [1e-12:1]\nplot NaN notitle\n"
-                       : curves.script("", before);
+                       : curves.script(before);
     }
 };
 
 std::string stiffness_panel(const RigidLimitResult &result, Styles &styles) {
-    Panel panel{Curves("stiffness")};
+    Panel panel;
     for (const RigidLimitRow &row : result.rows)
         if (row.elements.empty())
-            panel.add(row.quantity, styles.of(row.quantity), true, points_of(row));
+            panel.add("", style_of(row.quantity, styles), true, points_of(row));
     std::string text;
     std::string guide;
     if (panel.largest_x > panel.least_x) {
-        text += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", panel.least_x / 1.5,
-                            panel.largest_x * 1.5, std::max(panel.least_y / 10, 1e-13),
-                            std::min(10 * panel.largest_y, 1e3));
+        text +=
+            axes_over({panel.least_x / 1.5, panel.largest_x * 1.5},
+                      {std::max(panel.least_y / 10, 1e-13), std::min(10 * panel.largest_y, 1e3)});
         guide = fmt::format("{}/x with lines lw 1 dt (2,3) lc rgb '#7A7A7A' notitle, "
-                            "0.01 with lines lw 1 dt (8,4) lc rgb '#999999' notitle, ",
+                            "0.01 with lines lw 1 dt (8,4) lc rgb '#999999' notitle",
                             3 * panel.largest_y * panel.least_x);
     }
     if (panel.empty())
         text += "set label 1 'a rigid shaft: no stiffness to vary' at graph 0.5,0.5 center\n"
                 "unset xtics\nunset ytics\n";
     if (result.one_percent)
-        text += fmt::format(
-            "set arrow 1 from first {0},graph 0 to first {0},graph 1 nohead back lw 1 dt (8,4) "
-            "lc rgb '#999999'\n",
-            result.one_percent->stiffness * newtons_per_metre);
+        text += upright(result.one_percent->stiffness * newtons_per_metre,
+                        "back lw 1 dt (8,4) lc rgb '#999999'");
     return text +
            "set xlabel 'Stiffness of the shaft, 48 EI/L^3 (N/m)'\n"
            "set ylabel 'Relative difference from the closed form'\nunset key\n" +
@@ -115,7 +107,7 @@ std::vector<PlotPoint> inertia_points(const RigidLimitResult &result, int order)
 }
 
 std::string mesh_panel(const RigidLimitResult &result, Styles &styles) {
-    Panel panel{Curves("mesh"), true};
+    Panel panel;
     std::vector<int> orders;
     for (const RigidLimitRow &row : result.rows) {
         if (row.elements.empty())
@@ -124,7 +116,8 @@ std::string mesh_panel(const RigidLimitResult &result, Styles &styles) {
             orders.push_back(row.order);
         const bool main = row.order == result.model.order;
         if (!row.inertia)
-            panel.add(main ? row.quantity : "", styles.of(row.quantity), main, points_of(row));
+            panel.add(main ? row.quantity : "", style_of(row.quantity, styles), main,
+                      points_of(row));
     }
     for (const int order : orders) {
         const bool main = order == result.model.order;
@@ -133,15 +126,14 @@ std::string mesh_panel(const RigidLimitResult &result, Styles &styles) {
     }
     // Lines of the other panel are explained here, where there is room.
     std::string keys = "NaN with lines lw 1 dt (2,3) lc rgb '#7A7A7A' title 'slope -1', NaN with "
-                       "lines lw 1 dt (8,4) lc rgb '#999999' title '1 %', ";
+                       "lines lw 1 dt (8,4) lc rgb '#999999' title '1 %'";
     if (orders.size() > 1)
-        keys += "NaN with lines lw 1 dt (4,4) lc rgb '#555555' title 'thin: classical elements', ";
+        keys += ", NaN with lines lw 1 dt (4,4) lc rgb '#555555' title 'thin: classical elements'";
     std::string text;
     if (!panel.empty())
         text +=
-            fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", 0.8 * panel.least_x,
-                        1.25 * panel.largest_x, least_shown / 2,
-                        std::max(1e-3, 10 * panel.largest_y)) +
+            axes_over({0.8 * panel.least_x, 1.25 * panel.largest_x},
+                      {least_shown / 2, std::max(1e-3, 10 * panel.largest_y)}) +
             // What lies this low differs by nothing but rounding, and its ups and downs say no
             // more.
             "set object 1 rectangle from graph 0,graph 0 to graph 1,first 1e-12 behind fc rgb "

@@ -72,33 +72,25 @@ Histogram histogram_of(const std::vector<double> &values) {
 std::string marks_of(const SampledAnswer &answer) {
     const double factor = factor_of(answer);
     std::string text;
-    int number = 0;
     for (const results::SampleQuantile &quantile : answer.quantiles) {
-        ++number;
         const auto place = [&](const std::optional<double> &end, const char *border) {
             return end ? fmt::format("first {:.9g}", *end * factor) : std::string(border);
         };
-        text +=
-            fmt::format("set object {} rectangle from {},graph 0 to {},graph 1 behind "
-                        "fc rgb '#FBE3CF' fs solid noborder\n",
-                        number, place(quantile.low, "graph 0"), place(quantile.high, "graph 1"));
-        text += fmt::format("set arrow {} from first {:.9g},graph 0 to first {:.9g},graph 1 nohead "
-                            "front lw 1.8 lc rgb '#D55E00'\n",
-                            number, quantile.value * factor, quantile.value * factor);
-        text += fmt::format("set label {} '{} %' at first {:.9g},graph 1.05 center font ',11' "
+        text += fmt::format("set object rectangle from {},graph 0 to {},graph 1 behind "
+                            "fc rgb '#FBE3CF' fs solid noborder\n",
+                            place(quantile.low, "graph 0"), place(quantile.high, "graph 1"));
+        text += upright(quantile.value * factor, "front lw 1.8 lc rgb '#D55E00'");
+        text += fmt::format("set label '{} %' at first {:.9g},graph 1.05 center font ',11' "
                             "textcolor '#B04E00'\n",
-                            number, readable(100 * quantile.share), quantile.value * factor);
+                            readable(100 * quantile.share), quantile.value * factor);
     }
     if (answer.nominal)
-        text += fmt::format("set arrow {} from first {:.9g},graph 0 to first {:.9g},graph 1 nohead "
-                            "front lw 1.4 dt (6,4) lc rgb '#000000'\n",
-                            number + 1, *answer.nominal * factor, *answer.nominal * factor);
+        text += upright(*answer.nominal * factor, "front lw 1.4 dt (6,4) lc rgb '#000000'");
     return text;
 }
 
-std::string panel_of(const model::Case &scene, const SampledAnswer &answer, std::size_t index) {
-    const std::vector<double> values = shown_values(answer);
-    const Histogram histogram = histogram_of(values);
+std::string panel_of(const model::Case &scene, const SampledAnswer &answer) {
+    const Histogram histogram = histogram_of(shown_values(answer));
     const auto [low, high] = histogram.range;
     std::vector<PlotPoint> bars;
     for (std::size_t i = 0; i < histogram.counts.size(); ++i)
@@ -106,21 +98,18 @@ std::string panel_of(const model::Case &scene, const SampledAnswer &answer, std:
                         static_cast<double>(histogram.counts[i])});
     const int most = *std::max_element(histogram.counts.begin(), histogram.counts.end());
     const double margin = 0.06 * (high - low);
-    const std::string name = fmt::format("samples{}", index);
-    const std::string operation =
-        answer.unit == "rad/s" ? operation_band(scene, {low - margin, high + margin}) : "";
-    return data_block(name, {bars}) + marks_of(answer) + operation +
+    const Range x{low - margin, high + margin};
+    Curves drawn;
+    drawn.add(bars, "using 1:2 with boxes lc rgb '#3C97CF' fs transparent solid 0.45 border lc rgb "
+                    "'#0072B2'");
+    return marks_of(answer) + (answer.unit == "rad/s" ? operation_band(scene, x) : "") +
+           axes_over(x, {0, 1.08 * most}) +
            fmt::format(
                "set title {} font ',12' offset 0,0.2\nset xlabel '{}' font ',11' offset 0,0.4\n"
                "set ylabel 'samples' font ',11' offset 1.5,0\n"
-               "set xrange [{:.9g}:{:.9g}]\nset yrange [0:{}]\n"
                "set xtics {:.9g} font ',11'\nset ytics font ',11'\nset boxwidth {:.9g}\n",
-               plot_text(answer.name), axis_of(answer), low - margin, high + margin, 1.08 * most,
-               step_of(high - low), histogram.width) +
-           fmt::format("plot ${} using 1:2 with boxes lc rgb '#3C97CF' fs transparent solid "
-                       "0.45 border lc rgb '#0072B2' notitle\n",
-                       name) +
-           "unset object\nunset arrow\nunset label\nunset title\n";
+               plot_text(answer.name), axis_of(answer), step_of(high - low), histogram.width) +
+           drawn.script() + "unset object\nunset arrow\nunset label\nunset title\n";
 }
 
 std::string subtitle_of(const model::Case &scene, const SamplesResult &result, std::size_t drawn,
@@ -162,7 +151,7 @@ Figure samples_figure(const model::Case &scene, const SamplesResult &result) {
         const double upper = top - static_cast<double>(row) * down;
         panels += panel_margins(left + 0.2 * across, left + 0.94 * across, upper - 0.8 * down,
                                 upper - 0.2 * down) +
-                  panel_of(scene, *drawn[i], i);
+                  panel_of(scene, *drawn[i]);
     }
     if (drawn.empty())
         panels += "set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\n";

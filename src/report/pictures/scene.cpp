@@ -58,8 +58,7 @@ void draw_leader(Drawing &drawing, const Callout &callout, double name_end,
     const double to = std::max(name_end, callout.y);
     const auto piece = [&](double end) {
         if (end - from > 0.5)
-            drawing.shapes.push_back(
-                stroke({{callout.x, from}, {callout.x, end}}, "#AAAAAA", 0.8, false));
+            drawing.shapes.push_back(stroke({{callout.x, from}, {callout.x, end}}, "#AAAAAA", 0.8));
     };
     for (const auto &[above, below] : in_the_way) {
         if (below <= from || above >= to)
@@ -88,8 +87,7 @@ int draw_callouts(Drawing &drawing, std::vector<Callout> callouts, double start,
             row_ends.push_back(0);
         row_ends[row] = x + half + 12;
         names.push_back({x, half, start + direction * line * static_cast<double>(row)});
-        drawing.texts.push_back(
-            {{x, names.back().baseline}, callout.text, text_size, Anchor::middle, "#222222"});
+        drawing.texts.push_back({{x, names.back().baseline}, callout.text, text_size});
     }
     for (std::size_t i = 0; i < callouts.size(); ++i)
         draw_leader(drawing, callouts[i], direction < 0 ? names[i].bottom() : names[i].top(),
@@ -174,18 +172,16 @@ void draw_ruler(Drawing &drawing, const Sheet &sheet, double length, double y) {
     const double power = std::pow(10, std::floor(std::log10(raw)));
     const double step = raw / power < 1.5 ? power : raw / power < 3.5 ? 2 * power : 5 * power;
     drawing.shapes.push_back(
-        stroke({{sheet.across(0), y}, {sheet.across(length), y}}, "#333333", 1, false));
+        stroke({{sheet.across(0), y}, {sheet.across(length), y}}, "#333333", 1));
     for (int i = 0; i * step <= factor * length * (1 + 1e-9); ++i) {
         const double x = sheet.across(i * step / factor);
-        drawing.shapes.push_back(stroke({{x, y}, {x, y + 6}}, "#333333", 1, false));
-        drawing.texts.push_back(
-            {{x, y + 20}, fmt::format("{:.6g}", i * step), 12, Anchor::middle, "#222222"});
+        drawing.shapes.push_back(stroke({{x, y}, {x, y + 6}}, "#333333", 1));
+        drawing.texts.push_back({{x, y + 20}, fmt::format("{:.6g}", i * step), 12});
     }
     std::string label = fmt::format("z ({})", unit_name("length", millimetres ? "mm" : "m"));
     if (sheet.enlarged() > 1)
         label += fmt::format(", diameters drawn {:.0f} times larger", sheet.enlarged());
-    drawing.texts.push_back(
-        {{sheet_width / 2, y + 40}, label, text_size, Anchor::middle, "#222222"});
+    drawing.texts.push_back({{sheet_width / 2, y + 40}, label, text_size});
 }
 
 std::vector<Callout> bearing_callouts(const model::Rotor &rotor, const Sheet &sheet,
@@ -235,18 +231,19 @@ Drawing draw_rotor(const model::Case &scene, const Sheet &sheet) {
     return drawing;
 }
 
-/// Rows of names needed above the rotor: drawn once on a scrap sheet.
-int upper_rows(const model::Rotor &rotor, const Sheet &sheet) {
+/// With room above the rotor for its rows of names: these are drawn once on a scrap sheet.
+Sheet sheet_of(const model::Case &scene) {
+    Sheet sheet(scene, largest_radius(scene.rotor));
     Drawing scrap;
-    return draw_callouts(scrap, upper_callouts(rotor, sheet), 0, -1);
+    const int rows = draw_callouts(scrap, upper_callouts(scene.rotor, sheet), 0, -1);
+    sheet.axis = 20 + line * rows + 16 + sheet.radius;
+    return sheet;
 }
 
 } // namespace
 
 Drawing scene_drawing(const model::Case &scene) {
-    Sheet sheet(scene, largest_radius(scene.rotor));
-    const int rows = upper_rows(scene.rotor, sheet);
-    sheet.axis = 20 + line * rows + 16 + sheet.radius;
+    const Sheet sheet = sheet_of(scene);
     Drawing drawing = draw_rotor(scene, sheet);
     draw_callouts(drawing, upper_callouts(scene.rotor, sheet), sheet.axis - sheet.radius - 18, -1);
     for (DrawText &text : drawing.texts)
@@ -285,16 +282,13 @@ Drawing show_drawing(const model::Case &scene, const results::ShowResult &result
                      readable(result.Ip * inertia_si), unit_name("mass", "kg"),
                      unit_name("length", "m"), unit_name("inertia", "kg m²"), result.type),
          14,
-         Anchor::middle,
          "#555555"});
-    Sheet sheet(scene, largest_radius(scene.rotor));
-    sheet.axis = head + 20 + line * upper_rows(scene.rotor, sheet) + 16 + sheet.radius;
+    const Sheet sheet = sheet_of(scene);
     const double x = sheet.across(result.center_of_mass);
-    drawing.shapes.push_back(circle(x, sheet.axis, 7, "#FFFFFF", "#B00020"));
-    drawing.shapes.push_back(
-        area({{x, sheet.axis}, {x + 7, sheet.axis}, {x, sheet.axis - 7}}, "#B00020", ""));
-    drawing.shapes.push_back(
-        area({{x, sheet.axis}, {x - 7, sheet.axis}, {x, sheet.axis + 7}}, "#B00020", ""));
+    const double y = head + sheet.axis;
+    drawing.shapes.push_back(circle(x, y, 7, "#FFFFFF", "#B00020"));
+    for (const double side : {7.0, -7.0})
+        drawing.shapes.push_back(area({{x, y}, {x + side, y}, {x, y - side}}, "#B00020", ""));
     return drawing;
 }
 

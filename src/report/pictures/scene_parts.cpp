@@ -14,7 +14,13 @@ void draw_spring(Drawing &drawing, double x, double top, double bottom) {
     for (int i = 0; i < turns; ++i)
         points.push_back({x + (i % 2 == 0 ? 5 : -5), top + (bottom - top) * (i + 0.5) / turns});
     points.push_back({x, bottom});
-    drawing.shapes.push_back(stroke(std::move(points), "#333333", 1.4, false));
+    drawing.shapes.push_back(stroke(std::move(points), "#333333", 1.4));
+}
+
+/// A rectangle about x between two heights.
+DrawShape box(double x, double half, double from, double to, std::string fill, std::string colour) {
+    return area({{x - half, from}, {x + half, from}, {x + half, to}, {x - half, to}},
+                std::move(fill), std::move(colour));
 }
 
 } // namespace
@@ -75,11 +81,9 @@ void draw_disc(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,
         std::max(disc.width > 0 ? (sheet.across(disc.z + disc.width) - x) / 2 : 3.0, 2.0);
     const double inner = sheet.pixels(shaft_radius(shaft, disc.z));
     for (const double up : {-1.0, 1.0}) {
-        DrawShape half_disc = area({{x - half, sheet.axis + up * inner},
-                                    {x + half, sheet.axis + up * inner},
-                                    {x + half, sheet.axis + up * std::max(outer, inner + 4)},
-                                    {x - half, sheet.axis + up * std::max(outer, inner + 4)}},
-                                   known ? "#8FB3CF" : "#DCE7F0", "#1F4E79");
+        DrawShape half_disc =
+            box(x, half, sheet.axis + up * inner, sheet.axis + up * std::max(outer, inner + 4),
+                known ? "#8FB3CF" : "#DCE7F0", "#1F4E79");
         half_disc.dashed = !known; // a disc by mass and inertia: drawn at its equivalent radius
         drawing.shapes.push_back(half_disc);
     }
@@ -95,18 +99,14 @@ void draw_bearing(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaf
     if (bearing.pedestal) {
         const double middle = (from + ground) / 2;
         draw_spring(drawing, x, from, middle - 6);
-        drawing.shapes.push_back(area({{x - 14, middle - 6},
-                                       {x + 14, middle - 6},
-                                       {x + 14, middle + 6},
-                                       {x - 14, middle + 6}},
-                                      "#BBBBBB", "#333333"));
+        drawing.shapes.push_back(box(x, 14, middle - 6, middle + 6, "#BBBBBB", "#333333"));
         from = middle + 6;
     }
     draw_spring(drawing, x, from, ground);
-    drawing.shapes.push_back(stroke({{x - 17, ground}, {x + 17, ground}}, "#333333", 1.6, false));
+    drawing.shapes.push_back(stroke({{x - 17, ground}, {x + 17, ground}}, "#333333", 1.6));
     for (int i = -3; i <= 3; ++i)
         drawing.shapes.push_back(
-            stroke({{x + i * 5, ground}, {x + i * 5 - 5, ground + 6}}, "#333333", 0.8, false));
+            stroke({{x + i * 5, ground}, {x + i * 5 - 5, ground + 6}}, "#333333", 0.8));
 }
 
 void draw_seal(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,
@@ -132,22 +132,18 @@ void draw_seal(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,
 void draw_balancer(Drawing &drawing, const Sheet &sheet, const model::Balancer &balancer) {
     const balancers::Outline outline = balancers::kind_of(balancer)->outline();
     const double x = sheet.across(balancer.z);
-    const auto box = [x](double half, double from, double to, const char *fill) {
-        return area({{x - half, from}, {x + half, from}, {x + half, to}, {x - half, to}}, fill,
-                    "#8A5A00");
-    };
+    constexpr const char *ink = "#8A5A00";
     const double reach = sheet.pixels(outline.radius()) + 6;
-    drawing.shapes.push_back(box(7, sheet.axis - reach, sheet.axis + reach, ""));
+    drawing.shapes.push_back(box(x, 7, sheet.axis - reach, sheet.axis + reach, "", ink));
     drawing.shapes.back().width = 1.6;
     for (const double up : {-1.0, 1.0}) {
         const auto height = [&](double r) { return sheet.axis + up * sheet.pixels(r); };
         for (const auto &[from, to] : outline.sections)
-            drawing.shapes.push_back(box(4.5, height(from), height(to), "#F0B429"));
+            drawing.shapes.push_back(box(x, 4.5, height(from), height(to), "#F0B429", ink));
         for (const auto &[from, to] : outline.arms)
-            drawing.shapes.push_back(
-                stroke({{x, height(from)}, {x, height(to)}}, "#8A5A00", 1.6, false));
+            drawing.shapes.push_back(stroke({{x, height(from)}, {x, height(to)}}, ink, 1.6));
         for (const double point : outline.points)
-            drawing.shapes.push_back(circle(x, height(point), 4.5, "#F0B429", "#8A5A00"));
+            drawing.shapes.push_back(circle(x, height(point), 4.5, "#F0B429", ink));
     }
 }
 
@@ -166,7 +162,7 @@ void draw_probe(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,
     drawing.shapes.push_back(
         area({{x, tip}, {x - 4, tip - 9}, {x + 4, tip - 9}}, "#5B3A8B", "#5B3A8B"));
     drawing.shapes.push_back(
-        stroke({{x, tip - 9}, {x, sheet.axis - sheet.radius - 10}}, "#5B3A8B", 1.4, false));
+        stroke({{x, tip - 9}, {x, sheet.axis - sheet.radius - 10}}, "#5B3A8B", 1.4));
 }
 
 DrawPoint imbalance_place(const Sheet &sheet, const model::Shaft &shaft,
@@ -181,7 +177,7 @@ DrawPoint imbalance_place(const Sheet &sheet, const model::Shaft &shaft,
 void draw_imbalance(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,
                     const model::Imbalance &imbalance) {
     const DrawPoint at = imbalance_place(sheet, shaft, imbalance);
-    drawing.shapes.push_back(stroke({{at.x, sheet.axis}, at}, "#C0152F", 1.4, false));
+    drawing.shapes.push_back(stroke({{at.x, sheet.axis}, at}, "#C0152F", 1.4));
     drawing.shapes.push_back(circle(at.x, at.y, 4, "#C0152F", "#C0152F"));
 }
 

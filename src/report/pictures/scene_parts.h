@@ -48,7 +48,7 @@ class Sheet {
 
 [[nodiscard]] DrawShape area(std::vector<DrawPoint> points, std::string fill, std::string stroke);
 [[nodiscard]] DrawShape stroke(std::vector<DrawPoint> points, std::string colour, double width,
-                               bool dashed);
+                               bool dashed = false);
 [[nodiscard]] DrawShape circle(double x, double y, double radius, std::string fill,
                                std::string colour);
 

@@ -1,6 +1,7 @@
 #include "report/pictures/shaft_outline.h"
 
 #include "report/common/units.h"
+#include "report/pictures/style.h"
 
 #include <fmt/format.h>
 
@@ -61,16 +62,21 @@ std::string curve_legend(double height) {
                        height);
 }
 
-std::string curves_over_outline(const std::string &name) {
-    return fmt::format(
-        "plot $outline with filledcurves closed fs solid 1 noborder fc rgb '#F0F1F3', "
-        "$outline with lines lw 0.7 lc rgb '#C8CDD2', "
-        "$bearings with points pt 9 ps 1.4 lc rgb '#555555', "
-        "${0} using 1:4 with lines lw 1 lc rgb '#888888', "
-        "${0} using 1:(-$4) with lines lw 1 lc rgb '#888888', "
-        "${0} using 1:2 with lines lw 2.2 lc rgb '#0072B2', "
-        "${0} using 1:3 with lines lw 2.2 dt (10,6) lc rgb '#D55E00'\n",
-        name);
+std::string curves_over_outline(const std::vector<double> &z, const std::vector<double> &x,
+                                const std::vector<double> &y, const std::vector<double> &envelope,
+                                double factor) {
+    std::string data = "$shape << EOD\n";
+    for (std::size_t i = 0; i < std::min(z.size(), x.size()); ++i)
+        data += fmt::format("{} {} {} {}\n", z[i] * metres, plot_number(x[i] * factor),
+                            plot_number(y[i] * factor), plot_number(envelope[i] * factor));
+    return data + "NaN NaN NaN NaN\nEOD\nplot $outline with filledcurves closed fs solid 1 "
+                  "noborder fc rgb '#F0F1F3', "
+                  "$outline with lines lw 0.7 lc rgb '#C8CDD2', "
+                  "$bearings with points pt 9 ps 1.4 lc rgb '#555555', "
+                  "$shape using 1:4 with lines lw 1 lc rgb '#888888', "
+                  "$shape using 1:(-$4) with lines lw 1 lc rgb '#888888', "
+                  "$shape using 1:2 with lines lw 2.2 lc rgb '#0072B2', "
+                  "$shape using 1:3 with lines lw 2.2 dt (10,6) lc rgb '#D55E00'\n";
 }
 
 } // namespace whirl::report

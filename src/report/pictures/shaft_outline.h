@@ -3,6 +3,7 @@
 #include "model/rotor.h"
 
 #include <string>
+#include <vector>
 
 namespace whirl::report {
 
@@ -17,7 +18,11 @@ namespace whirl::report {
 [[nodiscard]] std::string outline_data(const model::Rotor &rotor, double largest);
 /// An empty plot with the legend of such panels at a height of the screen.
 [[nodiscard]] std::string curve_legend(double height);
-/// The plot command of a panel: z, x, y, envelope in the data block of this name.
-[[nodiscard]] std::string curves_over_outline(const std::string &name);
+/// The plot command of a panel: deflections x and y along z, m, within their envelope.
+/// @param factor  of the deflections
+[[nodiscard]] std::string curves_over_outline(const std::vector<double> &z,
+                                              const std::vector<double> &x,
+                                              const std::vector<double> &y,
+                                              const std::vector<double> &envelope, double factor);
 
 } // namespace whirl::report

@@ -18,54 +18,34 @@ namespace {
 
 constexpr std::size_t most_curves = 16;
 
-struct Curve {
-    std::string name;
-    std::vector<std::vector<PlotPoint>> points;
-};
-
-std::vector<Curve> amplitude_curves(const SimulateResult &result) {
-    std::vector<Curve> curves;
+std::vector<NamedCurve> amplitude_curves(const SimulateResult &result) {
+    std::vector<NamedCurve> curves;
     const std::vector<double> &time = result.series.time;
     const auto after_rest = [&time](const std::vector<double> &amplitude) {
         std::vector<PlotPoint> points = points_over(time, 1, amplitude, micrometres);
         points.erase(points.begin(), points.begin() + (points.empty() ? 0 : 1));
         return points; // at rest there is nothing to draw
     };
-    for (std::size_t i = 0; i < result.balancers.size(); ++i) {
+    for (std::size_t i = 0; i < result.balancers.size(); ++i)
         curves.push_back({place_text(result.balancers[i].name, result.balancers[i].z),
-                          {after_rest(result.series.amplitude[i])}});
-    }
-    for (std::size_t i = 0; i < result.other_starts.size(); ++i) {
+                          after_rest(result.series.amplitude[i])});
+    for (std::size_t i = 0; i < result.other_starts.size(); ++i)
         curves.push_back({fmt::format("start {}: {}", i + 2,
                                       results::outcome_name(result.other_starts[i].outcome)),
-                          {after_rest(result.other_starts[i].amplitude)}});
-    }
+                          after_rest(result.other_starts[i].amplitude)});
     for (const results::BalancerMotion &b : result.balancers)
         if (b.reference > 0 && !time.empty())
             curves.push_back({result.balancers.size() > 1
                                   ? "without balls, " + place_text(b.name, b.z)
                                   : "without balls",
-                              {{{time.front(), b.reference * micrometres},
-                                {time.back(), b.reference * micrometres}}}});
+                              {{time.front(), b.reference * micrometres},
+                               {time.back(), b.reference * micrometres}}});
     return curves;
 }
 
-/// Degrees in (-180, 180], cut where they jump from one end to the other.
-std::vector<std::vector<PlotPoint>> wrapped(const std::vector<double> &time,
-                                            const std::vector<double> &angles) {
-    std::vector<std::vector<PlotPoint>> pieces(1);
-    for (std::size_t k = 0; k < time.size(); ++k) {
-        const double degrees = std::remainder(angles[k], 2 * pi) * 180 / pi;
-        if (!pieces.back().empty() && std::abs(degrees - *pieces.back().back().y) > 180)
-            pieces.emplace_back();
-        pieces.back().push_back({time[k], degrees});
-    }
-    return pieces;
-}
-
 /// Mean speed between output times over that of the rotor.
-std::vector<std::vector<PlotPoint>> relative_speed(const MotionSeries &series,
-                                                   const std::vector<double> &angles) {
+std::vector<PlotPoint> relative_speed(const MotionSeries &series,
+                                      const std::vector<double> &angles) {
     std::vector<PlotPoint> points;
     for (std::size_t k = 1; k < series.time.size(); ++k) {
         const double span = series.time[k] - series.time[k - 1];
@@ -73,12 +53,12 @@ std::vector<std::vector<PlotPoint>> relative_speed(const MotionSeries &series,
         if (speed != 0)
             points.push_back({series.time[k], 1 + (angles[k] - angles[k - 1]) / (span * speed)});
     }
-    return {points};
+    return points;
 }
 
-std::vector<Curve> angle_curves(const SimulateResult &result) {
+std::vector<NamedCurve> angle_curves(const SimulateResult &result) {
     const bool lagging = result.outcome == results::Outcome::lagging;
-    std::vector<Curve> curves;
+    std::vector<NamedCurve> curves;
     std::size_t number = 0;
     for (std::size_t i = 0; i < result.balancers.size(); ++i)
         for (std::size_t j = 0; j < result.balancers[i].angles.size(); ++j, ++number) {
@@ -90,32 +70,31 @@ std::vector<Curve> angle_curves(const SimulateResult &result) {
                 balancer.coordinates.at(j) + (result.balancers.size() > 1 ? ", " + of : "");
             if (curves.size() < most_curves)
                 curves.push_back({name, lagging ? relative_speed(result.series, angles)
-                                                : wrapped(result.series.time, angles)});
+                                                : angles_over(result.series.time, 1, angles)});
         }
     return curves;
 }
 
-std::string draw(const std::string &panel, const std::vector<Curve> &curves, std::size_t solid) {
-    Curves drawn(panel);
+std::string draw(const std::vector<NamedCurve> &curves, std::size_t solid) {
+    Curves drawn;
     for (std::size_t i = 0; i < curves.size(); ++i) {
         LineStyle style = series_style(i < solid ? i : i - solid);
         style.dash = i < solid ? "1" : "(3,4)";
-        drawn.add_pieces(curves[i].points, line_look(style, i < solid ? 1.4 : 1),
-                         plot_text(curves[i].name));
+        drawn.add(curves[i].points, line_look(style, i < solid ? 1.4 : 1),
+                  plot_text(curves[i].name));
     }
     return drawn.script();
 }
 
-std::string logarithmic_axis(const std::vector<Curve> &curves) {
+std::string logarithmic_axis(const std::vector<NamedCurve> &curves) {
     double high = 0;
     double low = HUGE_VAL;
-    for (const Curve &curve : curves)
-        for (const auto &piece : curve.points)
-            for (const PlotPoint &point : piece)
-                if (point.y && *point.y > 0) {
-                    high = std::max(high, *point.y);
-                    low = std::min(low, *point.y);
-                }
+    for (const NamedCurve &curve : curves)
+        for (const PlotPoint &point : curve.points)
+            if (point.y && *point.y > 0) {
+                high = std::max(high, *point.y);
+                low = std::min(low, *point.y);
+            }
     if (high <= 0)
         high = low = 1;
     low = std::max(low, 1e-6 * high);
@@ -124,42 +103,34 @@ std::string logarithmic_axis(const std::vector<Curve> &curves) {
                                        std::pow(10, std::floor(std::log10(high)) + 1));
 }
 
-std::string axes(const std::string &label, bool last) {
-    return fmt::format("set ylabel {}\n{}\n{}", plot_text(label),
-                       last ? "set xlabel 'Time (s)'" : "unset xlabel", legend_beside);
-}
-
 } // namespace
 
 Figure simulate_figure(const model::Case &scene, const SimulateResult &result) {
-    const std::vector<Curve> amplitude = amplitude_curves(result);
+    const std::vector<NamedCurve> amplitude = amplitude_curves(result);
     const std::vector<double> &speed = result.series.speed;
     const bool constant = std::all_of(speed.begin(), speed.end(),
                                       [&](double value) { return value == speed.front(); });
     const bool lagging = result.outcome == results::Outcome::lagging;
-    const std::vector<Curve> angles = angle_curves(result);
+    const std::vector<NamedCurve> angles = angle_curves(result);
     std::vector<std::string> names;
-    for (const std::vector<Curve> *list : {&amplitude, &angles})
-        for (const Curve &curve : *list)
+    for (const std::vector<NamedCurve> *list : {&amplitude, &angles})
+        for (const NamedCurve &curve : *list)
             names.push_back(curve.name);
-    LegendedFigure room = beside_legend(92, 864, 1080, names);
-    room.height = constant ? 780 : 960;
+    const LegendedFigure room = beside_legend(864, 1080, constant ? 780 : 960, names);
     std::string panels =
         grid + fmt::format("set xrange [0:{}]\n", result.time) + logarithmic_axis(amplitude) +
-        room.panel(75, 400) + axes("Amplitude (µm)", false) +
-        draw("a", amplitude, result.balancers.size() + result.other_starts.size()) +
-        "unset label\n" + linear_y +
-        (lagging ? "set yrange [*:*]\n" : "set yrange [-190:190]\nset ytics 90\n") +
+        room.panel(75, 400) + axes_beside_legend("Amplitude (µm)", "") +
+        draw(amplitude, result.balancers.size() + result.other_starts.size()) + "unset label\n" +
+        linear_y + (lagging ? "set yrange [*:*]\n" : "set yrange [-190:190]\nset ytics 90\n") +
         room.panel(430, 715) +
-        axes(lagging ? "Ball speed / rotor speed" : "Angle in the rotor (deg)", constant) +
-        draw("g", angles, most_curves);
-    if (!constant) {
-        const auto [low, high] = std::minmax_element(speed.begin(), speed.end());
-        panels += operation_band(scene, {*low * rpm, *high * rpm}, SpeedAxis::y) +
+        axes_beside_legend(lagging ? "Ball speed / rotor speed" : "Angle in the rotor (deg)",
+                           constant ? "Time (s)" : "") +
+        draw(angles, most_curves);
+    if (!constant)
+        panels += operation_band(scene, speed_range(speed), SpeedAxis::y) +
                   "set yrange [*:*]\nset ytics auto\n" + room.panel(745, 895) +
-                  axes("Speed (rpm)", true) +
-                  draw("s", {{"rotor", {points_over(result.series.time, 1, speed, rpm)}}}, 1);
-    }
+                  axes_beside_legend("Speed (rpm)", "Time (s)") +
+                  draw({{"rotor", points_over(result.series.time, 1, speed, rpm)}}, 1);
     return figure_of(room.width, room.height, "Motion in time: " + title_of(scene),
                      fmt::format("outcome: {}, at the end {} rpm",
                                  results::outcome_name(result.outcome),

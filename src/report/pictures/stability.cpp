@@ -19,6 +19,8 @@ using Bands = std::vector<std::pair<double, double>>;
 
 constexpr const char *shade = "#F4B6C8";
 constexpr const char *shade_some = "#FBE3EA";
+constexpr const char *critical_look = "dt 2 lw 1.3 lc rgb '#0072B2'";
+constexpr const char *additional_look = "dt 4 lw 1.3 lc rgb '#D55E00'";
 
 /// Bands over the whole height of a panel, behind everything.
 std::string shaded(const Bands &bands, const char *colour) {
@@ -30,12 +32,10 @@ std::string shaded(const Bands &bands, const char *colour) {
     return text;
 }
 
-std::string marks(const std::vector<double> &speeds, const char *colour, int dash) {
+std::string marks(const std::vector<double> &speeds, const char *look) {
     std::string text;
     for (const double speed : speeds)
-        text += fmt::format("set arrow from first {0},graph 0 to first {0},graph 1 nohead back lw "
-                            "1.3 dt {1} lc rgb '{2}'\n",
-                            speed * rpm, dash, colour);
+        text += upright(speed * rpm, look);
     return text;
 }
 
@@ -74,20 +74,18 @@ int digits_between(double low, double high) {
 }
 
 /// What is shaded or marked beside the curves, for the key.
-std::string growth_keys(const model::Case &scene, const StabilityResult &result) {
-    std::string keys;
+void add_growth_keys(const model::Case &scene, const StabilityResult &result, Curves &drawn) {
     if (!result.unstable.empty())
-        keys += fmt::format(", NaN with boxes fs solid fc rgb '{}' title 'unstable'", shade);
+        drawn.add(fmt::format("NaN with boxes fs solid fc rgb '{}' title 'unstable'", shade));
     if (result.family && !result.family->unstable.empty())
-        keys += fmt::format(
-            ", NaN with boxes fs solid fc rgb '{}' title 'unstable with some arrangement'",
-            shade_some);
+        drawn.add(fmt::format(
+            "NaN with boxes fs solid fc rgb '{}' title 'unstable with some arrangement'",
+            shade_some));
     if (!result.critical_speeds.empty())
-        keys += fmt::format(", NaN with lines dt 2 lw 1.3 lc rgb '#0072B2' title '{}'",
-                            scene.rotor.balancers.empty() ? "critical" : "critical, balls held");
+        drawn.add(fmt::format("NaN with lines {} title '{}'", critical_look,
+                              scene.rotor.balancers.empty() ? "critical" : "critical, balls held"));
     if (!result.additional_speeds.empty())
-        keys += ", NaN with lines dt 4 lw 1.3 lc rgb '#D55E00' title 'additional speed'";
-    return keys;
+        drawn.add(fmt::format("NaN with lines {} title 'additional speed'", additional_look));
 }
 
 /// Of the axis upwards.
@@ -113,15 +111,15 @@ std::string growth_range(const StabilityResult &result) {
 
 std::string growth_panel(const model::Case &scene, const StabilityResult &result) {
     const bool one = result.speeds.size() == 1; // a point amid its panel
-    const Range x = {range_of(result.speeds).low * rpm, range_of(result.speeds).high * rpm};
+    const Range x = speed_range(result.speeds);
     std::string text = operation_band(scene, x);
     if (result.family)
         text += shaded(result.family->unstable, shade_some);
-    text += shaded(result.unstable, shade) + operation_edges(scene, x);
-    text +=
-        marks(result.critical_speeds, "#0072B2", 2) + marks(result.additional_speeds, "#D55E00", 4);
-    text += fmt::format("set xrange [{}:{}]\n", x.low, x.high) + growth_range(result);
-    Curves drawn("growth");
+    text += shaded(result.unstable, shade) + operation_edges(scene, x) +
+            marks(result.critical_speeds, critical_look) +
+            marks(result.additional_speeds, additional_look) +
+            fmt::format("set xrange [{}:{}]\n", x.low, x.high) + growth_range(result);
+    Curves drawn;
     drawn.add(growth_points(result, result.growth, result.unstable),
               fmt::format("with {} lw 2 lc rgb '#222222'", one ? "points pt 7" : "lines"),
               "'growth'");
@@ -129,18 +127,20 @@ std::string growth_panel(const model::Case &scene, const StabilityResult &result
         drawn.add(growth_points(result, result.resolved_growth, result.resolved_unstable),
                   fmt::format("with {} lw 2 lc rgb '#009E73'", one ? "points pt 7" : "lines dt 2"),
                   "'growth of motions that the elements resolve'");
+    add_growth_keys(scene, result, drawn);
+    drawn.add(operation_key(scene, x));
     return text + grid +
            "set xzeroaxis lc rgb '#555555' lw 1\n"
            "set xlabel 'Spin speed (rpm)'\nset ylabel 'Growth, largest real part (1/s)'\n"
            "set key at graph 0,1.02 left bottom horizontal reverse Left samplen 2 maxrows 3\n" +
-           drawn.script(growth_keys(scene, result) + operation_key(scene, x)) +
+           drawn.script() +
            "unset label\nunset object\nunset arrow\nunset xzeroaxis\nset autoscale y\n"
            "set format y\n";
 }
 
 std::string family_panel(const model::Case &scene, const StabilityResult &result) {
     const auto &family = *result.family;
-    return operation_band(scene, {result.speeds.front() * rpm, result.speeds.back() * rpm}) +
+    return operation_band(scene, speed_range(result.speeds)) +
            bars(family.anisotropy.empty() ? Bands{} : family.unstable, 4, "#E58AA6") +
            bars(family.always_unstable, 3, "#B0305C") + bars(family.critical_speeds, 2, "#0072B2") +
            bars(family.additional_speeds, 1, "#D55E00") +
@@ -190,20 +190,16 @@ std::string map_panel(const model::Case &scene, const results::StabilityMap &map
 
 Figure stability_figure(const model::Case &scene, const StabilityResult &result) {
     const int height = 545 + (result.family ? 240 : 0) + (result.map ? 560 : 0);
-    const auto share = [height](double pixels) { return pixels / height; };
-    double top = 1 - share(130); // three rows of the key
-    double bottom = top - share(345);
-    std::string panels = panel_margins(0.125, 0.95, bottom, top) + growth_panel(scene, result);
+    const LegendedFigure room{1180, 0.125, 0.95, height};
+    const LegendedFigure beside_palette{1180, 0.125, 0.85, height};
+    int bottom = 475;
+    std::string panels = room.panel(130, bottom) + growth_panel(scene, result); // 3 rows of the key
     if (result.family) {
-        top = bottom - share(75);
-        bottom = top - share(165);
-        panels += panel_margins(0.125, 0.95, bottom, top) + family_panel(scene, result);
+        panels += room.panel(bottom + 75, bottom + 240) + family_panel(scene, result);
+        bottom += 240;
     }
-    if (result.map) {
-        top = bottom - share(95);
-        bottom = top - share(410);
-        panels += panel_margins(0.125, 0.85, bottom, top) + map_panel(scene, *result.map);
-    }
+    if (result.map)
+        panels += beside_palette.panel(bottom + 95, bottom + 505) + map_panel(scene, *result.map);
     return figure_of(1180, height, "Stability: " + title_of(scene),
                      result.family || result.map
                          ? "over spin speed, and what the case asks for below"

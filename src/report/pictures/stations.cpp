@@ -69,20 +69,8 @@ std::string peak_look(std::size_t index) {
     return fmt::format("with points lc rgb '{}' pt {} ps 1.1", style.colour, style.point);
 }
 
-LegendedFigure room_of(const SimulateResult &result) {
-    std::vector<std::string> names;
-    for (const StationMotion &station : result.stations)
-        names.push_back("x at " + station_name(station));
-    return beside_legend(92, 821, 1080, names);
-}
-
-std::string station_axes(const std::string &label, const std::string &below) {
-    return fmt::format("set ylabel {}\nset xlabel {}\n{}", plot_text(label), plot_text(below),
-                       legend_beside);
-}
-
 std::string amplitude_over_time(const SimulateResult &result) {
-    Curves lines("t");
+    Curves lines;
     const std::vector<std::size_t> drawn = drawn_stations(result);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const StationMotion &station = result.stations[drawn[i]];
@@ -91,7 +79,7 @@ std::string amplitude_over_time(const SimulateResult &result) {
             station_look(i, "1", 1.4), plot_text(station_name(station)));
         lines.add({{station.peak.time, station.peak.value * micrometres}}, peak_look(i));
     }
-    return station_axes("Amplitude (µm)", "Time (s)") +
+    return axes_beside_legend("Amplitude (µm)", "Time (s)") +
            fmt::format("set xrange [0:{}]\nset yrange [0:*]\n", result.time) + lines.script();
 }
 
@@ -111,7 +99,7 @@ std::string amplitude_range(const SimulateResult &result) {
 
 /// The steady response behind, the motion in front.
 std::string amplitude_over_speed(const SimulateResult &result) {
-    Curves lines("s");
+    Curves lines;
     const std::vector<std::size_t> drawn = drawn_stations(result);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         std::vector<PlotPoint> points =
@@ -135,31 +123,30 @@ std::string amplitude_over_speed(const SimulateResult &result) {
         lines.add({{station.peak.speed * rpm, station.peak.value * micrometres}}, peak_look(i),
                   i == 0 ? plot_text("its peak") : "");
     }
-    const auto [low, high] =
-        std::minmax_element(result.series.speed.begin(), result.series.speed.end());
-    return station_axes("Amplitude (µm)", "Spin speed (rpm)") +
-           fmt::format("set xrange [{}:{}]\n", *low * rpm, *high * rpm) + amplitude_range(result) +
+    const Range x = speed_range(result.series.speed);
+    return axes_beside_legend("Amplitude (µm)", "Spin speed (rpm)") +
+           fmt::format("set xrange [{}:{}]\n", x.low, x.high) + amplitude_range(result) +
            lines.script() + linear_y;
 }
 
 /// x and y of the station that moves most.
 std::string deflection_over_time(const SimulateResult &result) {
     const std::size_t largest = results::largest_station(result.stations);
-    Curves lines("d");
+    Curves lines;
     const std::string of = " at " + station_name(result.stations[largest]);
     lines.add(points_over(result.series.time, 1, result.series.x[largest], micrometres),
               station_look(0, "1", 1), plot_text("x" + of));
     lines.add(points_over(result.series.time, 1, result.series.y[largest], micrometres),
               station_look(1, "1", 1), plot_text("y" + of));
-    return station_axes("Deflection (µm)", "Time (s)") +
+    return axes_beside_legend("Deflection (µm)", "Time (s)") +
            fmt::format("set xrange [0:{}]\nset yrange [*:*]\n", result.time) + lines.script();
 }
 
 std::string speed_over_time(const SimulateResult &result) {
-    Curves lines("n");
+    Curves lines;
     lines.add(points_over(result.series.time, 1, result.series.speed, rpm),
               station_look(0, "1", 1.4), plot_text("rotor"));
-    return station_axes("Speed (rpm)", "Time (s)") +
+    return axes_beside_legend("Speed (rpm)", "Time (s)") +
            fmt::format("set xrange [0:{}]\nset yrange [*:*]\n", result.time) + lines.script();
 }
 
@@ -167,18 +154,16 @@ std::string speed_over_time(const SimulateResult &result) {
 
 Figure stations_figure(const model::Case &scene, const SimulateResult &result) {
     const bool changes = speed_changes(result);
-    LegendedFigure room = room_of(result);
-    room.height = changes ? 1010 : 760;
+    std::vector<std::string> names;
+    for (const StationMotion &station : result.stations)
+        names.push_back("x at " + station_name(station));
+    const LegendedFigure room = beside_legend(821, 1080, changes ? 1010 : 760, names);
     std::string panels = grid + room.panel(75, 380) + amplitude_over_time(result) + "unset label\n";
-    if (changes) {
-        const auto [low, high] =
-            std::minmax_element(result.series.speed.begin(), result.series.speed.end());
-        panels += operation_band(scene, {*low * rpm, *high * rpm}) + room.panel(445, 750) +
-                  amplitude_over_speed(result) + "unset object\nunset arrow\n" +
-                  room.panel(815, 950) + speed_over_time(result);
-    } else {
-        panels += room.panel(445, 700) + deflection_over_time(result);
-    }
+    panels += changes
+                  ? operation_band(scene, speed_range(result.series.speed)) + room.panel(445, 750) +
+                        amplitude_over_speed(result) + "unset object\nunset arrow\n" +
+                        room.panel(815, 950) + speed_over_time(result)
+                  : room.panel(445, 700) + deflection_over_time(result);
     return figure_of(room.width, room.height, "Motion in time: " + title_of(scene),
                      fmt::format("{} after {} s at {} rpm", results::outcome_name(result.outcome),
                                  readable(result.time), readable(result.speed * rpm)),

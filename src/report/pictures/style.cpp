@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace whirl::report {
 
@@ -67,6 +66,23 @@ std::vector<PlotPoint> points_over(const std::vector<double> &x, double x_factor
     return points;
 }
 
+std::vector<PlotPoint> angles_over(const std::vector<double> &x, double x_factor,
+                                   const std::vector<double> &angles) {
+    std::vector<PlotPoint> points;
+    for (std::size_t i = 0; i < x.size() && i < angles.size(); ++i) {
+        const double place = x[i] * x_factor;
+        if (!std::isfinite(angles[i])) {
+            points.push_back({place, std::nullopt});
+            continue;
+        }
+        const double degrees = std::remainder(angles[i], 2 * pi) * 180 / pi;
+        if (!points.empty() && points.back().y && std::abs(degrees - *points.back().y) > 180)
+            points.push_back({place, std::nullopt});
+        points.push_back({place, degrees});
+    }
+    return points;
+}
+
 std::vector<PlotPoint> circle_points(double radius) {
     std::vector<PlotPoint> points;
     for (int k = 0; k <= 120; ++k)
@@ -81,18 +97,20 @@ void Curves::add(const std::vector<PlotPoint> &line, const std::string &look,
 
 void Curves::add_pieces(const std::vector<std::vector<PlotPoint>> &pieces, const std::string &look,
                         const std::string &title) {
-    const std::string block = _name + std::to_string(_count++);
+    const std::string block = "curve" + std::to_string(_count++);
     _data += data_block(block, pieces);
     add(fmt::format("${} {} {}", block, look, title.empty() ? "notitle" : "title " + title));
 }
 
-void Curves::add(const std::string &element) {
-    _elements += (_elements.empty() ? "" : ", ") + element;
+void Curves::add(const std::string &elements) {
+    _elements += (_elements.empty() || elements.empty() ? "" : ", ") + elements;
 }
 
-std::string Curves::script(const std::string &further, const std::string &before) const {
-    return _data + "plot " + before + (_elements.empty() ? "NaN notitle" : _elements) + further +
-           "\n";
+std::string Curves::script(const std::string &before) const {
+    Curves all;
+    all.add(before);
+    all.add(_elements);
+    return _data + "plot " + (all.empty() ? "NaN notitle" : all._elements) + "\n";
 }
 
 std::string line_look(const LineStyle &style, double width) {
@@ -106,8 +124,8 @@ Figure figure_of(int width, int height, const std::string &title, const std::str
                         "set label 101 {} at screen 0.5,{} center font ',15'\n"
                         "set label 102 {} at screen 0.5,{} center font ',11' textcolor '#555555'\n"
                         "{}unset multiplot\n",
-                        plot_text(title), 1 - 22 * pixel, plot_text(subtitle), 1 - 48 * pixel,
-                        panels),
+                        kept_as_written(plot_text(title)), 1 - 22 * pixel, plot_text(subtitle),
+                        1 - 48 * pixel, panels),
             width, height};
 }
 
@@ -117,6 +135,17 @@ std::string panel_margins(double left, double right, double bottom, double top) 
                        left, right, bottom, top);
 }
 
+std::string upright(double x, const std::string &look) {
+    return fmt::format("set arrow from first {0:.9g},graph 0 to first {0:.9g},graph 1 nohead {1}\n",
+                       x, look);
+}
+
+std::string axes_beside_legend(const std::string &left, const std::string &below) {
+    return fmt::format("set ylabel {}\n{}\n{}", plot_text(left),
+                       below.empty() ? "unset xlabel" : "set xlabel " + plot_text(below),
+                       legend_beside);
+}
+
 double widest_text(const std::vector<std::string> &texts) {
     double widest = 0;
     for (const std::string &text : texts)
@@ -124,12 +153,13 @@ double widest_text(const std::vector<std::string> &texts) {
     return widest;
 }
 
-LegendedFigure beside_legend(double left, double right, int least,
+LegendedFigure beside_legend(double right, int least, int height,
                              const std::vector<std::string> &names) {
+    constexpr double left = 92;
     constexpr double sample = 62; // as gnuplot draws it: the line before a name and the gaps
     const double needed = right + 0.02 * (right - left) + sample + widest_text(names) + 8;
     const int width = std::max(least, static_cast<int>(std::ceil(needed)));
-    return {width, left / width, right / width};
+    return {width, left / width, right / width, height};
 }
 
 Range range_of(const std::vector<double> &values) {
@@ -142,105 +172,13 @@ Range range_of(const std::vector<double> &values) {
     return {*low - half, *high + half};
 }
 
-std::vector<double> spread(const std::vector<double> &wanted, double gap, Range range) {
-    std::vector<std::size_t> order(wanted.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return wanted[a] < wanted[b]; });
-    std::vector<double> places = wanted;
-    for (int sweep = 0; sweep < 200; ++sweep)
-        for (std::size_t i = 1; i < order.size(); ++i) {
-            const double missing = gap - (places[order[i]] - places[order[i - 1]]);
-            if (missing <= 0)
-                continue;
-            places[order[i - 1]] -= missing / 2;
-            places[order[i]] += missing / 2;
-        }
-    // Bounds that are themselves a gap apart keep the gaps.
-    const double count = static_cast<double>(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const double rank = static_cast<double>(i);
-        double &place = places[order[i]];
-        place = std::min(std::max(place, range.low + rank * gap),
-                         range.high - (count - 1 - rank) * gap);
-    }
-    return places;
+Range speed_range(const std::vector<double> &speeds) {
+    const Range range = range_of(speeds);
+    return {range.low * rpm, range.high * rpm};
 }
 
-namespace {
-
-double overlap(const LabelPlacer::Box &a, const LabelPlacer::Box &b) {
-    const double width = std::min(a.x + a.width, b.x + b.width) - std::max(a.x, b.x);
-    const double height = std::min(a.y + a.height, b.y + b.height) - std::max(a.y, b.y);
-    return width > 0 && height > 0 ? width * height : 0;
-}
-
-} // namespace
-
-bool LabelPlacer::take(const Box &box) {
-    if (box.x < 0 || box.x + box.width > 1 || box.y < 0 || box.y + box.height > 1 ||
-        std::any_of(_labels.begin(), _labels.end(),
-                    [&](const Box &other) { return overlap(box, other) > 0; }))
-        return false;
-    _labels.push_back(box);
-    return true;
-}
-
-std::optional<LabelPlacer::Box> LabelPlacer::place(double x, double y, double width,
-                                                   double height) {
-    const double off = 0.45 * height;
-    std::optional<Box> best;
-    double least = HUGE_VAL;
-    for (int ring = 0; ring < 4; ++ring)
-        for (int side = 0; side < 8; ++side) {
-            const double reach = off + ring * 0.9 * height;
-            const double angle = -pi / 4 + side * pi / 4;
-            const double c = std::cos(angle);
-            const double s = std::sin(angle);
-            // The label's nearest edge or corner sits `reach` away from the point.
-            const Box box{x + reach * 0.6 * c +
-                              (c > 0.1    ? 0
-                               : c < -0.1 ? -width
-                                          : -width / 2),
-                          y + reach * s +
-                              (s > 0.1    ? 0
-                               : s < -0.1 ? -height
-                                          : -height / 2),
-                          width, height};
-            const bool outside = box.x < 0 || box.x + width > 1 || box.y < 0 || box.y + height > 1;
-            if (outside || std::any_of(_labels.begin(), _labels.end(),
-                                       [&](const Box &other) { return overlap(box, other) > 0; }))
-                continue;
-            double cost = 1e-6 * (ring * 8 + side);
-            for (const Box &other : _boxes)
-                cost += overlap(box, other) / (width * height);
-            if (cost < least) {
-                least = cost;
-                best = box;
-            }
-        }
-    if (best)
-        _labels.push_back(*best);
-    return best;
-}
-
-std::string left_out(int count, const std::string &mark, const std::string &at) {
-    return count == 0 ? ""
-                      : fmt::format("set label '{} more {}{}: see the table' at graph {} left font "
-                                    "',10' textcolor '#555555'\n",
-                                    count, mark, count == 1 ? "" : "s", at);
-}
-
-std::string leader(const LabelPlacer::Box &label, double x, double y) {
-    // From the nearest place of the box, none from one that stands beside what it names.
-    const double u = std::clamp(x, label.x, label.x + label.width);
-    const double v = std::clamp(y, label.y + 0.2 * label.height, label.y + 0.8 * label.height);
-    if (std::hypot(u - x, v - y) < 0.5 * label.height)
-        return {};
-    return fmt::format(
-        "set arrow from graph {:.5g},graph {:.5g} to graph {:.5g},graph {:.5g} nohead "
-        "front lw 0.7 lc rgb '#777777'\n",
-        u, v, x, y);
+std::string axes_over(Range x, Range y) {
+    return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", x.low, x.high, y.low, y.high);
 }
 
 } // namespace whirl::report

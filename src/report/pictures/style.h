@@ -6,7 +6,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace whirl::report {
@@ -42,6 +41,10 @@ struct PlotPoint {
 /// One value over another, each times a factor, as far as both lists go.
 [[nodiscard]] std::vector<PlotPoint> points_over(const std::vector<double> &x, double x_factor,
                                                  const std::vector<double> &y, double y_factor);
+/// Angles in degrees within (-180, 180], cut where they jump from one end to the other, and where
+/// there is none.
+[[nodiscard]] std::vector<PlotPoint> angles_over(const std::vector<double> &x, double x_factor,
+                                                 const std::vector<double> &angles);
 
 /// A circle about the origin.
 [[nodiscard]] std::vector<PlotPoint> circle_points(double radius);
@@ -49,27 +52,30 @@ struct PlotPoint {
 /// A plot command with its data: curve by curve, as the legend lists them.
 class Curves {
   public:
-    /// @param name  that its data blocks begin with, of no other plot of the figure
-    explicit Curves(std::string name) : _name(std::move(name)) {}
     /// @param look   for gnuplot: "with lines lw 2"
     /// @param title  for gnuplot, in its quotation marks; empty: not in the legend
     void add(const std::vector<PlotPoint> &line, const std::string &look,
              const std::string &title = "");
     void add_pieces(const std::vector<std::vector<PlotPoint>> &pieces, const std::string &look,
                     const std::string &title = "");
-    /// What has no data of its own: "NaN with boxes title 'unstable'".
-    void add(const std::string &element);
-    /// The data of the curve added last, to draw it once more: "$map3".
-    [[nodiscard]] std::string last() const { return "$" + _name + std::to_string(_count - 1); }
+    /// What has no data of its own: "NaN with boxes title 'unstable'"; several with commas between,
+    /// or nothing.
+    void add(const std::string &elements);
+    /// The data of the curve added last, to draw it once more: "$curve3".
+    [[nodiscard]] std::string last() const { return "$curve" + std::to_string(_count - 1); }
     [[nodiscard]] bool empty() const { return _elements.empty(); }
-    /// @param further  elements behind the others, each after a comma
-    /// @param before   elements in front of them, each with a comma behind it
-    [[nodiscard]] std::string script(const std::string &further = "",
-                                     const std::string &before = "") const;
+    /// Its data blocks take the place of those of the plot before.
+    /// @param before  elements in front of the others, with commas between, or nothing
+    [[nodiscard]] std::string script(const std::string &before = "") const;
 
   private:
-    std::string _name, _data, _elements;
+    std::string _data, _elements;
     int _count = 0;
+};
+/// A curve and its name in the legend.
+struct NamedCurve {
+    std::string name;
+    std::vector<PlotPoint> points;
 };
 /// "with lines lc rgb '#0072B2' lw 2 dt 1"
 [[nodiscard]] std::string line_look(const LineStyle &style, double width);
@@ -80,12 +86,18 @@ class Curves {
 /// Margins of a panel in fractions of the figure.
 [[nodiscard]] std::string panel_margins(double left, double right, double bottom, double top);
 
+/// A line from the bottom to the top of a panel at a place of its axis x.
+/// @param look  for gnuplot: "back lw 1.3 dt 2"
+[[nodiscard]] std::string upright(double x, const std::string &look);
+
 inline constexpr const char *grid = "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n";
 inline constexpr const char *logarithmic_y = "set logscale y\nset format y '10^{%L}'\n";
 inline constexpr const char *linear_y = "unset logscale y\nset format y '%g'\n";
 /// Of a LegendedFigure.
 inline constexpr const char *legend_beside =
     "set key at graph 1.02,1 left top reverse Left vertical samplen 3\n";
+/// Names of the axes of its panels, and the legend. @param below  empty: no name there
+[[nodiscard]] std::string axes_beside_legend(const std::string &left, const std::string &below);
 
 constexpr double picture_font = 14; ///< of gnuplot (common/gnuplot.cpp), pixels
 /// Width of the widest of some texts as they are written, in the units asked for, pixels.
@@ -96,52 +108,27 @@ constexpr double picture_font = 14; ///< of gnuplot (common/gnuplot.cpp), pixels
 struct LegendedFigure {
     int width = 0;              ///< pixels
     double left = 0, right = 0; ///< margins of the panels, fractions of the width
-    int height = 0;             ///< pixels, to be set
+    int height = 0;             ///< pixels
     /// Margins of a panel between two heights, pixels from above.
     [[nodiscard]] std::string panel(int top, int bottom) const {
         const double pixel = 1.0 / height;
         return panel_margins(left, right, 1 - bottom * pixel, 1 - top * pixel);
     }
 };
-/// @param left, right  ends of the panels, pixels
-/// @param least        width of the figure where the names are short
-[[nodiscard]] LegendedFigure beside_legend(double left, double right, int least,
+/// @param right  end of the panels, pixels
+/// @param least  width of the figure where the names are short
+[[nodiscard]] LegendedFigure beside_legend(double right, int least, int height,
                                            const std::vector<std::string> &names);
 
-/// Smallest and largest of the values, widened by `share` where they are equal.
 struct Range {
     double low = 0;
     double high = 1;
 };
+/// Smallest and largest of the values, widened where they are equal.
 [[nodiscard]] Range range_of(const std::vector<double> &values);
-
-/// Positions near the wanted ones that keep the gap and stay in the range; order is kept.
-[[nodiscard]] std::vector<double> spread(const std::vector<double> &wanted, double gap,
-                                         Range range);
-
-/// Boxes in fractions of a panel; finds a free place for a label beside its point.
-class LabelPlacer {
-  public:
-    struct Box {
-        double x = 0, y = 0, width = 0, height = 0; ///< lower left corner and size
-    };
-    void block(const Box &box) { _boxes.push_back(box); }
-    /// Takes this very place. @returns false where another label has it or it leaves the picture.
-    bool take(const Box &box);
-    /// Least covered place of a label of this size around (x, y); the place is taken from then on.
-    /// Nothing where any place leaves the picture or lies on another label.
-    std::optional<Box> place(double x, double y, double width, double height);
-
-  private:
-    std::vector<Box> _boxes;
-    std::vector<Box> _labels;
-};
-
-/// Says of marks for whose labels there is no place that the table has them; nothing without any.
-/// @param at  where, in parts of the graph: "0,1.06"
-[[nodiscard]] std::string left_out(int count, const std::string &mark, const std::string &at);
-
-/// A line from a label to what it names, at (x, y); all in parts of the graph.
-[[nodiscard]] std::string leader(const LabelPlacer::Box &label, double x, double y);
+/// The same of spin speeds, in rpm.
+[[nodiscard]] Range speed_range(const std::vector<double> &speeds);
+/// The ends of both axes.
+[[nodiscard]] std::string axes_over(Range x, Range y);
 
 } // namespace whirl::report

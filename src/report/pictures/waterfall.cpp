@@ -99,7 +99,7 @@ std::string order_name(double order) { return readable(order) + "× spin speed";
 
 /// Data blocks and plot command.
 std::string lines_of(const Layout &layout) {
-    Curves drawn("w");
+    Curves drawn;
     for (const std::size_t k : layout.order()) {
         drawn.add(layout.line(k),
                   fmt::format("with filledcurves y1={} fc rgb '#FFFFFF'", layout.base(k)));
@@ -123,17 +123,15 @@ Figure waterfall_figure(const model::Case &scene, const Waterfall &waterfall) {
     std::vector<std::string> names;
     for (const double order : orders)
         names.push_back(order_name(order));
-    const LegendedFigure room = beside_legend(92, 907, 1080, names);
+    const LegendedFigure room = beside_legend(907, 1080, 760, names);
     return figure_of(
-        room.width, 760, "Waterfall: " + title_of(scene),
+        room.width, room.height, "Waterfall: " + title_of(scene),
         fmt::format("{}, windows of {} s; the highest line is {} µm", place,
                     readable(waterfall.window, 3), readable(layout.largest() * micrometres, 4)),
         panel_margins(room.left, room.right, 0.09, 0.885) +
-            fmt::format("set xlabel 'Frequency (Hz)'\nset ylabel {}\nset xrange [0:{}]\n"
-                        "set yrange [{}:{}]\n{}",
-                        plot_text(layout.over_speed() ? "Spin speed (rpm)" : "Time (s)"),
-                        layout.right(), layout.lowest(), layout.top(), legend_beside) +
-            lines_of(layout));
+            axes_beside_legend(layout.over_speed() ? "Spin speed (rpm)" : "Time (s)",
+                               "Frequency (Hz)") +
+            axes_over({0, layout.right()}, {layout.lowest(), layout.top()}) + lines_of(layout));
 }
 
 } // namespace whirl::report

@@ -3,6 +3,7 @@
 #include "report/common/text_width.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
+#include "report/pictures/labels.h"
 
 #include <fmt/format.h>
 
@@ -54,13 +55,13 @@ struct Across {
     }
 };
 
-LabelPlacer occupied(const BodePanel &panel, const std::vector<std::vector<PlotPoint>> &busy) {
+LabelPlacer occupied(const BodePanel &panel, const std::vector<NamedCurve> &busy) {
     LabelPlacer placer;
     const Across at{panel};
     const double width = 6 / panel.pixels_wide;
     const double height = 6 / panel.pixels_high;
-    for (const auto &curve : busy)
-        for (const PlotPoint &point : curve)
+    for (const NamedCurve &curve : busy)
+        for (const PlotPoint &point : curve.points)
             if (point.y && *point.y > 0)
                 placer.block(
                     {at.x(point.x) - width / 2, at.y(*point.y) - height / 2, width, height});
@@ -100,8 +101,9 @@ std::optional<std::size_t> largest_station(const ResponseResult &result) {
 }
 
 PeakMarks peak_marks(const ResponseResult &result, std::size_t station, const BodePanel &panel,
-                     const std::vector<std::vector<PlotPoint>> &busy) {
-    PeakMarks marks;
+                     const std::vector<NamedCurve> &busy) {
+    const auto &of = result.nodes[station];
+    PeakMarks marks{.name = "peaks of " + place_text(of.name, of.z)};
     LabelPlacer placer = occupied(panel, busy);
     const Across at{panel};
     std::vector<PlotPoint> tops;
@@ -132,10 +134,9 @@ PeakMarks peak_marks(const ResponseResult &result, std::size_t station, const Bo
     marks.before += left_out(unnamed, "peak", "0.01,0.04");
     if (tops.empty())
         return marks;
-    const auto &of = result.nodes[station];
     marks.before += data_block("tops", {tops}) + data_block("halves", {halves});
-    marks.plots = fmt::format(", $tops with points pt 6 ps 1.7 lw 1.6 lc rgb '#000000' title {}",
-                              plot_text("peaks of " + place_text(of.name, of.z)));
+    marks.plots = fmt::format("$tops with points pt 6 ps 1.7 lw 1.6 lc rgb '#000000' title {}",
+                              plot_text(marks.name));
     if (!halves.empty())
         marks.plots += ", $halves with points pt 2 ps 1 lw 1.6 lc rgb '#000000' title 'half power'";
     return marks;
@@ -317,7 +318,7 @@ Figure polar_figure(const model::Case &scene, const ResponseResult &result) {
         }
     const double range = 1.15 * most;
     std::vector<std::string> names{"peaks of " + largest->name};
-    Curves drawn("p");
+    Curves drawn;
     drawn.add("$rings with lines lc rgb '#DDDDDD' lw 0.8 notitle");
     for (std::size_t i = 0; i < lines.size(); ++i) {
         names.push_back(lines[i].name);
@@ -326,8 +327,7 @@ Figure polar_figure(const model::Case &scene, const ResponseResult &result) {
     }
     drawn.add("$tops with points pt 6 ps 1.5 lw 1.6 lc rgb '#000000' title " + plot_text(names[0]));
     constexpr int pixels = 640;
-    LegendedFigure room = beside_legend(92, 92 + pixels, 980, names);
-    room.height = 800;
+    const LegendedFigure room = beside_legend(92 + pixels, 980, 800, names);
     const bool probes = !result.probes.empty();
     return figure_of(
         room.width, room.height, "Polar plot: " + title_of(scene),

@@ -24,14 +24,14 @@ struct BodePanel {
 
 /// Peaks of one station with speed and amplification factor, and their half-power points.
 struct PeakMarks {
-    std::string before;  ///< labels and data, in front of the plot command
-    std::string plots;   ///< elements of the plot command, each after a comma
-    std::string after{}; ///< takes away what is not for the next panel, behind it
+    std::string name{};   ///< in the legend
+    std::string before{}; ///< labels and data, in front of the plot command
+    std::string plots{};  ///< elements of the plot command
+    std::string after{};  ///< takes away what is not for the next panel, behind it
 };
 /// @param busy  curves that labels should not lie on, in the units of the panel
 [[nodiscard]] PeakMarks peak_marks(const results::ResponseResult &result, std::size_t station,
-                                   const BodePanel &panel,
-                                   const std::vector<std::vector<PlotPoint>> &busy);
+                                   const BodePanel &panel, const std::vector<NamedCurve> &busy);
 
 /// Whether there is a polar plot: more than one speed, and every amplitude has a limit.
 [[nodiscard]] bool has_polar(const results::ResponseResult &result);

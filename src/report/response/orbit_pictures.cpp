@@ -173,19 +173,6 @@ Figure orbits_figure(const model::Case &scene, const std::vector<Orbits> &orbits
         panels);
 }
 
-namespace {
-
-std::string shape_data(const DeflectedShape &shape) {
-    std::string data = "$shape << EOD\n";
-    for (std::size_t i = 0; i < shape.z.size(); ++i)
-        data += fmt::format("{:.7g} {:.7g} {:.7g} {:.7g}\n", shape.z[i] * metres,
-                            shape.x[i] * still_micrometres, shape.y[i] * still_micrometres,
-                            shape.envelope[i] * still_micrometres);
-    return data + "EOD\n";
-}
-
-} // namespace
-
 Figure shapes_figure(const model::Case &scene, const std::vector<DeflectedShape> &shapes) {
     const std::size_t rows = std::min(shapes.size(), most_rows);
     constexpr double panel = 250;
@@ -201,7 +188,7 @@ Figure shapes_figure(const model::Case &scene, const std::vector<DeflectedShape>
         const double largest = shape.largest > 0 ? shape.largest * still_micrometres : 1;
         const double top = 120 + panel * static_cast<double>(row);
         panels +=
-            outline_data(scene.rotor, largest) + shape_data(shape) +
+            outline_data(scene.rotor, largest) +
             panel_margins(0.1, 0.975, 1 - (top + 185) / high, 1 - top / high) +
             fmt::format("set yrange [{}:{}]\nset title {} font ',12' offset 0,-0.4\n{}\n",
                         -1.25 * largest, 1.25 * largest,
@@ -210,7 +197,7 @@ Figure shapes_figure(const model::Case &scene, const std::vector<DeflectedShape>
                                               readable(shape.largest * still_micrometres, 4),
                                               deflection_unit(), readable(shape.largest_z, 4))),
                         row + 1 == rows ? "set xlabel 'z (m)'" : "unset xlabel") +
-            curves_over_outline("shape");
+            curves_over_outline(shape.z, shape.x, shape.y, shape.envelope, still_micrometres);
     }
     return figure_of(
         1080, height, "Deflected shapes: " + title_of(scene),
