@@ -11,7 +11,7 @@ namespace {
 
 void balance(const Run &run) {
     const results::BalanceResult result =
-        run.timed([&] { return analyses::balance(run.scene, {run.arguments.map}); });
+        run.timed([&] { return analyses::balance(run.scene, run.arguments.map); });
     run.deliver(report::describe(run.scene, result));
 }
 
