@@ -66,12 +66,6 @@ struct Study {
         return known.emplace(mesh, eigenvalues(solver, speed)).first->second;
     }
 
-    /// Of the order that tells the error of another one, on the same elements: from an order so
-    /// much higher than the row's they are those of halved elements long before the row's are.
-    /// @param values  of the row
-    [[nodiscard]] const Eigenvalues &finer_eigenvalues(int order, int refinement,
-                                                       const Eigenvalues &values) const;
-
     [[nodiscard]] Limits limits() const {
         return by_full_matrices(rotor, form) ? Limits{110, 180} : Limits{12000, 36000};
     }
@@ -146,37 +140,38 @@ std::optional<double> difference(const Study &study, Eigenvalues values, Eigenva
     return largest_difference(std::move(values), exact);
 }
 
-const Eigenvalues &Study::finer_eigenvalues(int order, int refinement,
-                                            const Eigenvalues &values) const {
+/// Of the order that tells the error of another one, on the same elements: from an order so much
+/// higher than the row's they are those of halved elements long before the row's are.
+/// @param values  of the row
+const Eigenvalues &finer_eigenvalues(const Study &study, int order, int refinement,
+                                     const Eigenvalues &values) {
     constexpr double settled = 1e-3; // of the difference from the row
     const int finer = mesh_error::finer_order(order);
     for (int coarse = 2; coarse < refinement; coarse *= 2) {
-        const Eigenvalues &coarser = eigenvalues(finer, coarse / 2);
-        const Eigenvalues &here = eigenvalues(finer, coarse);
-        const std::optional<double> change = difference(*this, coarser, here);
-        const std::optional<double> distance = difference(*this, values, here);
+        const Eigenvalues &here = study.eigenvalues(finer, coarse);
+        const auto change = difference(study, study.eigenvalues(finer, coarse / 2), here);
+        const auto distance = difference(study, values, here);
         if (change && distance && *change < settled * *distance)
             return here;
     }
-    return eigenvalues(finer, refinement);
+    return study.eigenvalues(finer, refinement);
 }
 
 /// Best of three: the others were disturbed by the machine. Long runs, of which it takes little
 /// away, are not repeated.
-results::AccuracyRow timed_row(const Study &study, int order, int refinement, Eigenvalues &values) {
+results::AccuracyRow timed_row(const Study &study, int order, int refinement) {
     results::AccuracyRow row{
         order == 1 ? "classical" : "order-p", order, study.spans(refinement), "full", 0, 0, {}, {}};
     constexpr double long_run = 0.05;
     for (int run = 0; run < 3 && row.seconds < long_run; ++run) {
         const auto start = std::chrono::steady_clock::now();
         const modes::SpectrumSolver solver(study.rotor, study.form, order, refinement);
-        values = study.eigenvalues(solver, study.speed);
+        study.known[{order, refinement}] = study.eigenvalues(solver, study.speed);
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         row.seconds = run == 0 ? seconds : std::min(row.seconds, seconds);
         row.unknowns = solver.unknowns();
     }
-    study.known[{order, refinement}] = values;
     return row;
 }
 
@@ -189,16 +184,16 @@ struct Reference {
 
 results::AccuracyRow measured_row(const Study &study, int order, int refinement,
                                   const Reference &reference) {
-    Eigenvalues values;
-    results::AccuracyRow row = timed_row(study, order, refinement, values);
+    results::AccuracyRow row = timed_row(study, order, refinement);
+    const Eigenvalues &values = study.eigenvalues(order, refinement);
     row.error_estimate =
-        difference(study, values, study.finer_eigenvalues(order, refinement, values));
+        difference(study, values, finer_eigenvalues(study, order, refinement, values));
     if (row.error_estimate)
         *row.error_estimate *= mesh_error::estimate_safety;
     // Against an order-p mesh as fine as the reference itself a difference says nothing.
     const int of_reference = study.unknowns(reference.order, reference.refinement);
     if (order == 1 || study.unknowns(order, refinement) < of_reference)
-        row.true_error = difference(study, std::move(values), reference.values);
+        row.true_error = difference(study, values, reference.values);
     return row;
 }
 

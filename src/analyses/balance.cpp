@@ -1,9 +1,6 @@
 #include "analyses/balance.h"
 
-#include "analyses/balance_findings.h"
-#include "analyses/real_balancers.h"
 #include "criterion/bands.h"
-#include "criterion/error.h"
 #include "criterion/pendulum.h"
 #include "criterion/placement.h"
 #include "criterion/rigid_form.h"
@@ -193,12 +190,12 @@ results::BalanceResult empirical_criterion(const model::Case &scene,
 
 } // namespace
 
-results::BalanceResult balance(const model::Case &scene, const BalanceOptions &options) {
+results::BalanceResult balance(const model::Case &scene, bool map) {
     const criterion::BalanceScene s(scene);
     const assembly::Discretization d(s.rotor, s.order);
     try {
         results::BalanceResult result = empirical_criterion(scene, s, d);
-        if (options.map) {
+        if (map) {
             const process::Stage stage("placement of the correction planes", 0.1, 0.25);
             result.placement = criterion::placement(s, d, result.critical_speeds);
         }

@@ -3,11 +3,10 @@
 #include "model/case.h"
 #include "results/balance.h"
 
-namespace whirl::analyses {
+#include <string>
+#include <vector>
 
-struct BalanceOptions {
-    bool map = false; ///< the criterion over plane positions as well
-};
+namespace whirl::analyses {
 
 /// Where passive auto-balancers in the correction planes of the case (without any: in the planes of
 /// its balancers) can balance the rotor: the empirical criterion on the flexible rotor, per plane
@@ -15,9 +14,21 @@ struct BalanceOptions {
 /// of the rigid rotor. The rotor is the one without balancers and rotating anisotropies. For
 /// four-pendulum balancers their efficiency, too. Theory: docs/theory.md, "The criterion on a
 /// flexible rotor". Collective over MPI processes: the signature is complete on process 0.
+/// @param map  with the criterion over plane positions
 /// @throws model::BadInput without planes and balancers, without [speeds], or with negative ones;
 ///         model::AnalysisFailure where the rotor is free to move.
-[[nodiscard]] results::BalanceResult balance(const model::Case &scene,
-                                             const BalanceOptions &options = {});
+[[nodiscard]] results::BalanceResult balance(const model::Case &scene, bool map = false);
+
+/// What the criterion leaves open: the balancers as they are. Where the balanced position is stable
+/// (balance.balanced_position), and motions in time at balance.simulated speeds, with the order
+/// chosen for the criterion and the form that suits them, whatever form was asked for for the
+/// criterion. Notes say what there is not, and why.
+/// @param scene  with balancers and a range of speeds
+void judge_real_balancers(const model::Case &scene, int order, results::BalanceResult &result);
+
+/// Sentences that say what the bands mean and where flexible and rigid rotor, and the three tiers,
+/// differ, and why. None for one speed alone.
+[[nodiscard]] std::vector<std::string> balance_findings(const results::BalanceResult &result,
+                                                        const model::Case &scene);
 
 } // namespace whirl::analyses

@@ -1,4 +1,4 @@
-#include "analyses/balance_findings.h"
+#include "analyses/balance.h"
 
 #include "results/formulation.h"
 
@@ -83,15 +83,13 @@ void excess_planes(const results::BalanceResult &result, bool rigid,
                                   result.joint.rank));
         return;
     }
-    double least = 1;
-    double largest = 0;
+    std::vector<double> sizes; // of the largest eigenvalue over the largest modulus
     std::vector<const results::SignaturePoint *>
         points; // where the rigid form is definite, this one not
     for (const results::SignaturePoint &point : result.joint.signature)
         if (rigid_says_on(result.joint.bands, point.speed) && point.negative < count) {
             points.push_back(&point);
-            least = std::min(least, std::abs(point.relative));
-            largest = std::max(largest, std::abs(point.relative));
+            sizes.push_back(std::abs(point.relative));
         }
     if (points.empty())
         return;
@@ -104,8 +102,8 @@ void excess_planes(const results::BalanceResult &result, bool rigid,
         "eigenvalues are negative and the largest is {:+.3g}/kg. Over that range it is {:.1e} to "
         "{:.1e} of the largest modulus: imbalances ({}) that make little resultant force and bend "
         "the shaft.",
-        count, speed_text(middle.speed), middle.negative, count, middle.eigenvalues.back(), least,
-        largest, shape));
+        count, speed_text(middle.speed), middle.negative, count, middle.eigenvalues.back(),
+        std::ranges::min(sizes), std::ranges::max(sizes), shape));
 }
 
 void without_bands(const results::BalanceResult &result, std::vector<std::string> &out) {
@@ -226,27 +224,23 @@ void motions_in_time(const results::BalanceResult &result, double time,
 /// n < 1 is not enough: where the motion of least deflection is unstable.
 void pendulums(const results::BalanceResult &result, std::vector<std::string> &out) {
     for (const results::PendulumBalance &p : result.pendulum) {
-        double first = 0;
-        double last = 0;
         int helps = 0;
-        int unstable = 0;
+        std::vector<double> unstable; // speeds, rad/s
         for (std::size_t k = 0; k < p.speeds.size(); ++k) {
             if (p.states[k].empty() || p.states[k].front().ratio >= 1)
                 continue;
             ++helps;
-            if (p.states[k].front().stable)
-                continue;
-            first = unstable++ == 0 ? p.speeds[k] : first;
-            last = p.speeds[k];
+            if (!p.states[k].front().stable)
+                unstable.push_back(p.speeds[k]);
         }
         std::string text =
             fmt::format("The pendulums at z = {:.4g} m reduce the deflection at {} "
                         "of {} speeds (planar theory: above {})",
                         p.z, helps, p.speeds.size(), speed_text(p.threshold * p.omega_0));
-        if (unstable > 0)
+        if (!unstable.empty())
             text += fmt::format("; at {} of them, from {:.6g} to {:.6g} rad/s, that motion is "
                                 "unstable and will not be seen",
-                                unstable, first, last);
+                                unstable.size(), unstable.front(), unstable.back());
         out.push_back(text + ".");
     }
 }

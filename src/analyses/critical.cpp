@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace whirl::analyses {
 
@@ -88,18 +89,6 @@ void note_completeness(const synchronous::SynchronousModes &found, bool more_wan
                                    "(all were counted); a finer mesh can have more");
     else if (more_wanted || found.complete_to < last)
         notes.push_back(fmt::format("the list is complete up to {:.6g} rad/s", found.complete_to));
-}
-
-/// The same motion in two directions, where nothing asymmetric takes part, is one whirl.
-void drop_second_directions(std::vector<results::CriticalSpeed> &speeds, int wanted, double top) {
-    speeds.erase(std::unique(speeds.begin(), speeds.end(),
-                             [](const results::CriticalSpeed &a, const results::CriticalSpeed &b) {
-                                 return std::abs(a.speed - b.speed) < 1e-9 * a.speed &&
-                                        std::abs(a.real - b.real) < 1e-9 * a.speed;
-                             }),
-                 speeds.end());
-    while (static_cast<int>(speeds.size()) > wanted && speeds.back().speed > top)
-        speeds.pop_back();
 }
 
 /// A shaft that does not bend: what its bearings let it do is lost in the rounding of its
@@ -239,23 +228,27 @@ std::vector<results::ResponsePeak> peaks_for_margins(const model::Case &scene,
     const bool driven = !model::with_balancer_imbalances(scene.rotor).imbalances.empty();
     if (!driven || !scene.speeds || scene.speeds->count < 2)
         return {};
-    const auto without = [&model](const char *why) {
-        model.notes.push_back(fmt::format(
-            "margins: amplification factors from damping, as the response is not known: {}", why));
-        return std::vector<results::ResponsePeak>{};
-    };
     try {
         return response_peaks(scene, false).peaks;
-    } catch (const model::AnalysisFailure &failure) {
-        return without(failure.what());
-    } catch (const linalg::SolverError &failure) {
-        return without(failure.what());
-    } catch (const model::BadInput &failure) { // a form that only the critical speeds have
-        return without(failure.what());
+    } catch (const std::runtime_error &failure) { // or a form that only the critical speeds have
+        model.notes.push_back(fmt::format(
+            "margins: amplification factors from damping, as the response is not known: {}",
+            failure.what()));
+        return {};
     }
 }
 
 } // namespace
+
+void drop_second_directions(std::vector<results::CriticalSpeed> &speeds, int wanted, double top) {
+    const auto same = [](const results::CriticalSpeed &a, const results::CriticalSpeed &b) {
+        return a.whirl == b.whirl && std::abs(a.speed - b.speed) < 1e-9 * a.speed &&
+               std::abs(a.real - b.real) < 1e-9 * a.speed;
+    };
+    speeds.erase(std::unique(speeds.begin(), speeds.end(), same), speeds.end());
+    while (static_cast<int>(speeds.size()) > wanted && speeds.back().speed > top)
+        speeds.pop_back();
+}
 
 results::CriticalResult critical_speeds(const model::Case &scene, bool map) {
     results::CriticalResult result = critical_of(scene, true);

@@ -3,6 +3,8 @@
 #include "model/case.h"
 #include "results/critical.h"
 
+#include <vector>
+
 namespace whirl::analyses {
 
 /// Critical speeds directly, without a sweep over speed: the `campbell.modes` lowest, and all up
@@ -23,5 +25,9 @@ namespace whirl::analyses {
 /// that differ a little from one whose errors are known. Of asymmetric rotors each direction of a
 /// motion is listed, as equal ones need not stay equal, and twice as many.
 [[nodiscard]] results::CriticalResult unjudged_critical_speeds(const model::Case &scene);
+
+/// The same motion in two directions, where nothing asymmetric takes part, is one whirl: leaves as
+/// many as are wanted, and all up to a speed.
+void drop_second_directions(std::vector<results::CriticalSpeed> &speeds, int wanted, double top);
 
 } // namespace whirl::analyses

@@ -140,20 +140,6 @@ class Shapes {
     modes::Stations _stations;
 };
 
-/// Critical speeds without those that are the same motion in two directions: as many as modes, and
-/// all in the range.
-std::vector<results::CriticalSpeed> critical_speeds_of(const model::Case &scene) {
-    std::vector<results::CriticalSpeed> speeds = unjudged_critical_speeds(scene).critical_speeds;
-    const auto same = [](const results::CriticalSpeed &a, const results::CriticalSpeed &b) {
-        return a.whirl == b.whirl && std::abs(a.speed - b.speed) < 1e-9 * a.speed;
-    };
-    speeds.erase(std::unique(speeds.begin(), speeds.end(), same), speeds.end());
-    const double top = std::max(std::abs(scene.speeds->from), std::abs(scene.speeds->to));
-    while (static_cast<int>(speeds.size()) > scene.campbell.modes && speeds.back().speed > top)
-        speeds.pop_back();
-    return speeds;
-}
-
 /// The same mode at the same speed.
 bool has(const std::vector<results::ModeShape> &shapes, const results::ModeShape &other) {
     return std::ranges::any_of(shapes, [&other](const results::ModeShape &shape) {
@@ -168,7 +154,10 @@ std::vector<results::CriticalSpeed> shown_critical_speeds(const model::Case &sce
     if (scene.modes.speed || scene.speeds->count < 2)
         return {};
     try {
-        std::vector<results::CriticalSpeed> speeds = critical_speeds_of(scene);
+        std::vector<results::CriticalSpeed> speeds =
+            unjudged_critical_speeds(scene).critical_speeds;
+        drop_second_directions(speeds, scene.campbell.modes,
+                               std::max(std::abs(scene.speeds->from), std::abs(scene.speeds->to)));
         std::erase_if(speeds, [](const results::CriticalSpeed &c) { return c.speed == 0; });
         return speeds;
     } catch (const model::AnalysisFailure &failure) {

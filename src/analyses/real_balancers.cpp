@@ -1,4 +1,4 @@
-#include "analyses/real_balancers.h"
+#include "analyses/balance.h"
 
 #include "analyses/simulate.h"
 #include "analyses/stability.h"
@@ -118,34 +118,20 @@ JudgedPosition judged_position(const model::Case &scene, std::vector<std::string
 
 /// What the eigenvalues of the balanced position say at a speed; nothing where there is no such
 /// position or no spectrum.
-class PositionGrowth {
-  public:
-    explicit PositionGrowth(const std::optional<stability::StabilityModel> &model) {
-        if (!model)
-            return;
-        _from = model->from;
-        try {
-            _solver = std::make_unique<stability::MotionSolver>(
-                *model, balancers::arrangement_at_balance(model->rotor));
-        } catch (const model::BadInput &) {        // no such position: nothing to say
-        } catch (const model::AnalysisFailure &) { // no spectrum: nothing either
-        }
+std::optional<double> growth_at(const std::optional<stability::StabilityModel> &position,
+                                double speed) {
+    if (!position || std::abs(speed) < position->from)
+        return std::nullopt;
+    try {
+        const stability::MotionSolver solver(*position,
+                                             balancers::arrangement_at_balance(position->rotor));
+        return stability::growth_of(solver.at(speed));
+    } catch (const model::BadInput &) {
+        return std::nullopt;
+    } catch (const model::AnalysisFailure &) {
+        return std::nullopt;
     }
-
-    [[nodiscard]] std::optional<double> at(double speed) const {
-        try {
-            if (!_solver || std::abs(speed) < _from)
-                return std::nullopt;
-            return stability::growth_of(_solver->at(speed));
-        } catch (const model::AnalysisFailure &) {
-            return std::nullopt;
-        }
-    }
-
-  private:
-    std::unique_ptr<stability::MotionSolver> _solver;
-    double _from = 0; ///< rad/s
-};
+}
 
 /// Motions in time with the real balancers, from the start that the case gives, at
 /// balance.simulated speeds inside the range; [simulate] says how long. Runs that fail are named
@@ -162,7 +148,6 @@ simulated_speeds(const model::Case &scene, const std::optional<stability::Stabil
     run.simulate.run_up.clear();
     run.simulate.torque.reset();
     run.simulate.other_starts.clear();
-    const PositionGrowth growth(position);
     const double step = (scene.speeds->to - scene.speeds->from) / count;
     for (int i = 0; i < count; ++i) {
         const double speed = scene.speeds->from + (i + 0.5) * step; // inside, never at rest
@@ -174,7 +159,7 @@ simulated_speeds(const model::Case &scene, const std::optional<stability::Stabil
             if (result.restart) // interrupted: what there is
                 return out;
             out.push_back({speed, results::outcome_name(result.outcome), result.residual_ratio,
-                           growth.at(speed)});
+                           growth_at(position, speed)});
         } catch (const model::AnalysisFailure &failure) {
             notes.push_back(
                 fmt::format("no motion in time at {:.6g} rad/s: {}", speed, failure.what()));

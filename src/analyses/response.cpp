@@ -248,14 +248,11 @@ void note_bends(const model::Rotor &rotor, results::ResponseResult &result) {
                         return std::abs(peak.speed - row) <= at_row * std::abs(row);
                     }))
                     bends.insert(row);
-    std::vector<std::string> speeds;
-    for (const double speed : bends)
-        speeds.push_back(fmt::format("{:.6g}", speed));
-    if (!speeds.empty())
+    if (!bends.empty())
         result.model.notes.push_back(fmt::format(
-            "peaks at {} rad/s are at rows of a bearing table, where its coefficients bend: they "
-            "need not be resonances, and another interpolation may not have them",
-            fmt::join(speeds, ", ")));
+            "peaks at {:.6g} rad/s are at rows of a bearing table, where its coefficients bend: "
+            "they need not be resonances, and another interpolation may not have them",
+            fmt::join(bends, ", ")));
 }
 
 /// The case with the imbalances that its balancers are for.

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <variant>
 
 namespace whirl::analyses {
@@ -84,20 +85,16 @@ void end_early(results::SimulateResult &result, const std::string &failure) {
 
 /// Balls that pass through each other are no balls: those that end in one place are named.
 void note_overlaps(const model::Case &scene, results::SimulateResult &result) {
-    std::size_t first = 0;
+    const std::vector<std::vector<double>> angles = last_angles(scene, result.series);
     for (std::size_t i = 0; i < scene.rotor.balancers.size(); ++i) {
         const model::Balancer &b = scene.rotor.balancers[i];
-        const std::size_t coordinates = balancers::kind_of(b)->coordinates().size();
         const auto *balls = std::get_if<model::Balls>(&b.parts);
-        std::size_t ball = first;
-        first += coordinates;
         if (!balls || balls->contact)
             continue;
+        auto ball = angles[i].begin();
         for (const model::BallRow &row : balls->rows) {
-            std::vector<double> angles;
-            for (int j = 0; j < row.n; ++j)
-                angles.push_back(result.series.angles[ball++].back());
-            const int pairs = overlapping_pairs(angles, row.touching_angle());
+            const auto first = std::exchange(ball, ball + row.n);
+            const int pairs = overlapping_pairs({first, ball}, row.touching_angle());
             if (row.diameter > 0 && pairs > 0)
                 result.model.notes.push_back(fmt::format(
                     "{}: {} {} of balls overlap at the end: their centres are nearer than the "

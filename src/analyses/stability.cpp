@@ -214,7 +214,8 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
     if (range) {
         stage.emplace("unstable bands", 0.3, 0.6);
         roots = search_bands(finder, all ? &*all : nullptr, grid, result);
-        settle_rounding(result, model.rotor.damped());
+        settle_rounding({result.growth, result.verdict}, result.speeds, result.unstable,
+                        model.rotor.damped());
     }
     result.model.unknowns = solver.unknowns();
     result.harmonics = solver.harmonics();

@@ -246,10 +246,6 @@ void settle_rounding(GrowthAndVerdict of, const std::vector<double> &speeds,
     }
 }
 
-void settle_rounding(results::StabilityResult &result, bool damped) {
-    settle_rounding({result.growth, result.verdict}, result.speeds, result.unstable, damped);
-}
-
 void add_neutral_balls(const model::Rotor &rotor, results::StabilityResult &result) {
     const auto balancers =
         balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor));

@@ -59,8 +59,6 @@ struct GrowthAndVerdict {
 /// as slow of a rotor without damping.
 void settle_rounding(GrowthAndVerdict of, const std::vector<double> &speeds,
                      const std::vector<stability::SpeedInterval> &bands, bool damped);
-/// Of all motions.
-void settle_rounding(results::StabilityResult &result, bool damped);
 
 /// Balls on one diameter can roll on without any effect, which neither grows nor dies out.
 void add_neutral_balls(const model::Rotor &rotor, results::StabilityResult &result);

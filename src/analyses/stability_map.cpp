@@ -1,7 +1,6 @@
 #include "analyses/stability_map.h"
 
 #include "ends/all_motions.h"
-#include "linalg/check.h"
 #include "model/case.h"
 #include "model/errors.h"
 #include "process/parallel.h"
@@ -17,6 +16,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 
 namespace whirl::analyses {
 
@@ -145,47 +145,33 @@ class CommonShapes {
     static CommonShapes made(const std::function<CommonShapes()> &make) {
         try {
             return make();
-        } catch (const model::BadInput &) {
-        } catch (const model::AnalysisFailure &) {
-        } catch (const linalg::SolverError &) {
+        } catch (const std::runtime_error &) {
+            return {};
         }
-        return {};
     }
 };
 
-/// NaN where there is no such rotor: an inertia out of bounds, a capacity below 1; with the reason.
-process::Outcome where_possible(std::size_t count,
-                                const std::function<std::vector<double>()> &growth) {
+/// Growth over a row of a map over the spin speed, or at one point of another map: the largest over
+/// the speeds of the case. NaN where there is no such rotor, an inertia out of bounds, a capacity
+/// below 1; with the reason.
+/// @param row  spin speeds, none at a point
+process::Outcome piece_of(const std::vector<std::string> &entries, const std::vector<double> &row,
+                          const CaseWith &with, const CommonShapes &common) {
     try {
-        return {growth(), {}};
+        const model::Case scene = with(entries);
+        const std::vector<double> speeds =
+            row.empty() ? model::required_speeds(scene).values() : row;
+        const std::vector<double> growth =
+            growth_at(scene, speeds, [&](const auto &model, const auto &arrangement) {
+                return row.empty() ? common.for_point(model)
+                                   : common.for_row(model, arrangement, speeds);
+            });
+        return {row.empty() ? std::vector{std::ranges::max(growth)} : growth, {}};
     } catch (const model::BadInput &problem) {
+        const std::size_t count = std::max<std::size_t>(row.size(), 1);
         return {std::vector<double>(count, std::numeric_limits<double>::quiet_NaN()),
                 problem.what()};
     }
-}
-
-/// A row over the spin speed.
-process::Outcome row_of(const model::MapSettings &map, double y, const CaseWith &with,
-                        const CommonShapes &common) {
-    const std::vector<double> speeds = values_of(map.x);
-    return where_possible(speeds.size(), [&] {
-        return growth_at(with({entry(map.y, y)}), speeds,
-                         [&](const auto &model, const auto &arrangement) {
-                             return common.for_row(model, arrangement, speeds);
-                         });
-    });
-}
-
-/// One point of a map without the spin speed.
-process::Outcome point_of(const model::MapSettings &map, double x, double y, const CaseWith &with,
-                          const CommonShapes &common) {
-    return where_possible(1, [&]() -> std::vector<double> {
-        const model::Case scene = with({entry(map.x, x), entry(map.y, y)});
-        const auto growth =
-            growth_at(scene, model::required_speeds(scene).values(),
-                      [&](const auto &model, const auto &) { return common.for_point(model); });
-        return {*std::ranges::max_element(growth)};
-    });
 }
 
 } // namespace
@@ -211,9 +197,11 @@ results::StabilityMap stability_map(const model::MapSettings &settings, const Ca
     const CommonShapes common =
         rows ? CommonShapes::of_rows(settings, with) : CommonShapes::of_points(settings, with);
     const auto piece = [&](std::size_t i) {
-        return rows ? row_of(settings, map.y_values[i], with, common)
-                    : point_of(settings, map.x_values[i % columns], map.y_values[i / columns], with,
-                               common);
+        if (rows)
+            return piece_of({entry(settings.y, map.y_values[i])}, map.x_values, with, common);
+        return piece_of({entry(settings.x, map.x_values[i % columns]),
+                         entry(settings.y, map.y_values[i / columns])},
+                        {}, with, common);
     };
     const auto outcomes = process::deal(pieces, "map", piece, first);
     for (std::size_t i = 0; i < outcomes.size(); ++i) {

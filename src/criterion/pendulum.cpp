@@ -39,11 +39,7 @@ std::vector<balancers::PlacedPendulums> pendulums_of(const model::Case &scene) {
 std::vector<model::Imbalance> drive_of(const model::Case &scene,
                                        const std::vector<balancers::PlacedPendulums> &pendulums,
                                        std::vector<std::string> &notes) {
-    std::vector<model::Imbalance> drive;
-    for (const model::Balancer &balancer : scene.rotor.balancers)
-        if (balancer.imbalance > 0)
-            drive.push_back({"", balancer.z, balancer.imbalance, balancer.imbalance_phase});
-    drive.insert(drive.end(), scene.rotor.imbalances.begin(), scene.rotor.imbalances.end());
+    std::vector<model::Imbalance> drive = model::with_balancer_imbalances(scene.rotor).imbalances;
     if (drive.empty()) {
         notes.emplace_back("pendulums without an imbalance to balance (balancer.imbalance or "
                            "[[imbalance]]): their efficiency is that of small angles");

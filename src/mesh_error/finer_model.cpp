@@ -26,8 +26,7 @@ std::vector<std::complex<double>> of_sense(const modes::Spectrum &spectrum, bool
     for (const modes::WhirlMode &mode : spectrum.modes)
         if (!planar || mode.whirl == sense)
             out.push_back(mode.eigenvalue);
-    std::sort(out.begin(), out.end(),
-              [](const auto &a, const auto &b) { return a.imag() < b.imag(); });
+    std::ranges::sort(out, {}, [](const auto &value) { return value.imag(); });
     return out;
 }
 
@@ -39,13 +38,13 @@ double error_among(std::complex<double> value,
                    std::vector<std::pair<double, std::complex<double>>> candidates) {
     constexpr double far_nearer = 0.02;
     constexpr double not_much_less = 0.7;
-    std::sort(candidates.begin(), candidates.end(), [value](const auto &a, const auto &b) {
-        return std::abs(a.second - value) < std::abs(b.second - value);
-    });
-    double best = 0;
-    for (const auto &[likeness, fine] : candidates)
-        best = std::max(best, likeness);
-    const auto distance = [&](std::size_t i) { return std::abs(candidates[i].second - value); };
+    const auto distance_of = [value](const auto &candidate) {
+        return std::abs(candidate.second - value);
+    };
+    std::ranges::sort(candidates, {}, distance_of);
+    const auto likeness_of = [](const auto &candidate) { return candidate.first; };
+    const double best = std::ranges::max(candidates, {}, likeness_of).first;
+    const auto distance = [&](std::size_t i) { return distance_of(candidates[i]); };
     const bool told = candidates.size() == 1 || (distance(0) <= far_nearer * distance(1) &&
                                                  candidates[0].first >= not_much_less * best);
     return relative(value, told ? candidates.front().second : candidates.back().second);
@@ -70,26 +69,25 @@ std::vector<double> FinerModel::errors(const modes::Spectrum &coarse) const {
 
 std::vector<double> FinerModel::errors_by_place(const modes::Spectrum &coarse) const {
     const bool planar = _coarse.form() == results::Form::planar;
-    const auto count = [&](results::Whirl sense) { return of_sense(coarse, planar, sense).size(); };
     modes::Spectrum fine;
+    const auto enough = [&](results::Whirl sense) {
+        return of_sense(fine, planar, sense).size() >= of_sense(coarse, planar, sense).size();
+    };
     // The lowest modes of the finer model may have another share of either sense.
     for (auto ask = coarse.modes.size();; ask *= 2) {
         fine = _fine->at(coarse.speed, static_cast<int>(ask));
-        const bool enough = of_sense(fine, planar, results::Whirl::forward).size() >=
-                                count(results::Whirl::forward) &&
-                            of_sense(fine, planar, results::Whirl::backward).size() >=
-                                count(results::Whirl::backward);
-        if (enough || fine.modes.size() < ask)
+        if ((enough(results::Whirl::forward) && enough(results::Whirl::backward)) ||
+            fine.modes.size() < ask)
             break;
     }
     std::vector<double> errors;
     for (const modes::WhirlMode &mode : coarse.modes) {
         const auto ours = of_sense(coarse, planar, mode.whirl);
         const auto theirs = of_sense(fine, planar, mode.whirl);
-        const auto place = std::find(ours.begin(), ours.end(), mode.eigenvalue) - ours.begin();
-        errors.push_back(place < std::ssize(theirs)
-                             ? relative(mode.eigenvalue, theirs[static_cast<std::size_t>(place)])
-                             : unknown);
+        const auto place =
+            static_cast<std::size_t>(std::ranges::find(ours, mode.eigenvalue) - ours.begin());
+        errors.push_back(place < theirs.size() ? relative(mode.eigenvalue, theirs[place])
+                                               : unknown);
     }
     return errors;
 }

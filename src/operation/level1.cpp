@@ -274,18 +274,20 @@ void fill_without_threshold(const CoupledRotor &rotor, const State &start,
     out.frequency = {start.set[of]->imag()};
 }
 
-/// Whether some motion grows with such a coupling: the one followed may not be the one that does.
-bool some_grows(const CoupledRotor &rotor, double q) {
-    const auto all = rotor.modes(q);
-    return std::ranges::any_of(all, [](const modes::WhirlMode &mode) {
-        return log_dec_of(modes::determined_value(mode)) < -1e-9;
+/// The modes that grow with such a coupling: the one followed may not be among them.
+std::vector<modes::WhirlMode> growing(const CoupledRotor &rotor, double q) {
+    constexpr double clearly = 1e-9;
+    std::vector<modes::WhirlMode> all = rotor.modes(q);
+    std::erase_if(all, [](const modes::WhirlMode &mode) {
+        return log_dec_of(modes::determined_value(mode)) >= -clearly;
     });
+    return all;
 }
 
 void note_no_threshold(const CoupledRotor &rotor, double scale, bool grows, bool creeps,
                        std::vector<std::string> &notes) {
     for (double q = 1e-3 * scale; !grows && q < 200 * scale; q *= 10)
-        if (some_grows(rotor, q)) {
+        if (!growing(rotor, q).empty()) {
             notes.push_back(
                 fmt::format("level1: the motion that was followed does not begin to "
                             "grow, but another one grows with a cross coupling of {:.3g} "
@@ -307,12 +309,10 @@ void note_no_threshold(const CoupledRotor &rotor, double scale, bool grows, bool
 
 /// Another motion that grows already with the coupling at which the one followed begins to.
 void note_others(const CoupledRotor &rotor, const State &root, std::vector<std::string> &notes) {
-    constexpr double clearly = 1e-9;
-    for (const modes::WhirlMode &mode : rotor.modes(root.q))
-        if (log_dec_of(modes::determined_value(mode)) < -clearly)
-            notes.push_back(fmt::format("level1: another motion, of frequency {:.6g} rad/s, grows "
-                                        "already with the critical cross coupling of the first one",
-                                        mode.eigenvalue.imag()));
+    for (const modes::WhirlMode &mode : growing(rotor, root.q))
+        notes.push_back(fmt::format("level1: another motion, of frequency {:.6g} rad/s, grows "
+                                    "already with the critical cross coupling of the first one",
+                                    mode.eigenvalue.imag()));
 }
 
 } // namespace

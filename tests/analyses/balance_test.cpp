@@ -303,7 +303,7 @@ TEST(Balance, OneSpeedAloneGivesItsSignature) {
 TEST(Balance, MapAgreesWithPlanesThatStandThere) {
     model::Case scene = two_disc_scene(2e11);
     scene.rotor.planes = {{"", 0.275}, {"", 0.825}}; // stations 20 and 60 of 81
-    const BalanceResult result = analyses::balance(scene, {true});
+    const BalanceResult result = analyses::balance(scene, true);
     ASSERT_TRUE(result.placement);
     const results::Placement &map = *result.placement;
     const double mass = result.rigid->mass;

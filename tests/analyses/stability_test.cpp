@@ -63,7 +63,7 @@ TEST(Growth, OfRoundingOutsideOfTheBandsIsNone) {
         result.verdict = {Verdict::unstable, Verdict::diverges, Verdict::stable, Verdict::unstable,
                           Verdict::stable};
         result.unstable = {{90, 110}};
-        settle_rounding(result, damped);
+        settle_rounding({result.growth, result.verdict}, result.speeds, result.unstable, damped);
         EXPECT_EQ(result.growth, (std::vector<double>{0, 3e-7, damped ? -2e-7 : 0, 1e-3, -1e-3}));
         EXPECT_EQ(result.verdict, (std::vector<Verdict>{Verdict::neutral, Verdict::diverges,
                                                         damped ? Verdict::stable : Verdict::neutral,

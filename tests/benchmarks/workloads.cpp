@@ -205,7 +205,7 @@ void add_others(std::vector<Workload> &list, const std::string &folder) {
                     .what = "balance of extractor_two_plane: all tiers; 16 motions in time",
                     .run = on(
                         Scene(folder + "/extractor_two_plane", {}),
-                        +[](const model::Case &scene) { return analyses::balance(scene, {}); })});
+                        +[](const model::Case &scene) { return analyses::balance(scene); })});
     constexpr int count = 6;
     const std::string samples = fmt::format(
         R"(samples={{count = {}, of = ["critical", "peaks"], vary = [)"

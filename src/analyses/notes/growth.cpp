@@ -17,17 +17,12 @@ namespace {
 /// Something feeds free motions: without it all die out, or none does.
 bool may_grow(const model::Rotor &rotor) {
     const model::Shaft &shaft = rotor.shaft;
-    const bool asymmetric = !rotor.anisotropies.empty() ||
-                            std::ranges::any_of(shaft.segments, [](const model::Segment &segment) {
-                                return segment.asymmetry != 0;
-                            });
-    if (asymmetric || shaft.internal_damping > 0 || shaft.axial_torque != 0)
+    if (!rotor.anisotropies.empty() || shaft.asymmetric() || shaft.internal_damping > 0 ||
+        shaft.axial_torque != 0)
         return true;
-    for (const model::Bearing &bearing : rotor.bearings)
-        for (const model::BearingCoefficients &at : bearing.rows)
-            if (!model::symmetric(at.k) || model::pushes_away(at.k) || model::pushes_away(at.c))
-                return true;
-    return false;
+    return !rotor.every_row([](const model::BearingCoefficients &at) {
+        return model::symmetric(at.k) && !model::pushes_away(at.k) && !model::pushes_away(at.c);
+    });
 }
 
 /// Speeds of the case, evenly, its ends among them.

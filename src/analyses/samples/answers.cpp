@@ -133,44 +133,36 @@ results::ModelSummary model_of_ends(const model::Case &scene) {
 } // namespace
 
 Answers::Answers(const model::Case &scene) : _wanted(*scene.samples) {
+    // The model of the first of them is shown; the notes are those of all.
+    const auto take = [this](const results::ModelSummary &model,
+                             const std::vector<Answer> &answers) {
+        if (_model.order == 0)
+            _model = model;
+        else
+            _model.notes.insert(_model.notes.end(), model.notes.begin(), model.notes.end());
+        append(_nominal, answers);
+        return model.order;
+    };
     if (_wanted.critical) {
         const results::CriticalResult result = critical_speeds(scene);
-        _critical_order = result.model.order;
         std::vector<Answer> answers =
-            answers_of(unjudged_critical_speeds(with_order(scene, _critical_order)), scene);
+            answers_of(unjudged_critical_speeds(with_order(scene, result.model.order)), scene);
         take_errors(result.critical_speeds, answers);
-        append(_nominal, answers);
-        take_model(result.model);
+        _critical_order = take(result.model, answers);
     }
     if (_wanted.peaks) {
         const results::ResponseResult result = response_peaks(scene, true);
-        append(_nominal, answers_of(result.peaks));
-        _peaks_order = result.model.order;
-        take_model(result.model);
+        _peaks_order = take(result.model, answers_of(result.peaks));
     }
-    if (_wanted.ends) {
-        const results::ModelSummary model = model_of_ends(scene);
-        append(_nominal, answers_of(bands_of(scene, true), *scene.speeds));
-        _ends_order = model.order;
-        take_model(model);
-    }
+    if (_wanted.ends)
+        _ends_order = take(model_of_ends(scene), answers_of(bands_of(scene, true), *scene.speeds));
     if (_wanted.residual) {
         if (scene.rotor.balancers.empty())
             throw model::BadInput("samples.of: expected a [[balancer]] whose residual to look at, "
                                   "got a rotor without");
         const results::SimulateResult motion = simulate_alone(scene);
-        append(_nominal, answers_of(motion));
-        _motion_order = motion.model.order;
-        take_model(motion.model);
+        _motion_order = take(motion.model, answers_of(motion));
     }
-}
-
-/// The first of them is shown; the notes are those of all.
-void Answers::take_model(const results::ModelSummary &model) {
-    if (_model.order == 0)
-        _model = model;
-    else
-        _model.notes.insert(_model.notes.end(), model.notes.begin(), model.notes.end());
 }
 
 std::vector<Answer> Answers::of(const model::Case &scene) const {

@@ -42,8 +42,6 @@ class Answers {
     std::vector<Answer> _nominal;
     results::ModelSummary _model;
     int _critical_order = 1, _peaks_order = 1, _ends_order = 1, _motion_order = 1;
-
-    void take_model(const results::ModelSummary &model);
 };
 
 } // namespace whirl::analyses

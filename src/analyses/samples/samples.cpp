@@ -1,9 +1,7 @@
 #include "analyses/samples/samples.h"
 
 #include "analyses/samples/answers.h"
-#include "analyses/samples/draws.h"
-#include "analyses/samples/quantiles.h"
-#include "linalg/check.h"
+#include "analyses/samples/statistics.h"
 #include "model/errors.h"
 #include "process/parallel.h"
 #include "process/progress.h"
@@ -16,6 +14,7 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 
 namespace whirl::analyses {
 
@@ -81,11 +80,7 @@ Outcome one_sample(const std::vector<double> &values, const model::SamplesSettin
         overrides.push_back(fmt::format("{}={}", settings.vary[i].path, values[i]));
     try {
         return packed(answers.of(with(overrides)));
-    } catch (const model::BadInput &problem) {
-        return {{}, reason_of(problem.what())};
-    } catch (const model::AnalysisFailure &problem) {
-        return {{}, reason_of(problem.what())};
-    } catch (const linalg::SolverError &problem) {
+    } catch (const std::runtime_error &problem) {
         return {{}, reason_of(problem.what())};
     }
 }

@@ -2,8 +2,7 @@
 // are known in closed form. Seeds are fixed: the bounds are wide enough that a sound generator
 // passes with nearly every seed, and a wrong distribution with none.
 
-#include "analyses/samples/draws.h"
-#include "analyses/samples/quantiles.h"
+#include "analyses/samples/statistics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,37 @@
-#include "analyses/samples/quantiles.h"
+#include "analyses/samples/statistics.h"
 
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/students_t.hpp>
+#include <boost/math/special_functions/erf.hpp>
+#include <boost/math/statistics/univariate_statistics.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
 
 namespace whirl::analyses {
 
 namespace {
+
+/// Inside (0, 1), 2^52 places equally likely: with one bit more the last would round to 1. Own
+/// transforms, here and below: those of the standard library differ between compilers.
+double share_of(std::uint64_t bits) { return (static_cast<double>(bits >> 12U) + 0.5) * 0x1p-52; }
+
+double value_of(const model::UncertainInput &input, double share) {
+    switch (input.distribution) {
+    case model::Distribution::normal:
+        return input.mean -
+               input.deviation * std::numbers::sqrt2 * boost::math::erfc_inv(2 * share);
+    case model::Distribution::uniform:
+        return input.from + (input.to - input.from) * share;
+    case model::Distribution::values:
+        break;
+    }
+    const auto place = static_cast<std::size_t>(share * static_cast<double>(input.values.size()));
+    return input.values.at(place);
+}
 
 constexpr double tail = 0.025; ///< on either side of an interval of 95 %
 
@@ -24,23 +47,13 @@ template <class Condition> std::size_t last_of(std::size_t n, const Condition &h
     return low;
 }
 
-/// Mean of a power of the distances from the mean.
-double moment(const std::vector<double> &values, double mean, int power) {
-    double sum = 0;
-    for (const double value : values)
-        sum += std::pow(value - mean, power);
-    return sum / static_cast<double>(values.size());
-}
-
 void add_moments(const std::vector<double> &values, results::SampledAnswer &answer) {
     const auto n = static_cast<double>(values.size());
-    double mean = 0;
-    for (const double value : values)
-        mean += value / n;
+    const auto [mean, second, third, fourth] = boost::math::statistics::first_four_moments(values);
     answer.mean = mean;
     if (values.size() < 2)
         return;
-    const double variance = moment(values, mean, 2) * n / (n - 1);
+    const double variance = second * n / (n - 1);
     const double deviation = std::sqrt(variance);
     answer.deviation = deviation;
     const boost::math::students_t student(n - 1);
@@ -49,13 +62,22 @@ void add_moments(const std::vector<double> &values, results::SampledAnswer &answ
     if (values.size() < 4)
         return;
     // Variance of the sample variance, by its fourth moment.
-    const double spread = (moment(values, mean, 4) - (n - 3) / (n - 1) * variance * variance) / n;
+    const double spread = (fourth - (n - 3) / (n - 1) * variance * variance) / n;
     constexpr double normal = 1.959963984540054;
     answer.deviation_error =
         deviation > 0 ? normal * std::sqrt(std::max(spread, 0.0)) / (2 * deviation) : 0;
 }
 
 } // namespace
+
+std::vector<double> draw(const model::SamplesSettings &settings, int sample) {
+    std::seed_seq key{settings.seed, sample};
+    std::mt19937_64 bits(key);
+    std::vector<double> values;
+    for (const model::UncertainInput &input : settings.vary)
+        values.push_back(value_of(input, share_of(bits())));
+    return values;
+}
 
 results::SampleQuantile quantile_of(const std::vector<double> &sorted, double share) {
     const std::size_t n = sorted.size();
