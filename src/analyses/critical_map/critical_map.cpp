@@ -157,8 +157,7 @@ void add_shapes(const MapScene &map, const CurveOf &curve_of, CriticalMap &out) 
     for (const bool soft : {true, false}) {
         const assembly::Discretization d(
             map.with_stiffness(soft ? out.stiffness.front() : out.stiffness.back()), map.order);
-        const int spans = static_cast<int>(d.shaft_mesh().spans.size());
-        const modes::Stations stations(d, std::max(0, (120 + spans - 1) / spans - 1));
+        const modes::Stations stations = modes::Stations::for_drawing(d);
         out.z = stations.z();
         const SynchronousModes list = lowest_of_each(map, d);
         for (const results::Whirl whirl : map_senses) {
