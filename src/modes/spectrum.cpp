@@ -181,7 +181,7 @@ std::vector<WhirlMode> SpectrumSolver::near(double speed,
         const RotatingSpectrum &rotating = *_data->rotating;
         return turning_modes_near(
             rotating,
-            Data::made(_data->pencil, rotating.system(), assembly::support_scale(_data->d)), speed,
+            Data::made(_data->pencil, _data->matrices(), assembly::support_scale(_data->d)), speed,
             guesses);
     }
     if (_data->form == results::Form::hill)
