@@ -80,8 +80,9 @@ class Shapes {
     /// A mode of a spectrum.
     [[nodiscard]] results::ModeShape of(const modes::Spectrum &spectrum, std::size_t index) const {
         const modes::WhirlMode &mode = spectrum.modes[index];
-        const Eigen::VectorXcd x = _solver.x_at(mode, _stations);
-        const Eigen::VectorXcd y = _solver.y_at(mode, _stations);
+        const auto planes = _solver.planes(mode);
+        const Eigen::VectorXcd x = _stations.deflections(planes.first);
+        const Eigen::VectorXcd y = _stations.deflections(planes.second);
         const std::complex<double> largest = largest_component(x, y);
         return {_names ? _names->of(spectrum.speed, index) : "",
                 spectrum.speed,

@@ -75,13 +75,6 @@ Eigen::MatrixXcd transposed_times(const ComplexQuadraticAt::Sparse &A, const Eig
     return A.transpose() * X;
 }
 
-template <class Matrix> bool same_entries(const Matrix &A, const Matrix &B) {
-    return A.isCompressed() && B.isCompressed() && A.nonZeros() == B.nonZeros() &&
-           std::equal(A.outerIndexPtr(), A.outerIndexPtr() + A.outerSize(), B.outerIndexPtr()) &&
-           std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(), B.innerIndexPtr()) &&
-           std::equal(A.valuePtr(), A.valuePtr() + A.nonZeros(), B.valuePtr());
-}
-
 /// y^T (v dD + dK) x of each mode.
 template <class Scalar, class Change>
 Values<Scalar> derivatives(const Change &change, const Values<Scalar> &values,
@@ -104,9 +97,8 @@ void fill(const Problem &problem, const Values<Scalar> &values, const Columns<Sc
     left << KY, -MY * values.asDiagonal();
     right << X, X * values.asDiagonal();
     const Values<Scalar> below = derivatives<Scalar>(problem.below, values, X, Y);
-    const bool alike = same_entries(problem.below.D, problem.above.D) &&
-                       same_entries(problem.below.K, problem.above.K);
-    const Values<Scalar> above = alike ? below : derivatives<Scalar>(problem.above, values, X, Y);
+    const Values<Scalar> above =
+        problem.smooth ? below : derivatives<Scalar>(problem.above, values, X, Y);
     out.rate_below.resize(X.cols());
     out.rate_above.resize(X.cols());
     for (Eigen::Index i = 0; i < X.cols(); ++i) {

@@ -10,28 +10,22 @@
 
 namespace whirl::modes {
 
-/// Change of D and K with speed.
-struct MatrixRates {
-    Eigen::SparseMatrix<double> D, K;
-};
-
-/// Q(v) = v^2 M + v D + K at one speed, with its change towards lower and higher speeds: they
-/// differ at the rows of bearing tables. In the symmetric forms v is real, l = i v, and M stands
-/// with a minus.
-struct QuadraticAt {
-    Eigen::SparseMatrix<double> M, D, K;
-    MatrixRates below, above;
-};
-
-/// The same with complex symmetric matrices (form planar_damped), l itself in the place of v.
-struct ComplexQuadraticAt {
-    using Sparse = Eigen::SparseMatrix<std::complex<double>>;
+/// Q(v) = v^2 M + v D + K at one speed.
+template <class Scalar> struct QuadraticOf {
+    using Sparse = Eigen::SparseMatrix<Scalar>;
     struct Rates {
         Sparse D, K;
     };
     Sparse M, D, K;
+    /// Change with speed, towards lower and higher ones: they differ at the rows of bearing tables.
     Rates below, above;
+    bool smooth = true; ///< both are the same
 };
+
+/// In the symmetric forms v is real, l = i v, and M stands with a minus.
+using QuadraticAt = QuadraticOf<double>;
+/// With complex symmetric matrices (form planar_damped), l itself in the place of v.
+using ComplexQuadraticAt = QuadraticOf<std::complex<double>>;
 
 /// Right and left eigenvectors of some modes at one speed as states (x, v x), so that products
 /// left^T right of one speed are the unit matrix. With y the left vector of the problem itself,

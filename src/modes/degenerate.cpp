@@ -1,8 +1,6 @@
 #include "modes/degenerate.h"
 
 #include "modes/orbits.h"
-#include "modes/spectrum.h"
-#include "results/formulation.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -30,15 +28,12 @@ void separate(const DeflectionsOf &deflections, const Stations &stations, bool r
     const Eigen::VectorXd weights = stations.masses().cwiseSqrt();
     const Eigen::MatrixXcd with = weights.asDiagonal() * (X + j * Y) / 2.0;
     const Eigen::MatrixXcd against = weights.asDiagonal() * (X - j * Y) / 2.0;
-    const Eigen::MatrixXcd area = with.adjoint() * with - against.adjoint() * against;
+    Eigen::MatrixXcd area = with.adjoint() * with - against.adjoint() * against;
     Eigen::MatrixXcd size2 = with.adjoint() * with + against.adjoint() * against;
-    if (real) {
-        // Real shapes must stay real; both forms are real there.
-        size2 = size2.real().cast<std::complex<double>>().eval();
-    }
-    const Eigen::MatrixXcd form =
-        real ? Eigen::MatrixXcd(area.real().cast<std::complex<double>>()) : area;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> eigen(form, size2);
+    if (real) // shapes must stay real; both forms are real there
+        for (Eigen::MatrixXcd *form : {&area, &size2})
+            form->imag().setZero();
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> eigen(area, size2);
     if (eigen.info() != Eigen::Success)
         return; // deflections that vanish at all stations: left as they are
     Eigen::MatrixXcd shapes(group[0].shape.size(), size);
@@ -50,14 +45,6 @@ void separate(const DeflectionsOf &deflections, const Stations &stations, bool r
 }
 
 } // namespace
-
-void separate_degenerate(const SpectrumSolver &solver, const Stations &stations,
-                         std::vector<WhirlMode> &modes) {
-    const auto deflections = [&](const WhirlMode &mode) {
-        return std::pair(solver.x_at(mode, stations), solver.y_at(mode, stations));
-    };
-    separate_degenerate(deflections, stations, solver.form() == results::Form::hyperbolic, modes);
-}
 
 void separate_degenerate(const DeflectionsOf &deflections, const Stations &stations, bool real,
                          std::vector<WhirlMode> &modes) {

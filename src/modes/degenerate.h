@@ -10,19 +10,16 @@
 
 namespace whirl::modes {
 
-class SpectrumSolver;
 class Stations;
-
-/// Modes that share an eigenvalue (an isotropic rotor at rest) may be mixed at will; this turns
-/// each such group into the circular whirls, forward and backward, that the smallest spin would
-/// make of them. Expects modes sorted by frequency.
-void separate_degenerate(const SpectrumSolver &solver, const Stations &stations,
-                         std::vector<WhirlMode> &modes);
 
 /// Deflections x and y of a mode at stations.
 using DeflectionsOf =
     std::function<std::pair<Eigen::VectorXcd, Eigen::VectorXcd>(const WhirlMode &)>;
-/// The same where there is no solver. @param real  combinations of shapes must be real
+
+/// Modes that share an eigenvalue (an isotropic rotor at rest) may be mixed at will; this turns
+/// each such group into the circular whirls, forward and backward, that the smallest spin would
+/// make of them. Expects modes sorted by frequency.
+/// @param real  combinations of shapes must be real
 void separate_degenerate(const DeflectionsOf &deflections, const Stations &stations, bool real,
                          std::vector<WhirlMode> &modes);
 

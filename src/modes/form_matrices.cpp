@@ -188,6 +188,7 @@ FormMatrices::Supports FormMatrices::support_change(double from, double to, Part
 
 void FormMatrices::add_tables(QuadraticAt &problem, double speed, Part part) const {
     const Supports now = support_change(0, speed, part);
+    problem.smooth = false;
     problem.D += now.D;
     problem.K += now.K + speed * now.Ks;
     const auto [below, above] = neighbours(_discretization.rotor(), speed);
@@ -232,7 +233,8 @@ ComplexQuadraticAt FormMatrices::complex_at(double speed) const {
             joined(re.D, im.D),
             joined(re.K, im.K),
             {joined(re.below.D, im.below.D), joined(re.below.K, im.below.K)},
-            {joined(re.above.D, im.above.D), joined(re.above.K, im.above.K)}};
+            {joined(re.above.D, im.above.D), joined(re.above.K, im.above.K)},
+            re.smooth};
 }
 
 } // namespace whirl::modes

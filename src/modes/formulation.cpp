@@ -19,35 +19,34 @@ std::string against_fixed(const model::Rotor &rotor) {
     return {};
 }
 
-std::string against_planar(const model::Rotor &rotor) {
+/// The same of the forms without damping.
+/// @param bearings  what is against them in the bearings
+std::string against_undamped(const model::Rotor &rotor, const std::string &bearings) {
     if (std::string reason = against_fixed(rotor); !reason.empty())
         return reason;
     if (rotor.shaft.axial_torque != 0)
         return "axial torque couples x and y";
-    if (!rotor.bearings_isotropic())
-        return "a bearing differs between x and y or couples them";
+    if (!bearings.empty())
+        return bearings;
     if (rotor.damped())
         return "there is damping";
     return {};
 }
 
+std::string against_planar(const model::Rotor &rotor) {
+    return against_undamped(rotor, rotor.bearings_isotropic()
+                                       ? ""
+                                       : "a bearing differs between x and y or couples them");
+}
+
 std::string against_hyperbolic(const model::Rotor &rotor) {
-    if (std::string reason = against_fixed(rotor); !reason.empty())
-        return reason;
-    if (rotor.shaft.axial_torque != 0)
-        return "axial torque couples x and y";
-    if (!rotor.bearings_orthotropic())
-        return "a bearing couples x and y";
-    if (rotor.damped())
-        return "there is damping";
-    return {};
+    return against_undamped(rotor, rotor.bearings_orthotropic() ? "" : "a bearing couples x and y");
 }
 
 /// Damping and cross coupling act on w = x + i y alone, and the rotor without them has frequencies.
 bool turns_alike(const model::Rotor &rotor) {
     return against_fixed(rotor).empty() && rotor.bearings_rotation_invariant() &&
            rotor.shaft.axial_torque == 0 && // its matrix is not symmetric
-
            (!may_push_away(rotor) || stiffness_positive(rotor, std::max(1, rotor.shaft.order)));
 }
 
@@ -57,8 +56,7 @@ std::string against_hill(const model::Rotor &rotor) {
         return {};
     return "mass coefficients of a bearing or masses of a pedestal differ between x and y or "
            "couple them while the rotor is not axisymmetric either ([[anisotropy]], [[balancer]] "
-           "or "
-           "an asymmetric segment): mass that varies in time in every frame";
+           "or an asymmetric segment): mass that varies in time in every frame";
 }
 
 void require(const std::string &reason, results::Form form) {
@@ -69,25 +67,25 @@ void require(const std::string &reason, results::Form form) {
 }
 
 results::Formulation forced(const model::Case &scene) {
+    const model::Rotor &rotor = scene.rotor;
+    const auto asked_for = [](results::Form form, const std::string &against) {
+        require(against, form);
+        return results::Formulation{form, "asked for by the case"};
+    };
     switch (scene.formulation) {
     case model::FormChoice::planar:
-        require(against_planar(scene.rotor), results::Form::planar);
-        return {results::Form::planar, "asked for by the case"};
+        return asked_for(results::Form::planar, against_planar(rotor));
     case model::FormChoice::hyperbolic:
-        require(against_hyperbolic(scene.rotor), results::Form::hyperbolic);
-        return {results::Form::hyperbolic, "asked for by the case"};
+        return asked_for(results::Form::hyperbolic, against_hyperbolic(rotor));
     case model::FormChoice::rotating:
-        require(scene.rotor.bearings_rotation_invariant()
-                    ? ""
-                    : "a bearing is not the same from every direction",
-                results::Form::rotating);
-        return {results::Form::rotating, "asked for by the case"};
+        return asked_for(results::Form::rotating,
+                         rotor.bearings_rotation_invariant()
+                             ? ""
+                             : "a bearing is not the same from every direction");
     case model::FormChoice::hill:
-        require(against_hill(scene.rotor), results::Form::hill);
-        return {results::Form::hill, "asked for by the case"};
+        return asked_for(results::Form::hill, against_hill(rotor));
     default:
-        require(against_fixed(scene.rotor), results::Form::general);
-        return {results::Form::general, "asked for by the case"};
+        return asked_for(results::Form::general, against_fixed(rotor));
     }
 }
 
@@ -108,21 +106,16 @@ results::Formulation choose_formulation(const model::Case &scene) {
     const model::Rotor &rotor = scene.rotor;
     if (scene.formulation != model::FormChoice::automatic)
         return forced(scene);
-    if (rotor.rotating_anisotropy() && !rotor.bearings_rotation_invariant())
+    if (rotor.rotating_anisotropy() && rotor.bearings_rotation_invariant())
+        return {results::Form::rotating,
+                "something that turns is not axisymmetric and the bearings are the same from every "
+                "direction: constant coefficients in axes that turn with the rotor"};
+    if (rotor.rotating_anisotropy()) {
         require(against_hill(rotor), results::Form::hill);
-    if (rotor.rotating_anisotropy())
-        return rotor.bearings_rotation_invariant()
-                   ? results::Formulation{results::Form::rotating,
-                                          "something that turns is not axisymmetric and the "
-                                          "bearings are "
-                                          "the "
-                                          "same from every direction: constant coefficients in "
-                                          "axes that "
-                                          "turn with the rotor"}
-                   : results::Formulation{
-                         results::Form::hill,
-                         "neither what turns nor the bearings are the same from every "
-                         "direction: a series in twice the spin speed, in rotating axes"};
+        return {results::Form::hill,
+                "neither what turns nor the bearings are the same from every direction: a series "
+                "in twice the spin speed, in rotating axes"};
+    }
     if (!rotor.damped() && may_push_away(rotor) &&
         !stiffness_positive(rotor, std::max(1, rotor.shaft.order)))
         return {results::Form::general,

@@ -266,7 +266,7 @@ WhirlMode RotatingSpectrum::in_fixed_frame(const linalg::ComplexPair &pair, doub
     mode.frequency_rotating = nu;
     mode.rotating_value = pair.value;
     mode.rotating_vector = pair.vector;
-    mode.rotating_left = pair.left;
+    mode.left = pair.left;
     double turn = 0; // rad/s, of the dominant whirl, positive with the spin
     if (speed == 0) {
         turn = nu; // both whirls have this frequency: the whole motion

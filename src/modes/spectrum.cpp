@@ -5,7 +5,6 @@
 #include "balancers/arrangement.h"
 #include "linalg/check.h"
 #include "model/errors.h"
-#include "modes/bases/real_basis.h"
 #include "modes/degenerate.h"
 #include "modes/following/continuation.h"
 #include "modes/following/followed_modes.h"
@@ -13,7 +12,6 @@
 #include "modes/general_spectrum.h"
 #include "modes/hill/floquet_shapes.h"
 #include "modes/hill/floquet_spectrum.h"
-#include "modes/hill/series_basis.h"
 #include "modes/hill/series_modes_near.h"
 #include "modes/orbits.h"
 #include "modes/planar_damped.h"
@@ -22,7 +20,6 @@
 #include "modes/solver/data.h"
 #include "modes/symmetric_spectrum.h"
 #include "modes/turning/few_turning.h"
-#include "modes/turning/turning_basis.h"
 #include "modes/turning/turning_pencil.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
@@ -34,15 +31,6 @@
 #include <optional>
 
 namespace whirl::modes {
-
-namespace {
-
-bool all_followed(const Spectrum &spectrum) {
-    return std::all_of(spectrum.modes.begin(), spectrum.modes.end(),
-                       [](const WhirlMode &mode) { return mode.followed >= 0; });
-}
-
-} // namespace
 
 SpectrumSolver::SpectrumSolver(const model::Rotor &rotor, results::Form form, int order,
                                int refinement, int harmonics)
@@ -193,7 +181,7 @@ std::vector<WhirlMode> SpectrumSolver::near(double speed,
         const RotatingSpectrum &rotating = *_data->rotating;
         return turning_modes_near(
             rotating,
-            Data::made(_data->pencil, rotating.system(), assembly::support_scale(_data->d)), speed,
+            Data::made(_data->pencil, _data->matrices(), assembly::support_scale(_data->d)), speed,
             guesses);
     }
     if (_data->form == results::Form::hill)
@@ -225,11 +213,16 @@ void SpectrumSolver::classify(Spectrum &spectrum) const {
     if (results::is_planar(_data->form) ||
         (results::in_rotating_axes(_data->form) && spectrum.speed != 0))
         return;
-    separate_degenerate(*this, _data->stations, spectrum.modes);
+    const bool hyperbolic = _data->form == results::Form::hyperbolic;
+    const auto deflections = [&](const WhirlMode &mode) {
+        auto both = _data->stations.deflections_of_both(mode.shape);
+        if (hyperbolic)
+            both.second *= std::complex<double>(0, 1);
+        return both;
+    };
+    separate_degenerate(deflections, _data->stations, hyperbolic, spectrum.modes);
     for (WhirlMode &mode : spectrum.modes) {
-        auto [x, y] = _data->stations.deflections_of_both(mode.shape);
-        if (_data->form == results::Form::hyperbolic)
-            y *= std::complex<double>(0, 1);
+        const auto [x, y] = deflections(mode);
         const OrbitSense sense = orbit_sense(x, y, _data->stations, spectrum.speed);
         mode.whirl = sense.whirl;
         mode.forward_fraction = sense.forward_fraction;
@@ -263,68 +256,22 @@ Spectrum SpectrumSolver::at(double speed, int wanted, Errors errors) const {
     }
 }
 
-ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
+std::pair<Eigen::VectorXcd, Eigen::VectorXcd> SpectrumSolver::planes(const WhirlMode &mode) const {
+    const std::complex<double> i(0, 1);
     const results::Form form = _data->form;
-    const auto count = std::ssize(spectrum.modes);
-    const FollowedSpeed *followed =
-        _data->following ? _data->following->known(spectrum.speed) : nullptr;
-    if (followed != nullptr && all_followed(spectrum))
-        return basis_of(_data->following->problem(), *followed, spectrum.modes);
-    const Eigen::Index n = _data->matrices().size();
-    const auto mode = [&spectrum](Eigen::Index i) -> const WhirlMode & {
-        return spectrum.modes[static_cast<std::size_t>(i)];
-    };
-    if (form == results::Form::planar || form == results::Form::hyperbolic)
-        return real_basis(_data->matrices().at(spectrum.speed), spectrum, form);
-    if (form == results::Form::hill)
-        return hill_basis(spectrum);
-    if (form == results::Form::rotating)
-        return turning_basis(_data->matrices().at(spectrum.speed), spectrum,
-                             _data->matrices().mirrored());
-    const bool planar = form == results::Form::planar_damped;
-    Eigen::VectorXcd values(count);
-    Eigen::MatrixXcd X(n, count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        values(i) = planar ? mode(i).rotating_value : mode(i).eigenvalue;
-        X.col(i) = _data->few ? _data->few->amplitudes(mode(i).shape) : mode(i).shape;
+    if (!results::is_planar(form)) {
+        assembly::Planes both(mode.shape);
+        if (form == results::Form::hyperbolic)
+            both.y *= i;
+        return {both.x, both.y};
     }
-    if (planar) {
-        ModeBasis out = basis_of(_data->matrices().complex_at(spectrum.speed), values, X);
-        for (Eigen::VectorXcd *rates : {&out.rate_below, &out.rate_above})
-            for (Eigen::Index i = 0; i < count; ++i)
-                if (values(i).imag() < 0)
-                    (*rates)(i) = std::conj((*rates)(i));
-        return out;
-    }
-    const QuadraticAt problem = _data->matrices().at(spectrum.speed);
-    const bool known = std::ranges::all_of(
-        spectrum.modes, [n](const WhirlMode &one) { return one.left.size() == n; });
-    if (!known || _data->matrices().mirrored())
-        return basis_of(problem, values, X, _data->matrices().mirrored());
-    Eigen::MatrixXcd Y(n, count);
-    for (Eigen::Index i = 0; i < count; ++i)
-        Y.col(i) = mode(i).left;
-    return basis_of(problem, values, X, Y);
-}
-
-Eigen::VectorXcd SpectrumSolver::rates(const Spectrum &spectrum) const {
-    const double beside = rate_step * std::abs(spectrum.speed);
-    const auto [known, is_new] = _data->beside.try_emplace(spectrum.speed);
-    if (is_new || known->second.modes.size() < spectrum.modes.size())
-        known->second = at(spectrum.speed + beside, static_cast<int>(spectrum.modes.size()));
-    return rates_between(spectrum, known->second);
-}
-
-ModeBasis SpectrumSolver::hill_basis(const Spectrum &spectrum) const {
-    const auto &shapes = _data->shapes;
-    ModeBasis out = series_basis(
-        _data->matrices().mass(), 2 * (shapes ? shapes->cols() : _data->d.planar_size()),
-        _data->rotating->harmonics(), std::abs(spectrum.speed) <= slow(), spectrum);
-    if (!_data->floquet || spectrum.speed == 0)
-        return out;
-    out.rate_below = rates(spectrum);
-    out.rate_above = out.rate_below;
-    return out;
+    // w exp(i s t): y(t) = Re(-i w exp(i s t)) for s > 0, Re(+i w exp(i |s| t)) for s < 0. The real
+    // w of the planar form is used with both signs of the spin, with which a forward mode turns;
+    // w exp(l t) with Im l < 0 is as seen by x = Re(conj(w) exp(conj(l) t)).
+    const bool positive = form == results::Form::planar ? mode.whirl == results::Whirl::forward
+                                                        : mode.rotating_value.imag() >= 0;
+    const Eigen::VectorXcd x = positive ? mode.shape : Eigen::VectorXcd(mode.shape.conjugate());
+    return {x, (positive ? -i : i) * x};
 }
 
 QuadraticAt SpectrumSolver::problem_at(double speed) const { return _data->matrices().at(speed); }

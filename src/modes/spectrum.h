@@ -9,6 +9,7 @@
 
 #include <complex>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace whirl::assembly {
@@ -16,8 +17,6 @@ class Discretization;
 }
 
 namespace whirl::modes {
-
-class Stations;
 
 /// Whirl modes of one discretised rotor at any spin speed. Everything that does not depend on
 /// the speed is assembled and factorised once.
@@ -108,12 +107,8 @@ class SpectrumSolver {
     /// that turns. In no form with complex matrices.
     [[nodiscard]] QuadraticAt problem_at(double speed) const;
 
-    /// Planar unknowns of a mode in the fixed frame: x(t) = Re(x exp(l t)).
-    [[nodiscard]] Eigen::VectorXcd planar_x(const WhirlMode &mode) const;
-    [[nodiscard]] Eigen::VectorXcd planar_y(const WhirlMode &mode) const;
-    /// Complex deflections of a mode at the stations from these.
-    [[nodiscard]] Eigen::VectorXcd x_at(const WhirlMode &mode, const Stations &stations) const;
-    [[nodiscard]] Eigen::VectorXcd y_at(const WhirlMode &mode, const Stations &stations) const;
+    /// Planar unknowns x and y of a mode in the fixed frame: x(t) = Re(x exp(l t)).
+    [[nodiscard]] std::pair<Eigen::VectorXcd, Eigen::VectorXcd> planes(const WhirlMode &mode) const;
 
     [[nodiscard]] const assembly::Discretization &discretization() const;
     [[nodiscard]] results::Form form() const;

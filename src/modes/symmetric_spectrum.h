@@ -23,10 +23,6 @@ class SymmetricSpectrum {
     /// The same at rest, to begin with: faster, and less accurate the larger the frequencies.
     [[nodiscard]] std::vector<WhirlMode> modes_at_rest(int wanted) const;
 
-    [[nodiscard]] const linalg::Matrix &M() const { return _M; }
-    [[nodiscard]] const linalg::Matrix &K() const { return _K; }
-    [[nodiscard]] const linalg::Matrix &S() const { return _S; }
-
   private:
     const assembly::Discretization &_discretization;
     bool _planar;

@@ -34,7 +34,6 @@ struct WhirlMode {
     /// `whirl`. Planar damped: complex w with w(t) = w exp(rotating_value t). Hyperbolic: real
     /// (x, y') with y = i y'. General: complex (x, y).
     Eigen::VectorXcd shape;
-    Eigen::VectorXcd left; ///< form general: left vector of the eigenvalue; empty: not known
     results::Whirl whirl = results::Whirl::mixed;
     double forward_fraction = 0.5;
     double frequency_rotating = 0; ///< seen in rotating axes, rad/s; in rotating forms only
@@ -46,7 +45,7 @@ struct WhirlMode {
     /// eigenvalue with the direction of whirl as the sign of its Im. In no other form.
     std::complex<double> rotating_value;
     Eigen::VectorXcd rotating_vector;
-    Eigen::VectorXcd rotating_left; ///< form rotating: left vector of that pair; empty: not known
+    Eigen::VectorXcd left; ///< forms general and rotating: of the matrices; empty: not known
     double residual = 0;
     double rounding = 0;
     /// False in form hill: of a series cut off, or of a rotor on few shapes that was not found with

@@ -27,7 +27,7 @@ void each_part(Spectrum &spectrum, const Value &value, const List &list) {
     for (auto &mode : spectrum.modes) {
         values(mode.eigenvalue, mode.whirl, mode.forward_fraction, mode.residual, mode.rounding,
                mode.confirmed, mode.frequency_rotating, mode.other_frequency, mode.rotating_value);
-        lists(mode.shape, mode.left, mode.rotating_vector, mode.rotating_left);
+        lists(mode.shape, mode.left, mode.rotating_vector);
     }
 }
 

@@ -66,10 +66,10 @@ void expect_balance_in_fixed_axes(const model::Case &scene, double speed, int mo
     const Eigen::MatrixXd K = dense(system.K);
     int oscillating = 0;
     for (const WhirlMode &mode : solver.at(speed, modes).modes) {
-        const Eigen::VectorXcd x = solver.planar_x(mode);
+        const auto [x, y] = solver.planes(mode);
         Eigen::VectorXcd q(2 * x.size());
         q(Eigen::seqN(0, x.size(), 2)) = x;
-        q(Eigen::seqN(1, x.size(), 2)) = solver.planar_y(mode);
+        q(Eigen::seqN(1, x.size(), 2)) = y;
         const Complex l = mode.eigenvalue;
         const double E = energy(l, q, M, K);
         const std::vector<PartPower> parts = modes::part_powers(solver, mode, speed);

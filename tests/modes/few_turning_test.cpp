@@ -57,7 +57,7 @@ TEST(FewTurning, ModesAreThoseOfTheWholeRotor) {
                 const double allowed = 1e-9 + 2 * (x.residual + x.rounding + y.residual);
                 EXPECT_LE(std::abs(x.eigenvalue - y.eigenvalue), allowed * std::abs(y.eigenvalue))
                     << scene << " at " << speed;
-                with_left += x.rotating_left.size() > 0 ? 1 : 0;
+                with_left += x.left.size() > 0 ? 1 : 0;
             }
             if (with_left == 0)
                 continue;

@@ -230,10 +230,12 @@ std::vector<PartPower> part_powers(const SpectrumSolver &solver, const WhirlMode
         return {};
     const assembly::Discretization &d = solver.discretization();
     const bool turning = form == results::Form::rotating;
-    const Eigen::VectorXcd x =
-        turning ? assembly::Planes(mode.rotating_vector).x : solver.planar_x(mode);
-    const Eigen::VectorXcd y =
-        turning ? assembly::Planes(mode.rotating_vector).y : solver.planar_y(mode);
+    auto [x, y] = solver.planes(mode);
+    if (turning) {
+        const assembly::Planes of_rotor(mode.rotating_vector);
+        x = of_rotor.x;
+        y = of_rotor.y;
+    }
     const Power none(turning ? mode.rotating_value : mode.eigenvalue, x, y, turning ? speed : 0);
     Parts parts(d, none, speed);
     parts.add_supports();

@@ -1,7 +1,6 @@
 #include "modes/following/followed_modes.h"
 
 #include "linalg/lanes/vector_products.h"
-#include "modes/following/each_product.h"
 #include "results/whirl.h"
 
 #include <algorithm>
@@ -30,27 +29,18 @@ void set_states(const SymmetricProblem &problem, double speed, const Eigen::Vect
     const Eigen::Index n = problem.size();
     basis.complex_left.resize(2 * n, values.size());
     basis.complex_right.resize(2 * n, values.size());
-    std::vector<Eigen::VectorXcd> vectors;
-    for (Eigen::Index i = 0; i < values.size(); ++i)
-        vectors.emplace_back(basis.alike.col(i));
-    std::vector<const Eigen::VectorXcd *> each;
-    for (const Eigen::VectorXcd &vector : vectors)
-        each.push_back(&vector);
-    multiply_each(problem, speed, each,
-                  [&](std::size_t i, const SymmetricProblem::Products &of, int lane) {
-                      const Eigen::VectorXcd Mx = linalg::vector_of(of.M, lane);
-                      const Eigen::VectorXcd Kx = linalg::vector_of(of.K, lane);
-                      const auto column = static_cast<Eigen::Index>(i);
-                      const std::complex<double> l = values(column);
-                      const Eigen::VectorXcd conjugate = vectors[i].conjugate();
-                      // x^T (K - l^2 M) x
-                      const std::complex<double> norm =
-                          linalg::dot(conjugate, Kx) - l * l * linalg::dot(conjugate, Mx);
-                      basis.complex_left.col(column) << problem.covector_to_form(Kx) / norm,
-                          problem.covector_to_form(Mx) * (-l / norm);
-                      const Eigen::VectorXcd shape = problem.to_form(vectors[i]);
-                      basis.complex_right.col(column) << shape, shape * l;
-                  });
+    const SymmetricProblem::ColumnProducts of = problem.products(speed, basis.alike);
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+        const std::complex<double> l = values(i);
+        // x^T (K - l^2 M) x
+        const std::complex<double> norm =
+            linalg::product_of_columns(basis.alike, i, of.K, i) -
+            l * l * linalg::product_of_columns(basis.alike, i, of.M, i);
+        basis.complex_left.col(i) << problem.covector_to_form(of.K.col(i)) / norm,
+            problem.covector_to_form(of.M.col(i)) * (-l / norm);
+        const Eigen::VectorXcd shape = problem.to_form(basis.alike.col(i));
+        basis.complex_right.col(i) << shape, shape * l;
+    }
 }
 
 } // namespace

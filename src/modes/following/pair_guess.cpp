@@ -157,42 +157,33 @@ bool upper(const SymmetricProblem &problem, SymmetricPair &pair, bool real) {
                 : pair.value.imag() > 1e-6 * size;
 }
 
-/// What is to be refined at a speed, with what was there before.
+/// A pair that is to be refined, as it was before.
 struct Refined {
     GuessedSpeed *at;
-    std::vector<bool> real{};
-    std::vector<std::size_t> places{};
-    std::vector<Eigen::VectorXcd> before{};
+    std::size_t place;
+    bool real;
+    Eigen::VectorXcd before;
 };
 
-void add_tasks(const SymmetricProblem &problem, Refined &refined, int slowest,
-               std::vector<EigenpairRefinement::Task> &tasks) {
-    std::vector<SymmetricPair> &pairs = refined.at->pairs;
-    const std::vector<double> enough = enough_errors(pairs, slowest);
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        SymmetricPair &pair = pairs[i];
+void add_tasks(const SymmetricProblem &problem, GuessedSpeed &at, int slowest,
+               std::vector<Refined> &refined, std::vector<EigenpairRefinement::Task> &tasks) {
+    const std::vector<double> enough = enough_errors(at.pairs, slowest);
+    for (std::size_t i = 0; i < at.pairs.size(); ++i) {
+        SymmetricPair &pair = at.pairs[i];
         pair.counted_only = enough[i] == counted_error;
-        refined.real.push_back(problem.conjugates() && pair.value.imag() == 0);
         if (pair.refined && pair.error <= enough[i])
             continue; // known
-        tasks.push_back({&pair, refined.at->speed, distance_from_others(pairs, i), enough[i]});
-        refined.places.push_back(i);
-        refined.before.push_back(pair.vector);
+        tasks.push_back({&pair, at.speed, distance_from_others(at.pairs, i), enough[i]});
+        refined.push_back({&at, i, problem.conjugates() && pair.value.imag() == 0, pair.vector});
     }
 }
 
-/// Whether every pair has settled, and is still the one that was guessed.
-bool same_pairs(const SymmetricProblem &problem, const Refined &refined) {
-    std::vector<SymmetricPair> &pairs = refined.at->pairs;
-    for (std::size_t k = 0; k < refined.places.size(); ++k) {
-        const std::size_t i = refined.places[k];
-        SymmetricPair &pair = pairs[i];
-        if (!pair.refined || !upper(problem, pair, refined.real[i]) ||
-            (pair.solved && !refined.at->grouped[i] &&
-             !parallel(refined.before[k], pair.vector, same_motion)))
-            return false;
-    }
-    return !coincide(pairs);
+/// Whether a pair has settled, and is still the one that was guessed.
+bool same_pair(const SymmetricProblem &problem, const Refined &refined) {
+    SymmetricPair &pair = refined.at->pairs[refined.place];
+    return pair.refined && upper(problem, pair, refined.real) &&
+           (!pair.solved || refined.at->grouped[refined.place] ||
+            parallel(refined.before, pair.vector, same_motion));
 }
 
 /// Guesses may have stood in another order: what was only to be counted is one of the slowest.
@@ -210,13 +201,17 @@ void refine(const SymmetricProblem &problem, const std::vector<GuessedSpeed *> &
     std::vector<Refined> refined;
     std::vector<EigenpairRefinement::Task> tasks;
     for (GuessedSpeed *at : speeds)
-        add_tasks(problem, refined.emplace_back(Refined{at}), slowest, tasks);
+        add_tasks(problem, *at, slowest, refined, tasks);
     EigenpairRefinement(problem).refine(tasks);
+    for (GuessedSpeed *at : speeds)
+        at->settled = true;
+    for (const Refined &one : refined)
+        one.at->settled = one.at->settled && same_pair(problem, one);
     std::vector<GuessedSpeed *> again;
-    for (const Refined &one : refined) {
-        one.at->settled = same_pairs(problem, one);
-        if (one.at->settled && !in_order(one.at->pairs, slowest))
-            again.push_back(one.at);
+    for (GuessedSpeed *at : speeds) {
+        at->settled = at->settled && !coincide(at->pairs);
+        if (at->settled && !in_order(at->pairs, slowest))
+            again.push_back(at);
     }
     if (!again.empty())
         refine(problem, again, slowest);

@@ -1,6 +1,7 @@
-#include "modes/following/symmetric_parts.h"
+// Matrices of a SymmetricProblem, real and symmetric.
 
 #include "assembly/system.h"
+#include "modes/following/symmetric_problem.h"
 
 #include <array>
 #include <optional>
@@ -10,77 +11,57 @@ namespace whirl::modes {
 
 namespace {
 
-using RealSparse = Eigen::SparseMatrix<double>;
+using RealSparse = SymmetricProblem::Sparse;
 
 /// The part of a real matrix on pairs (x, y) that stays within a plane, or that couples them, in
 /// p = (x + y') / sqrt(2) and q = (x - y') / sqrt(2): with y = i y' and the rows of y times -i the
 /// second becomes i times a symmetric matrix. What is the same in both planes, and gyroscopic
 /// terms, then leave p and q (motions backward and forward) apart, which only unequal supports
 /// couple.
-struct Planes {
+struct PlanePair {
     RealSparse within, across;
 };
 
-using Triplets = std::vector<Eigen::Triplet<double>>;
-
-/// A block of two pairs in p and q: its even part where x and y are exchanged in both, and the odd.
-void add_turned(int i, int j, double even, double odd, bool across, Triplets &out) {
-    if (even != 0) {
-        out.emplace_back(2 * i, 2 * j, even);
-        out.emplace_back(2 * i + 1, 2 * j + 1, across ? -even : even);
-    }
-    if (odd != 0) {
-        out.emplace_back(2 * i, 2 * j + 1, across ? -odd : odd);
-        out.emplace_back(2 * i + 1, 2 * j, odd);
-    }
-}
-
-std::optional<Planes> planes_of(const linalg::Matrix &matrix) {
+std::optional<PlanePair> planes_of(const linalg::Matrix &matrix) {
     const RealSparse A = matrix.view();
-    Planes out{RealSparse(A.rows(), A.cols()), RealSparse(A.rows(), A.cols())};
-    Triplets within;
-    Triplets across;
-    // Of a column of pairs: xx, xy, yx, yy.
-    std::vector<std::array<double, 4>> blocks(static_cast<std::size_t>(A.rows() / 2));
-    std::vector<int> filled;
-    for (int j = 0; j < A.cols() / 2; ++j) {
-        for (int plane = 0; plane < 2; ++plane)
-            for (RealSparse::InnerIterator entry(A, 2 * j + plane); entry; ++entry) {
-                const auto row = static_cast<int>(entry.row());
-                blocks[static_cast<std::size_t>(row / 2)]
-                      [static_cast<std::size_t>(row % 2 * 2 + plane)] = entry.value();
-                if (filled.empty() || filled.back() != row / 2)
-                    filled.push_back(row / 2);
-            }
-        for (const int i : filled) { // what the second plane named again is zero by then
-            auto &block = blocks[static_cast<std::size_t>(i)];
-            const auto [xx, xy, yx, yy] = std::exchange(block, {});
-            add_turned(i, j, (xx + yy) / 2, (xx - yy) / 2, false, within);
-            add_turned(i, j, (xy - yx) / 2, (xy + yx) / 2, true, across);
+    std::array<std::vector<Eigen::Triplet<double>>, 2> entries; // within, across
+    for (int column = 0; column < A.cols(); ++column)
+        for (RealSparse::InnerIterator entry(A, column); entry; ++entry) {
+            const auto p = static_cast<int>(entry.row() / 2 * 2);
+            const int q = column / 2 * 2;
+            const bool of_y = entry.row() % 2 != 0;
+            const bool across = of_y != (column % 2 != 0);
+            // Even and odd where x and y are exchanged in both.
+            const double even = (across && of_y ? -0.5 : 0.5) * entry.value();
+            const double odd = (!across && of_y ? -0.5 : 0.5) * entry.value();
+            auto &out = entries[across ? 1 : 0];
+            out.emplace_back(p, q, even);
+            out.emplace_back(p + 1, q + 1, across ? -even : even);
+            out.emplace_back(p, q + 1, across ? -odd : odd);
+            out.emplace_back(p + 1, q, odd);
         }
-        filled.clear();
-    }
-    out.within.setFromTriplets(within.begin(), within.end());
-    out.across.setFromTriplets(across.begin(), across.end());
-    for (const RealSparse *part : {&out.within, &out.across})
+    PlanePair out{RealSparse(A.rows(), A.cols()), RealSparse(A.rows(), A.cols())};
+    for (const auto &[part, of] :
+         {std::pair(&out.within, &entries[0]), std::pair(&out.across, &entries[1])}) {
+        part->setFromTriplets(of->begin(), of->end());
+        part->prune(0.0);
         if ((*part - RealSparse(part->transpose())).norm() > 1e-14 * part->norm())
             return std::nullopt;
+    }
     return out;
 }
 
-} // namespace
-
-std::vector<RealSparse> planar_parts(const assembly::Discretization &d, double bearing_speed) {
-    const assembly::DampedPlanarSystem s = assembly::assemble_damped_planar(d, bearing_speed);
+std::vector<RealSparse> planar_parts(const assembly::DampedPlanarSystem &s) {
     return {s.M.view(), s.C.view(),  s.Cx.view(), -s.G.view(),
             s.K.view(), s.Kx.view(), -s.Kc.view()};
 }
 
-std::vector<RealSparse> general_parts(const assembly::Discretization &d, double bearing_speed) {
-    const assembly::FixedSystem s = assembly::assemble_fixed(d, bearing_speed);
-    std::vector<Planes> planes;
+/// In p = (x + y') / sqrt(2) and q = (x - y') / sqrt(2) with y = i y'; none where the system is not
+/// symmetric so.
+std::vector<RealSparse> general_parts(const assembly::FixedSystem &s) {
+    std::vector<PlanePair> planes;
     for (const linalg::Matrix *A : {&s.M, &s.C, &s.G, &s.K, &s.Kc}) {
-        std::optional<Planes> part = planes_of(*A);
+        std::optional<PlanePair> part = planes_of(*A);
         if (!part)
             return {};
         planes.push_back(std::move(*part));
@@ -95,6 +76,17 @@ std::vector<RealSparse> general_parts(const assembly::Discretization &d, double 
           &planes[3].within, &planes[3].across, &planes[4].across})
         out.push_back(std::move(*part));
     return out;
+}
+
+} // namespace
+
+std::vector<RealSparse> SymmetricProblem::parts_of(const assembly::Discretization &d,
+                                                   results::Form form, double bearing_speed) {
+    if (form == results::Form::planar_damped)
+        return planar_parts(assembly::assemble_damped_planar(d, bearing_speed));
+    if (form == results::Form::general)
+        return general_parts(assembly::assemble_fixed(d, bearing_speed));
+    return {};
 }
 
 } // namespace whirl::modes

@@ -1,7 +1,6 @@
 #include "modes/following/symmetric_problem.h"
 
 #include "linalg/check.h"
-#include "modes/following/symmetric_parts.h"
 
 #include <Eigen/SparseCholesky>
 
@@ -22,15 +21,6 @@ bool positive_definite(const RealSparse &A) {
     // In the order of the shaft the matrix is a band.
     return Eigen::SimplicialLLT<RealSparse, Eigen::Lower, Eigen::NaturalOrdering<int>>(A).info() ==
            Eigen::Success;
-}
-
-/// In the order of parts; empty where the form is another one or not symmetric so.
-std::vector<RealSparse> parts_of(const assembly::Discretization &d, results::Form form,
-                                 double bearing_speed) {
-    if (form == results::Form::planar_damped)
-        return planar_parts(d, bearing_speed);
-    return form == results::Form::general ? general_parts(d, bearing_speed)
-                                          : std::vector<RealSparse>{};
 }
 
 } // namespace

@@ -47,9 +47,7 @@ class SymmetricProblem {
                      results::Form form);
 
     [[nodiscard]] int size() const { return _size; }
-    [[nodiscard]] bool has(Part part) const {
-        return !_parts[static_cast<std::size_t>(part)].value.empty();
-    }
+    [[nodiscard]] bool has(Part part) const { return !_parts[part].value.empty(); }
     [[nodiscard]] results::Form form() const { return _form; }
     /// With an eigenvalue its conjugate is one: the general form.
     [[nodiscard]] bool conjugates() const { return _form == results::Form::general; }
@@ -67,6 +65,11 @@ class SymmetricProblem {
         linalg::Vector4 M, D, K, D1, K1;
     };
     void multiply(const linalg::Vector4 &x, const linalg::Real4 &speed, Products &out) const;
+    /// Columns at one speed times the matrices.
+    struct ColumnProducts {
+        Eigen::MatrixXcd M, D, K;
+    };
+    [[nodiscard]] ColumnProducts products(double speed, const Eigen::MatrixXcd &X) const;
 
     /// At least |x|^T (|K| + |l| |D| + |l|^2 |M|) |x| of four vectors, what the entries add up to
     /// in x^T Q(l) x: with (|a|^2 + |b|^2) / 2 for each |a| |b|, of neighbours that move nearly
@@ -126,6 +129,9 @@ class SymmetricProblem {
     mutable std::map<Exponents, linalg::RealEnergies> _energies; ///< by the exponents of two
 
     SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form);
+    /// In the order of parts; none where the form is another one, or not symmetric so.
+    [[nodiscard]] static std::vector<Sparse> parts_of(const assembly::Discretization &d,
+                                                      results::Form form, double bearing_speed);
     [[nodiscard]] Eigen::VectorXcd scaled_to_form(const Eigen::VectorXcd &vector,
                                                   const Eigen::VectorXd &scales, double sign) const;
     void set_everywhere();

@@ -151,6 +151,26 @@ void SymmetricProblem::multiply(const linalg::Vector4 &x, const linalg::Real4 &s
     });
 }
 
+SymmetricProblem::ColumnProducts SymmetricProblem::products(double speed,
+                                                            const Eigen::MatrixXcd &X) const {
+    ColumnProducts out{X, X, X};
+    linalg::Vector4 x(static_cast<std::size_t>(X.rows()));
+    Products of;
+    for (Eigen::Index first = 0; first < X.cols(); first += linalg::lanes) {
+        const Eigen::Index last = std::min(first + linalg::lanes, X.cols()) - 1;
+        for (int lane = 0; lane < linalg::lanes; ++lane) // the last one in those that are left
+            for (std::size_t k = 0; k < x.size(); ++k)
+                x[k].set(lane, X(static_cast<Eigen::Index>(k), std::min(first + lane, last)));
+        multiply(x, linalg::Real4{speed, speed, speed, speed}, of);
+        for (int lane = 0; first + lane <= last; ++lane) {
+            out.M.col(first + lane) = linalg::vector_of(of.M, lane);
+            out.D.col(first + lane) = linalg::vector_of(of.D, lane);
+            out.K.col(first + lane) = linalg::vector_of(of.K, lane);
+        }
+    }
+    return out;
+}
+
 std::array<double, linalg::lanes> SymmetricProblem::absolute_forms(const linalg::Real4 &l,
                                                                    const linalg::Real4 &speed,
                                                                    const linalg::Vector4 &x) const {

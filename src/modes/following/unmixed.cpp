@@ -1,7 +1,6 @@
 #include "modes/following/unmixed.h"
 
 #include "linalg/dense/products.h"
-#include "modes/following/each_product.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -68,28 +67,15 @@ struct Span {
 
 Span span_of(const SymmetricProblem &problem, double speed, const std::vector<SymmetricPair> &pairs,
              const Group &group) {
-    const auto count = std::ssize(group);
-    const Eigen::Index n = problem.size();
-    Span out{Eigen::MatrixXcd(n, count), {}, {}, {}};
-    Eigen::MatrixXcd MY(n, count);
-    Eigen::MatrixXcd DY(n, count);
-    Eigen::MatrixXcd KY(n, count);
-    std::vector<const Eigen::VectorXcd *> vectors;
-    for (const std::size_t i : group)
-        vectors.push_back(&pairs[i].vector);
-    multiply_each(problem, speed, vectors,
-                  [&](std::size_t i, const SymmetricProblem::Products &of, int lane) {
-                      const auto column = static_cast<Eigen::Index>(i);
-                      out.Y.col(column) = *vectors[i];
-                      MY.col(column) = linalg::vector_of(of.M, lane);
-                      DY.col(column) = linalg::vector_of(of.D, lane);
-                      KY.col(column) = linalg::vector_of(of.K, lane);
-                  });
+    Span out{Eigen::MatrixXcd(problem.size(), std::ssize(group)), {}, {}, {}};
+    for (std::size_t k = 0; k < group.size(); ++k)
+        out.Y.col(static_cast<Eigen::Index>(k)) = pairs[group[k]].vector;
+    const SymmetricProblem::ColumnProducts of = problem.products(speed, out.Y);
     const Eigen::VectorXd scales = out.Y.colwise().norm().cwiseInverse();
     out.Y *= scales.asDiagonal();
-    out.M = linalg::transposed_times(out.Y, MY) * scales.asDiagonal();
-    out.D = linalg::transposed_times(out.Y, DY) * scales.asDiagonal();
-    out.K = linalg::transposed_times(out.Y, KY) * scales.asDiagonal();
+    out.M = linalg::transposed_times(out.Y, of.M) * scales.asDiagonal();
+    out.D = linalg::transposed_times(out.Y, of.D) * scales.asDiagonal();
+    out.K = linalg::transposed_times(out.Y, of.K) * scales.asDiagonal();
     return out;
 }
 

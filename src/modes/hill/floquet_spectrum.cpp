@@ -198,16 +198,11 @@ const RotatingSpectrum &FloquetSpectrum::series(double speed, int harmonics) con
 /// With as few harmonics as leave hardly anything at the ends.
 Spectrum FloquetSpectrum::by_series(double speed, int wanted) const {
     constexpr int fewest = 2;
-    constexpr double hardly = 1e-4; // its square is what eigenvalues are off by
     const Eigen::Index n = _rotor.system().M.size();
     for (int harmonics = std::min(fewest, _rotor.harmonics());; ++harmonics) {
         Spectrum out = series(speed, harmonics).modes(speed, wanted, Errors::of_right_vectors);
         const bool last = harmonics == _rotor.harmonics();
-        const bool enough = std::all_of(out.modes.begin(), out.modes.end(), [&](const auto &mode) {
-            const Eigen::VectorXcd &x = mode.rotating_vector;
-            return x.tail(2 * n).norm() <= hardly * x.norm();
-        });
-        if (!last && !enough)
+        if (!last && !std::ranges::all_of(out.modes, &WhirlMode::confirmed))
             continue;
         for (WhirlMode &mode : out.modes)
             mode.rotating_vector.conservativeResizeLike(

@@ -2,12 +2,12 @@
 
 #include "assembly/frequency_scales.h"
 #include "assembly/planar_part.h"
-#include "assembly/planes.h"
 #include "linalg/check.h"
 #include "linalg/dense/definite.h"
 #include "linalg/dense/products.h"
 #include "linalg/symmetric_eigen.h"
 #include "reduction/planar_shapes.h"
+#include "reduction/projection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -114,10 +114,10 @@ void keep_near(RotatingSpectrum::Eigenvalues &found, int wanted, double radius) 
 
 FewTurning::FewTurning(const assembly::Discretization &d,
                        const std::vector<balancers::BalancerElement> &balancers,
-                       const RotatingSpectrum &whole, Eigen::MatrixXd shapes, const Range &range)
-    : _whole(whole), _range(range), _shapes(std::move(shapes)),
+                       const RotatingSpectrum &whole, Eigen::MatrixXd shapes, int wanted)
+    : _whole(whole), _wanted(wanted), _shapes(std::move(shapes)),
       _few(RotatingSpectrum::rough(d, balancers, _shapes)),
-      _pencil(whole.system(), assembly::support_scale(d)) {}
+      _pencil(FormMatrices(d, whole.system()), assembly::support_scale(d)) {}
 
 std::unique_ptr<FewTurning> FewTurning::of(const assembly::Discretization &d,
                                            const std::vector<balancers::BalancerElement> &balancers,
@@ -147,7 +147,7 @@ std::unique_ptr<FewTurning> FewTurning::of(const assembly::Discretization &d,
         least /= 10;
         if (static_cast<double>(shapes.cols()) > large_share * d.planar_size())
             return nullptr;
-        out.reset(new FewTurning(d, balancers, whole, std::move(shapes), range));
+        out.reset(new FewTurning(d, balancers, whole, std::move(shapes), range.wanted));
     }
     return nullptr;
 } catch (const linalg::SolverError &) {
@@ -156,7 +156,7 @@ std::unique_ptr<FewTurning> FewTurning::of(const assembly::Discretization &d,
 
 /// Each mode of the whole rotor is one of the few shapes', and there are no more.
 bool FewTurning::meets(const RotatingSpectrum::Lowest &whole, double speed) const {
-    const RotatingSpectrum::Lowest few = _few.lowest(speed, _range.wanted);
+    const RotatingSpectrum::Lowest few = _few.lowest(speed, _wanted);
     const auto in_reach = [&](const RotatingSpectrum &rotor, const Pairs &pairs, double reach) {
         std::vector<std::complex<double>> values;
         for (const linalg::ComplexPair &pair : pairs)
@@ -180,22 +180,6 @@ bool FewTurning::meets(const RotatingSpectrum::Lowest &whole, double speed) cons
                   in_reach(_whole, whole.found.pairs, whole.highest));
 }
 
-Eigen::VectorXcd FewTurning::lifted(const Eigen::VectorXcd &reduced) const {
-    const Eigen::Index r = _shapes.cols();
-    const Eigen::Index N = _shapes.rows();
-    const assembly::Planes planes(reduced.head(2 * r));
-    Eigen::MatrixX4d parts(r, 4);
-    parts << planes.x.real(), planes.x.imag(), planes.y.real(), planes.y.imag();
-    const Eigen::MatrixX4d of_whole = _shapes * parts;
-    Eigen::VectorXcd out(2 * N + reduced.size() - 2 * r);
-    for (Eigen::Index i = 0; i < N; ++i) {
-        out(2 * i) = {of_whole(i, 0), of_whole(i, 1)};
-        out(2 * i + 1) = {of_whole(i, 2), of_whole(i, 3)};
-    }
-    out.tail(reduced.size() - 2 * r) = reduced.tail(reduced.size() - 2 * r);
-    return out;
-}
-
 std::optional<Spectrum> FewTurning::modes(double speed, int wanted) try {
     RotatingSpectrum::Lowest lowest = _few.lowest(speed, wanted);
     if (!lowest.enough || !_pencil.set_speed(speed))
@@ -205,9 +189,10 @@ std::optional<Spectrum> FewTurning::modes(double speed, int wanted) try {
     std::vector<std::complex<double>> after;
     Pairs refined;
     Pairs others;
+    const reduction::Projection projection(_shapes);
     for (linalg::ComplexPair &pair : lowest.found.pairs) {
         const bool asked = !_few.held(pair.vector) && _few.asked_for(pair, speed, lowest.highest);
-        pair.vector = lifted(pair.vector);
+        pair.vector = projection.lifted(pair.vector);
         if (!asked) {
             others.push_back(std::move(pair));
             continue;

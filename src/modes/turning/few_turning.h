@@ -38,23 +38,19 @@ class FewTurning {
        const std::vector<balancers::BalancerElement> &balancers, const RotatingSpectrum &whole,
        const Range &range);
 
-    [[nodiscard]] const Range &range() const { return _range; }
     [[nodiscard]] const Eigen::MatrixXd &shapes() const { return _shapes; } ///< N x r
 
     /// As of the whole rotor, with left vectors, at a speed of the range other than 0; nothing
     /// where one of them cannot be had from those of the few shapes.
     [[nodiscard]] std::optional<Spectrum> modes(double speed, int wanted);
 
-    /// Amplitudes of the shapes as unknowns of the whole rotor.
-    [[nodiscard]] Eigen::VectorXcd lifted(const Eigen::VectorXcd &reduced) const;
-
   private:
     FewTurning(const assembly::Discretization &discretization,
                const std::vector<balancers::BalancerElement> &balancers,
-               const RotatingSpectrum &whole, Eigen::MatrixXd shapes, const Range &range);
+               const RotatingSpectrum &whole, Eigen::MatrixXd shapes, int wanted);
 
     const RotatingSpectrum &_whole;
-    Range _range;
+    int _wanted;
     Eigen::MatrixXd _shapes;
     RotatingSpectrum _few;
     TurningPencil _pencil;

@@ -1,5 +1,6 @@
 #include "modes/turning/turning_pencil.h"
 
+#include "linalg/sparse_sum.h"
 #include "linalg/unit_scales.h"
 
 #include <algorithm>
@@ -25,94 +26,29 @@ void normalize(Eigen::VectorXcd &x) { x /= std::sqrt(x.cwiseAbs2().maxCoeff()); 
 
 } // namespace
 
-TurningPencil::TurningPencil(const assembly::RotatingSystem &system, double slow) : _slow(slow) {
-    const std::array<Sparse, parts> matrices{system.M.view(), system.C.view(),  system.Cs.view(),
-                                             system.K.view(), system.Ks.view(), system.Kss.view()};
-    _pattern = matrices[mass].cwiseAbs();
-    for (int part = 1; part < parts; ++part)
-        _pattern = Sparse(_pattern + matrices[static_cast<std::size_t>(part)].cwiseAbs());
-    _pattern.makeCompressed();
-    for (int part = 0; part < parts; ++part) {
-        const Sparse &A = matrices[static_cast<std::size_t>(part)];
-        const Sparse on_pattern = Sparse(0 * _pattern + A); // entries that are zero stay
-        _values[static_cast<std::size_t>(part)] =
-            Eigen::Map<const Eigen::VectorXd>(on_pattern.valuePtr(), on_pattern.nonZeros());
-    }
-    _mass_diagonal = matrices[mass].diagonal();
-    _stiffness_diagonal = matrices[stiffness].diagonal();
-    _real_Q = _pattern;
-    _complex_Q = _pattern.cast<Complex>();
-}
-
 bool TurningPencil::set_speed(double speed) {
+    const QuadraticAt problem = _matrices.at(speed);
     _speed = speed;
     _shift = 0.31 * std::max(std::abs(speed), _slow);
-    const double shift = _shift;
-    _scales = linalg::scales_at(shift, _mass_diagonal, _stiffness_diagonal);
-    _M = _values[mass];
-    _D = _values[damping] + speed * _values[damping_turned];
-    _K = _values[stiffness] + speed * _values[stiffness_turned] +
-         speed * speed * _values[stiffness_twice];
-    for (Eigen::Index column = 0; column < _pattern.outerSize(); ++column)
-        for (int at = _pattern.outerIndexPtr()[column]; at < _pattern.outerIndexPtr()[column + 1];
-             ++at) {
-            const double scale = _scales(column) * _scales(_pattern.innerIndexPtr()[at]);
-            _M(at) *= scale;
-            _D(at) *= scale;
-            _K(at) *= scale;
-        }
-    Eigen::Map<Eigen::VectorXd>(_real_Q.valuePtr(), _real_Q.nonZeros()) =
-        shift * shift * _M + shift * _D + _K;
-    return _shifted.factorize(_real_Q);
+    _scales = linalg::scales_at(_shift, problem.M.diagonal(), _matrices.at(0).K.diagonal());
+    _M = linalg::scaled(problem.M, _scales);
+    _D = linalg::scaled(problem.D, _scales);
+    _K = linalg::scaled(problem.K, _scales);
+    _values.emplace(_M, _D, _K);
+    return _shifted.factorize(linalg::sum(_shift * _shift, _M, _shift, _D, 1, _K));
 }
 
 TurningPencil::Products TurningPencil::times(Complex l, const Eigen::VectorXcd &x) const {
-    Products out{Eigen::VectorXcd::Zero(x.size()), Eigen::VectorXcd::Zero(x.size())};
-    Eigen::VectorXcd stiff = Eigen::VectorXcd::Zero(x.size());
-    for (Eigen::Index column = 0; column < _pattern.outerSize(); ++column) {
-        const Complex value = x(column);
-        for (int at = _pattern.outerIndexPtr()[column]; at < _pattern.outerIndexPtr()[column + 1];
-             ++at) {
-            const int row = _pattern.innerIndexPtr()[at];
-            out.slope(row) += _M(at) * value;
-            out.residual(row) += _D(at) * value;
-            stiff(row) += _K(at) * value;
-        }
-    }
-    const Eigen::VectorXcd heavy = l * out.slope;
-    out.slope = 2.0 * heavy + out.residual;
-    out.residual = l * (heavy + out.residual) + stiff;
-    return out;
-}
-
-Eigen::VectorXcd TurningPencil::slope_transposed(Complex l, const Eigen::VectorXcd &y) const {
-    Eigen::VectorXcd out(y.size());
-    for (Eigen::Index column = 0; column < _pattern.outerSize(); ++column) {
-        Complex of_mass = 0;
-        Complex of_damping = 0;
-        for (int at = _pattern.outerIndexPtr()[column]; at < _pattern.outerIndexPtr()[column + 1];
-             ++at) {
-            of_mass += _M(at) * y(_pattern.innerIndexPtr()[at]);
-            of_damping += _D(at) * y(_pattern.innerIndexPtr()[at]);
-        }
-        out(column) = 2.0 * l * of_mass + of_damping;
-    }
-    return out;
+    const Eigen::VectorXcd heavy = l * (_M * x);
+    const Eigen::VectorXcd damped = _D * x;
+    return {2.0 * heavy + damped, l * (heavy + damped) + _K * x};
 }
 
 bool TurningPencil::factorize(Complex l) {
-    if (l.imag() == 0) {
-        const double real = l.real();
-        Eigen::Map<Eigen::VectorXd>(_real_Q.valuePtr(), _real_Q.nonZeros()) =
-            real * (real * _M + _D) + _K;
-        return _real.factorize(_real_Q);
-    }
-    const double re = (l * l).real();
-    const double im = (l * l).imag();
-    Complex *values = _complex_Q.valuePtr();
-    for (Eigen::Index at = 0; at < _M.size(); ++at)
-        values[at] = {re * _M(at) + l.real() * _D(at) + _K(at), im * _M(at) + l.imag() * _D(at)};
-    return _complex.factorize(_complex_Q);
+    if (l.imag() != 0)
+        return _complex.factorize(_values->at(l));
+    const double real = l.real();
+    return _real.factorize(linalg::sum(real * real, _M, real, _D, 1, _K));
 }
 
 void TurningPencil::solve(bool real, bool transposed, Eigen::VectorXcd &b) const {
@@ -140,7 +76,7 @@ bool TurningPencil::iterate(Complex l, bool first, linalg::ComplexPair &pair) {
         solve(real, true, pair.left);
         normalize(pair.left);
     }
-    pair.left = slope_transposed(l, pair.left);
+    pair.left = 2.0 * l * (_M.transpose() * pair.left) + _D.transpose() * pair.left;
     solve(real, true, pair.left);
     normalize(pair.left);
     return pair.vector.allFinite() && pair.left.allFinite();
@@ -151,22 +87,6 @@ double TurningPencil::shifted_norm(const Eigen::VectorXcd &b) const {
     columns << b.real(), b.imag();
     _shifted.solve(columns);
     return columns.norm();
-}
-
-/// |y|^T (|K| + |l| |D| + |l|^2 |M|) |x|.
-double TurningPencil::entries(double l, const Eigen::VectorXcd &y,
-                              const Eigen::VectorXcd &x) const {
-    const Eigen::VectorXd a = y.cwiseAbs();
-    double sum = 0;
-    for (Eigen::Index column = 0; column < _pattern.outerSize(); ++column) {
-        double of_column = 0;
-        for (int at = _pattern.outerIndexPtr()[column]; at < _pattern.outerIndexPtr()[column + 1];
-             ++at)
-            of_column += a(_pattern.innerIndexPtr()[at]) *
-                         (std::abs(_K(at)) + l * (std::abs(_D(at)) + l * std::abs(_M(at))));
-        sum += of_column * std::abs(x(column));
-    }
-    return sum;
 }
 
 std::optional<linalg::ComplexPair> TurningPencil::refined(const linalg::ComplexPair &guess,
@@ -206,7 +126,7 @@ std::optional<linalg::ComplexPair> TurningPencil::iterated(const linalg::Complex
         const double next =
             std::abs(pair.left.cwiseProduct(now.residual).sum()) / (size * std::abs(slope));
         pair.rounding = std::numeric_limits<double>::epsilon() *
-                        entries(size, pair.left, pair.vector) / (size * std::abs(slope));
+                        _values->size(pair.left, size, pair.vector) / (size * std::abs(slope));
         const double before_it = std::exchange(last, pair.residual);
         const double enough = settled * std::max(1.0, _shift / size);
         const bool there = pair.residual <= enough ||

@@ -1,24 +1,27 @@
 #pragma once
 
-#include "assembly/rotating_system.h"
 #include "linalg/eigenpair.h"
+#include "linalg/quadratic/quadratic_pattern.h"
 #include "linalg/sparse_factor.h"
+#include "modes/form_matrices.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <array>
 #include <complex>
 #include <optional>
+#include <utility>
 
 namespace whirl::modes {
 
-/// Q(l) = l^2 M + l (C + speed Cs) + K + speed Ks + speed^2 Kss of a rotor in rotating axes, all
-/// matrices on one pattern of entries: the order of elimination is found once.
+/// Q(l) = l^2 M + l D + K of a rotor in rotating axes, at all speeds on one pattern of entries: the
+/// order of elimination is found once.
 class TurningPencil {
   public:
-    /// @param slow  of the order of the motions on the supports, 1/s
-    TurningPencil(const assembly::RotatingSystem &system, double slow);
+    /// @param matrices  form rotating
+    /// @param slow      of the order of the motions on the supports, 1/s
+    TurningPencil(FormMatrices matrices, double slow)
+        : _matrices(std::move(matrices)), _slow(slow) {}
 
     /// @returns false where the matrix at the shift that residuals are measured from is singular
     [[nodiscard]] bool set_speed(double speed);
@@ -34,29 +37,23 @@ class TurningPencil {
   private:
     using Sparse = Eigen::SparseMatrix<double>;
     using Complex = std::complex<double>;
-    enum Part { mass, damping, damping_turned, stiffness, stiffness_turned, stiffness_twice };
-    static constexpr int parts = 6;
 
-    Sparse _pattern;
-    std::array<Eigen::VectorXd, parts> _values; ///< on the pattern
-    Eigen::VectorXd _mass_diagonal, _stiffness_diagonal;
+    FormMatrices _matrices;
     double _slow;
     double _speed = 0;
     double _shift = 0;
     Eigen::VectorXd _scales;
-    Eigen::VectorXd _M, _D, _K; ///< at the speed, scaled
+    Sparse _M, _D, _K;                               ///< at the speed, scaled
+    std::optional<linalg::QuadraticPattern> _values; ///< the same
     linalg::SparseFactor<double> _shifted;
     linalg::SparseFactor<double> _real{true}; ///< with the pivots of the matrix before
     linalg::SparseFactor<Complex> _complex{true};
-    Sparse _real_Q;
-    Eigen::SparseMatrix<Complex> _complex_Q;
 
     /// (2 l M + D) x and Q(l) x.
     struct Products {
         Eigen::VectorXcd slope, residual;
     };
     [[nodiscard]] Products times(Complex l, const Eigen::VectorXcd &x) const;
-    [[nodiscard]] Eigen::VectorXcd slope_transposed(Complex l, const Eigen::VectorXcd &y) const;
     /// Factors of Q(l), real ones of a real l.
     [[nodiscard]] bool factorize(Complex l);
     void solve(bool real, bool transposed, Eigen::VectorXcd &b) const;
@@ -64,8 +61,6 @@ class TurningPencil {
                                                               double farthest);
     [[nodiscard]] bool iterate(Complex l, bool first, linalg::ComplexPair &pair);
     [[nodiscard]] double shifted_norm(const Eigen::VectorXcd &b) const;
-    [[nodiscard]] double entries(double l, const Eigen::VectorXcd &y,
-                                 const Eigen::VectorXcd &x) const;
 };
 
 } // namespace whirl::modes
