@@ -1,6 +1,7 @@
 #pragma once
 
 #include "assembly/rotating_system.h"
+#include "assembly/system.h"
 #include "linalg/check.h"
 #include "linalg/harmonic_solve.h"
 #include "model/case.h"
