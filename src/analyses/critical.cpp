@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace whirl::analyses {
 
@@ -230,7 +229,7 @@ std::vector<results::ResponsePeak> peaks_for_margins(const model::Case &scene,
         return {};
     try {
         return response_peaks(scene, false).peaks;
-    } catch (const std::runtime_error &failure) { // or a form that only the critical speeds have
+    } catch (const model::Failure &failure) { // or a form that only the critical speeds have
         model.notes.push_back(fmt::format(
             "margins: amplification factors from damping, as the response is not known: {}",
             failure.what()));

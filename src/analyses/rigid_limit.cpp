@@ -156,7 +156,7 @@ void close_row(results::RigidLimitRow &row, const rigid::RigidTarget &target, st
             log_d.push_back(std::log(d));
         }
     }
-    if (log_x.size() >= 3)
+    if (log_x.size() >= 3 && std::ranges::max(log_x) > std::ranges::min(log_x))
         row.rate = boost::math::statistics::simple_ordinary_least_squares(log_x, log_d).second;
 }
 

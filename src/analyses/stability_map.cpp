@@ -16,7 +16,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <stdexcept>
 
 namespace whirl::analyses {
 
@@ -145,7 +144,7 @@ class CommonShapes {
     static CommonShapes made(const std::function<CommonShapes()> &make) {
         try {
             return make();
-        } catch (const std::runtime_error &) {
+        } catch (const model::Failure &) {
             return {};
         }
     }

@@ -150,11 +150,10 @@ std::string nearest_option(const CLI::App &command, const std::vector<std::strin
     for (const CLI::Option *option : command.get_options())
         for (const std::string &name : option->get_lnames())
             names.push_back("--" + name);
-    for (const std::string &word : unknown) {
-        const std::string best = word.starts_with("--") ? input::nearest(word, names) : "";
-        if (!best.empty())
-            return fmt::format(", did you mean \"{}\"?", best);
-    }
+    for (const std::string &word : unknown)
+        if (std::string hint = input::did_you_mean(word, names);
+            word.starts_with("--") && !hint.empty())
+            return hint;
     return "";
 }
 
@@ -162,11 +161,9 @@ std::string nearest_option(const CLI::App &command, const std::vector<std::strin
 std::string message_of(const CLI::App &app, const CLI::ParseError &error) {
     const std::vector<std::string> rest = app.remaining();
     if (app.get_subcommands().empty() && !rest.empty() && rest.front().front() != '-') {
-        const std::string best = input::nearest(rest.front(), command_names());
-        const std::string hint =
-            best.empty() ? "; the" : fmt::format(", did you mean \"{}\"? The", best);
-        return fmt::format("whirl: unknown command \"{}\"{} commands are {}", rest.front(), hint,
-                           command_list());
+        const std::string hint = input::did_you_mean(rest.front(), command_names());
+        return fmt::format("whirl: unknown command \"{}\"{} commands are {}", rest.front(),
+                           hint.empty() ? "; the" : hint + " The", command_list());
     }
     std::string text = error.what();
     if (text == "RESULT is required")

@@ -100,8 +100,7 @@ bool iterate(const modes::QuadraticAt &p, Complex l, WholeMotion &m, Factors &lu
 /// Newton's method, with better vectors at each step.
 /// @param scale    of speed and root, 1/s
 /// @param correct  moves the speed or the root of a motion by the forms of its vectors, and says
-/// how
-///                 far, relative; not finite: it goes nowhere
+///                 how far, relative; not finite: it goes nowhere
 template <class Correct>
 std::optional<WholeMotion> corrected(const modes::FormMatrices &whole, WholeMotion m, double scale,
                                      const Correct &correct) {

@@ -97,10 +97,11 @@ void ForcedMotion::assemble(double from, double to) {
         _solver = std::make_unique<linalg::HarmonicSolver>(fixed_system(from, to));
         return;
     }
-    _turning = std::make_unique<assembly::RotatingSystem>(rotating_system(from, to));
-    if (!_drive.weight())
+    assembly::RotatingSystem s = rotating_system(from, to);
+    if (!_drive.weight()) {
+        _turning = std::make_unique<assembly::RotatingSystem>(std::move(s));
         return;
-    assembly::RotatingSystem &s = *_turning;
+    }
     _solver = std::make_unique<linalg::HarmonicSolver>(
         linalg::HarmonicTerms{linalg::Matrix::sum(1, s.M, -1, s.Kss), std::move(s.C),
                               std::move(s.Cs), std::move(s.K), std::move(s.Ks)});

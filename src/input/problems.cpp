@@ -32,6 +32,21 @@ std::size_t edit_distance(std::string_view left, std::string_view right) {
     return row.back();
 }
 
+/// The candidate nearest to `word` (fewest edits), or empty where none is near enough to be meant.
+std::string nearest(std::string_view word, const std::vector<std::string> &candidates) {
+    // Two edits are a slip in a short word; in a long one, a third of its letters.
+    std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
+    std::string best;
+    for (const std::string &candidate : candidates) {
+        const std::size_t distance = edit_distance(word, candidate);
+        if (distance < least && distance < std::max(word.size(), candidate.size())) {
+            least = distance;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
 } // namespace
 
 std::string Origin::text() const { return line > 0 ? fmt::format("{}:{}", file, line) : file; }
@@ -61,20 +76,6 @@ void Problems::throw_if_any() const {
         message += problem.text;
     }
     throw model::BadInput(message);
-}
-
-std::string nearest(std::string_view word, const std::vector<std::string> &candidates) {
-    // Two edits are a slip in a short word; in a long one, a third of its letters.
-    std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
-    std::string best;
-    for (const std::string &candidate : candidates) {
-        const std::size_t distance = edit_distance(word, candidate);
-        if (distance < least && distance < std::max(word.size(), candidate.size())) {
-            least = distance;
-            best = candidate;
-        }
-    }
-    return best;
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string> &candidates) {

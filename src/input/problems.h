@@ -37,10 +37,6 @@ class Problems {
     std::vector<Problem> _problems;
 };
 
-/// The candidate nearest to `word` (fewest edits), or empty where none is near enough to be meant.
-[[nodiscard]] std::string nearest(std::string_view word,
-                                  const std::vector<std::string> &candidates);
-
 /// `, did you mean "x"?` for the nearest candidate, or nothing.
 [[nodiscard]] std::string did_you_mean(std::string_view word,
                                        const std::vector<std::string> &candidates);

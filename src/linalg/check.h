@@ -1,14 +1,14 @@
 #pragma once
 
-#include <stdexcept>
+#include "model/errors.h"
 
 namespace whirl::linalg {
 
 /// A library under us reported an error, or did not converge. Caught by the solver that knows
 /// what to try next, or turned into words for the user at the top.
-class SolverError : public std::runtime_error {
+class SolverError : public model::Failure {
   public:
-    using std::runtime_error::runtime_error;
+    using Failure::Failure;
 };
 
 /// Throws SolverError where a PETSc, SLEPc or MPI call returned an error code. File and line are

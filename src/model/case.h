@@ -31,7 +31,8 @@ struct SpeedRange {
     }
 };
 
-/// Which form of the equations the user forces; see docs/theory.md, "Four forms".
+/// Which form of the equations the user forces; see docs/theory.md, "Four forms". In the order of
+/// the words of a case file.
 enum class FormChoice { automatic, planar, hyperbolic, general, rotating, hill };
 
 /// Entries of [campbell].

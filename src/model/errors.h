@@ -4,16 +4,22 @@
 
 namespace whirl::model {
 
-/// The analysis cannot be done for this scene, or failed; what() is for the user. Exit status 1.
-class AnalysisFailure : public std::runtime_error {
+/// What the program knows to go wrong: each of the following, and linalg::SolverError.
+class Failure : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// The case or the arguments are wrong; what() has one line for each problem. Exit status 2.
-class BadInput : public std::runtime_error {
+/// The analysis cannot be done for this scene, or failed; what() is for the user. Exit status 1.
+class AnalysisFailure : public Failure {
   public:
-    using std::runtime_error::runtime_error;
+    using Failure::Failure;
+};
+
+/// The case or the arguments are wrong; what() has one line for each problem. Exit status 2.
+class BadInput : public Failure {
+  public:
+    using Failure::Failure;
 };
 
 } // namespace whirl::model

@@ -5,6 +5,7 @@
 
 namespace whirl::model {
 
+/// In the order of the words of a case file.
 enum class Distribution {
     normal,
     uniform,

@@ -17,7 +17,7 @@ namespace whirl::modes {
 /// the change of the bearings alone.
 class FormMatrices {
   public:
-    /// @param balancers  at their balanced positions; in rotating forms
+    /// @param balancers  at their balanced positions; rotating forms alone have them
     FormMatrices(const assembly::Discretization &discretization, results::Form form,
                  const std::vector<balancers::BalancerElement> &balancers);
 

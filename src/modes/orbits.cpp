@@ -16,6 +16,8 @@ namespace whirl::modes {
 
 namespace {
 
+using Complex = std::complex<double>;
+
 /// Gauss's three points on [0, 1] with their weights: exact to degree 5 in each piece.
 constexpr std::array<std::pair<double, double>, 3> gauss{{
     {0.11270166537925831, 5.0 / 18},
@@ -41,40 +43,103 @@ std::vector<double> kinks(const model::Rotor &rotor) {
     return out;
 }
 
+/// |x + i y|^2 and |x - i y|^2 at two stations.
+/// @param with, against  squares of real and imaginary parts in turn
+WHIRL_INLINED void set_circles(const double *x, const double *y, linalg::Real4 &with,
+                               linalg::Real4 &against) {
+    linalg::Real4 a;
+    linalg::Real4 b;
+    std::memcpy(&a, x, sizeof a);
+    std::memcpy(&b, y, sizeof b);
+    const linalg::Real4 turned =
+        __builtin_shufflevector(b, b, 1, 0, 3, 2) * linalg::Real4{-1, 1, -1, 1};
+    with = (a + turned) * (a + turned);
+    against = (a - turned) * (a - turned);
+}
+
+/// a becomes the sums of neighbours in a and b.
+WHIRL_INLINED void add_neighbours(linalg::Real4 &a, const linalg::Real4 &b) {
+    a = __builtin_shufflevector(a, b, 0, 2, 4, 6) + __builtin_shufflevector(a, b, 1, 3, 5, 7);
+}
+
+/// What orbits sweep at some stations, each with the mass there.
+struct Swept {
+    linalg::Real4 forward{}, backward{}, size{};
+
+    WHIRL_INLINED void add(const double *x, const double *y, const double *masses) {
+        linalg::Real4 with;
+        linalg::Real4 against;
+        linalg::Real4 next_with;
+        linalg::Real4 next_against;
+        linalg::Real4 mass;
+        set_circles(x, y, with, against);
+        set_circles(x + linalg::lanes, y + linalg::lanes, next_with, next_against);
+        add_neighbours(with, next_with);
+        add_neighbours(against, next_against);
+        std::memcpy(&mass, masses, sizeof mass);
+        const linalg::Real4 square = with * against;
+        const linalg::Real4 root{std::sqrt(square[0]), std::sqrt(square[1]), std::sqrt(square[2]),
+                                 std::sqrt(square[3])};
+        const linalg::Real4 area = mass * (with - against) / 4;
+        const linalg::Real4 none{};
+        forward += area > none ? area : none;
+        backward -= area > none ? none : area;
+        size += mass * (with + against + 2 * root) / 4;
+    }
+};
+
+double sum(const linalg::Real4 &four) { return four[0] + four[1] + four[2] + four[3]; }
+
 } // namespace
 
-Stations::Stations(const std::vector<Station> &stations, int unknowns)
-    : _deflections(std::ssize(stations), unknowns), _masses(std::ssize(stations)) {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (const auto &[z, deflection, mass] : stations) {
-        const auto row = static_cast<int>(_z.size());
-        for (const auto &[unknown, value] : deflection)
-            entries.emplace_back(row, unknown, value);
-        _masses(row) = mass;
-        _z.push_back(z);
+Stations::Stations(const assembly::Discretization &d, int per_span) {
+    const auto &mesh = d.shaft_mesh();
+    for (std::size_t span = 0; span < mesh.spans.size(); ++span) {
+        add(mesh.nodes[span], d.deflection_at_node(static_cast<int>(span)));
+        for (int i = 1; i <= per_span; ++i) {
+            const double xi = static_cast<double>(i) / (per_span + 1);
+            add(mesh.spans[span].z + xi * mesh.spans[span].length,
+                d.deflection_inside(static_cast<int>(span), xi));
+        }
     }
-    _deflections.setFromTriplets(entries.begin(), entries.end());
+    add(mesh.nodes.back(), d.deflection_at_node(static_cast<int>(mesh.nodes.size()) - 1));
 }
 
 Stations Stations::for_drawing(const assembly::Discretization &d) {
     constexpr int wanted = 120;
-    const auto &mesh = d.shaft_mesh();
-    const auto spans = static_cast<int>(mesh.spans.size());
-    const int parts = std::max(1, (wanted + spans - 1) / spans); // of each span
-    std::vector<Station> stations;
-    for (int i = 0; i < spans; ++i) {
-        const mesh::Span &span = mesh.spans[static_cast<std::size_t>(i)];
-        stations.push_back({mesh.nodes[static_cast<std::size_t>(i)], d.deflection_at_node(i)});
-        for (int part = 1; part < parts; ++part) {
-            const double xi = static_cast<double>(part) / parts;
-            stations.push_back({span.z + xi * span.length, d.deflection_inside(i, xi)});
-        }
-    }
-    stations.push_back({mesh.nodes.back(), d.deflection_at_node(spans)});
-    return {stations, d.planar_size()};
+    const auto spans = static_cast<int>(d.shaft_mesh().spans.size());
+    return {d, std::max(0, (wanted + spans - 1) / spans - 1)};
 }
 
-void Stations::add_shaft(const assembly::Discretization &d, std::vector<Station> &stations) {
+void Stations::add(double z, const assembly::Combination &row) {
+    _z.push_back(z);
+    for (const auto &[unknown, value] : row) {
+        _unknowns.push_back(unknown);
+        _values.push_back(value);
+    }
+    _first.push_back(_unknowns.size());
+    const std::size_t station = _z.size() - 1;
+    if (const std::size_t start = _fours.size() > 1 ? *(_fours.end() - 2) : 0;
+        station > 0 && station - start < linalg::lanes && same_unknowns(start, station))
+        _fours.back() = _z.size();
+    else
+        _fours.push_back(_z.size());
+}
+
+bool Stations::same_unknowns(std::size_t a, std::size_t b) const {
+    const auto at = [this](std::size_t station) {
+        return _unknowns.begin() + static_cast<std::ptrdiff_t>(_first[station]);
+    };
+    return std::equal(at(a), at(a + 1), at(b), at(b + 1));
+}
+
+void Stations::add(double z, const assembly::Combination &row, double mass,
+                   std::vector<double> &masses) {
+    add(z, row);
+    masses.push_back(mass);
+}
+
+void Stations::add_shaft(const assembly::Discretization &d, std::vector<double> &masses) {
     const std::vector<mesh::Span> &spans = d.shaft_mesh().spans;
     const std::vector<double> ends = kinks(d.rotor());
     const double piece = ends.back() / pieces_of_length;
@@ -90,48 +155,79 @@ void Stations::add_shaft(const assembly::Discretization &d, std::vector<Station>
                     ++span;
                 const double xi = std::clamp((z - spans[span].z) / spans[span].length, 0.0, 1.0);
                 const double rhoA = elements::beam_of(d.rotor().shaft, spans[span]).at(xi).rhoA;
-                stations.push_back({z, d.deflection_inside(static_cast<int>(span), xi),
-                                    rhoA * weight * length / pieces});
+                add(z, d.deflection_inside(static_cast<int>(span), xi),
+                    rhoA * weight * length / pieces, masses);
             }
     }
 }
 
 Stations Stations::for_orbits(const assembly::Discretization &d) {
-    std::vector<Station> stations;
-    add_shaft(d, stations);
+    Stations out;
+    std::vector<double> masses;
+    out.add_shaft(d, masses);
     for (const model::Disc &disc : d.rotor().discs)
-        stations.push_back({disc.z, d.deflection_at(disc.z), disc.mass});
+        out.add(disc.z, d.deflection_at(disc.z), disc.mass, masses);
     for (const model::Balancer &balancer : d.rotor().balancers)
-        stations.push_back({balancer.z, d.deflection_at(balancer.z), balancers::mass_of(balancer)});
-    return {stations, d.planar_size()};
+        out.add(balancer.z, d.deflection_at(balancer.z), balancers::mass_of(balancer), masses);
+    out._masses = Eigen::Map<const Eigen::VectorXd>(masses.data(), std::ssize(masses));
+    return out;
 }
 
 Eigen::VectorXcd Stations::deflections(const Eigen::VectorXcd &planar) const {
-    return _deflections * planar.head(_deflections.cols());
+    Eigen::VectorXcd out(static_cast<Eigen::Index>(_z.size()));
+    for (std::size_t i = 0; i < _z.size(); ++i) {
+        Complex sum = 0;
+        for (std::size_t p = _first[i]; p < _first[i + 1]; ++p)
+            sum += _values[p] * planar(_unknowns[p]);
+        out(static_cast<Eigen::Index>(i)) = sum;
+    }
+    return out;
 }
 
 std::pair<Eigen::VectorXcd, Eigen::VectorXcd>
 Stations::deflections_of_both(const Eigen::VectorXcd &planes) const {
-    std::vector<linalg::Real4> out(_z.size()); // real and imaginary parts of x and y at once
+    std::pair<Eigen::VectorXcd, Eigen::VectorXcd> out(_z.size(), _z.size());
     const auto *in = reinterpret_cast<const double *>(planes.data());
+    auto *x = reinterpret_cast<double *>(out.first.data());
+    auto *y = reinterpret_cast<double *>(out.second.data());
     linalg::in_lanes([&]() __attribute__((always_inline)) {
-        const int *first = _deflections.outerIndexPtr();
-        for (std::size_t station = 0; station < out.size(); ++station)
-            for (int p = first[station]; p < first[station + 1]; ++p) {
+        for (std::size_t group = 1; group < _fours.size(); ++group) {
+            const std::size_t first = _fours[group - 1];
+            const int *unknowns = &_unknowns[_first[first]];
+            const std::size_t count = _first[first + 1] - _first[first];
+            const double *values = &_values[_first[first]];
+            const std::size_t last = _fours[group] - first - 1;
+            const auto of = [&](std::size_t i) { return values + std::min(i, last) * count; };
+            const double *second = of(1);
+            const double *third = of(2);
+            const double *fourth = of(3);
+            // Real and imaginary parts of x and y at once; of each unknown at all four stations.
+            std::array<linalg::Real4, linalg::lanes> sums{};
+            for (std::size_t p = 0; p < count; ++p) {
                 linalg::Real4 four;
-                std::memcpy(&four, in + 4 * _deflections.innerIndexPtr()[p], sizeof four);
-                out[station] += _deflections.valuePtr()[p] * four;
+                std::memcpy(&four, in + 4 * unknowns[p], sizeof four);
+                sums[0] += values[p] * four;
+                sums[1] += second[p] * four;
+                sums[2] += third[p] * four;
+                sums[3] += fourth[p] * four;
             }
+            for (std::size_t i = first; i < _fours[group]; ++i) {
+                std::memcpy(x + 2 * i, &sums[i - first], 2 * sizeof(double));
+                const linalg::Real4 high =
+                    __builtin_shufflevector(sums[i - first], sums[i - first], 2, 3, 2, 3);
+                std::memcpy(y + 2 * i, &high, 2 * sizeof(double));
+            }
+        }
     });
-    using Both = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, 2, Eigen::RowMajor>;
-    const auto *numbers = reinterpret_cast<const std::complex<double> *>(out.data());
-    const Eigen::Map<const Both> both(numbers, std::ssize(out), 2);
-    return {both.col(0), both.col(1)};
+    return out;
 }
 
 Stations Stations::over(const Eigen::MatrixXd &shapes) const {
     Stations out;
-    const Eigen::MatrixXd rows = _deflections * shapes;
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(_masses.size(), shapes.cols());
+    for (std::size_t i = 0; i < _z.size(); ++i)
+        for (std::size_t p = _first[i]; p < _first[i + 1]; ++p)
+            rows.row(static_cast<Eigen::Index>(i)) += _values[p] * shapes.row(_unknowns[p]);
     out._weights = linalg::transposed_times(rows, Eigen::MatrixXd(_masses.asDiagonal() * rows));
     return out;
 }
@@ -159,18 +255,27 @@ OrbitSense orbit_sense(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y,
     // move, beside the nodes of the mode.
     constexpr double straight = 1e-6;
     constexpr double significant = 0.01;
-    const auto squares = [](const auto &re, const auto &im) -> Eigen::ArrayXd {
-        return re.array().square() + im.array().square();
-    };
-    const Eigen::ArrayXd with = squares(x.real() - y.imag(), x.imag() + y.real());    // |x + i y|^2
-    const Eigen::ArrayXd against = squares(x.real() + y.imag(), x.imag() - y.real()); // |x - i y|^2
-    const auto masses = stations.masses().array();
-    const Eigen::ArrayXd area = masses * (with - against) / 4;
-    const double positive = area.max(0).sum();
-    const double negative = -area.min(0).sum();
-    const double size = (masses * (with + against + 2 * (with * against).sqrt())).sum() / 4;
-    const double forward = spin_speed >= 0 ? positive : negative;
-    const double backward = spin_speed >= 0 ? negative : positive;
+    const Eigen::Index whole = x.size() / linalg::lanes * linalg::lanes;
+    const auto *in_x = reinterpret_cast<const double *>(x.data());
+    const auto *in_y = reinterpret_cast<const double *>(y.data());
+    const double *masses = stations.masses().data();
+    Swept all;
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        Swept some;
+        for (Eigen::Index i = 0; i < whole; i += linalg::lanes)
+            some.add(in_x + 2 * i, in_y + 2 * i, masses + i);
+        all = some;
+    });
+    for (Eigen::Index i = whole; i < x.size(); ++i) { // one and three without mass
+        const std::array<double, 2 * linalg::lanes> one_x{x(i).real(), x(i).imag()};
+        const std::array<double, 2 * linalg::lanes> one_y{y(i).real(), y(i).imag()};
+        const std::array<double, linalg::lanes> mass{masses[i]};
+        all.add(one_x.data(), one_y.data(), mass.data());
+    }
+    const bool positive = spin_speed >= 0;
+    const double forward = sum(positive ? all.forward : all.backward);
+    const double backward = sum(positive ? all.backward : all.forward);
+    const double size = sum(all.size);
     const double swept = forward + backward;
     if (!(swept > straight * size))
         return {results::Whirl::mixed, 0.5};

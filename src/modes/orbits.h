@@ -4,7 +4,6 @@
 #include "results/whirl.h"
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <utility>
 #include <vector>
@@ -14,7 +13,10 @@ namespace whirl::modes {
 /// Stations along a shaft at which orbits are looked at, each with the mass it stands for.
 class Stations {
   public:
-    /// The nodes and points inside each span, some 120 in all, without masses: to draw shapes.
+    /// The nodes and `per_span` points inside each span, without masses: to draw shapes.
+    Stations(const assembly::Discretization &discretization, int per_span);
+
+    /// Some 120 of those, and each span at least its ends.
     [[nodiscard]] static Stations for_drawing(const assembly::Discretization &discretization);
 
     /// Points of a quadrature over the length of the shaft with the mass per length, and the discs
@@ -23,7 +25,7 @@ class Stations {
     [[nodiscard]] static Stations for_orbits(const assembly::Discretization &discretization);
 
     [[nodiscard]] const std::vector<double> &z() const { return _z; }
-    /// kg; zeros for stations that only draw.
+    /// kg; empty for stations that only draw.
     [[nodiscard]] const Eigen::VectorXd &masses() const { return _masses; }
 
     /// Deflections at the stations from planar unknowns.
@@ -40,20 +42,19 @@ class Stations {
     [[nodiscard]] double deflection_energy(const Eigen::VectorXcd &planar) const;
 
   private:
-    /// One place with its deflection by planar unknowns.
-    struct Station {
-        double z;
-        assembly::Combination deflection;
-        double mass = 0;
-    };
     std::vector<double> _z;
-    Eigen::SparseMatrix<double, Eigen::RowMajor> _deflections; ///< a row of planar unknowns each
+    std::vector<std::size_t> _first{0}; ///< of each station in the next two
+    std::vector<int> _unknowns;
+    std::vector<double> _values;
+    std::vector<std::size_t> _fours{0}; ///< from each to the next: up to four of the same unknowns
     Eigen::VectorXd _masses;
     Eigen::MatrixXd _weights; ///< of products of two amplitudes of shapes; empty without shapes
 
     Stations() = default;
-    Stations(const std::vector<Station> &stations, int unknowns);
-    static void add_shaft(const assembly::Discretization &d, std::vector<Station> &stations);
+    void add(double z, const assembly::Combination &row);
+    [[nodiscard]] bool same_unknowns(std::size_t a, std::size_t b) const;
+    void add(double z, const assembly::Combination &row, double mass, std::vector<double> &masses);
+    void add_shaft(const assembly::Discretization &d, std::vector<double> &masses);
 };
 
 /// Sense of whirl of orbits x, y at stations, x(t) = Re(x exp(i w t)), w > 0, against a spin of

@@ -74,8 +74,10 @@ ModeBasis basis_in(Form form, const FormMatrices &matrices, double speed, const 
     if (form == Form::planar || form == Form::hyperbolic)
         return basis_of(problem, Eigen::VectorXd(of.values.real()),
                         Eigen::MatrixXd(of.right.real()));
-    return of.left_known ? basis_of(problem, of.values, of.right, of.left)
-                         : basis_of(problem, of.values, of.right, matrices.mirrored());
+    // Modes that share a frequency at rest are turned among themselves, their left vectors not.
+    const bool as_found = of.left_known && !(form == Form::general && matrices.mirrored());
+    return as_found ? basis_of(problem, of.values, of.right, of.left)
+                    : basis_of(problem, of.values, of.right, matrices.mirrored());
 }
 
 } // namespace

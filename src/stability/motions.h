@@ -42,8 +42,7 @@ class MotionSolver {
     ///                     many as it needs
     /// @param arrangement  where the balls of each balancer stand
     /// @param shapes       planar shapes to reduce the shaft to (reduction/), or none: all motions
-    /// of
-    ///                     the reduced rotor are then found and listed
+    ///                     of the reduced rotor are then found and listed
     MotionSolver(const StabilityModel &model, const balancers::Arrangement &arrangement,
                  std::shared_ptr<const Eigen::MatrixXd> shapes = nullptr);
     ~MotionSolver();
@@ -52,7 +51,8 @@ class MotionSolver {
     MotionSolver(MotionSolver &&) = delete;
     MotionSolver &operator=(MotionSolver &&) = delete;
 
-    /// All motions with |l| up to a little above the spin speed, and eight of them at the least.
+    /// All motions with |l| up to a little above the spin speed, and eight of them at the least (24
+    /// where bearings drive).
     /// With Hill's series each once, at its place next to zero.
     /// @throws model::AnalysisFailure where they cannot be found, or a Hill series does not settle.
     [[nodiscard]] std::vector<Motion> at(double speed) const;

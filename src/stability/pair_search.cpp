@@ -1,6 +1,7 @@
 #include "stability/pair_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -22,11 +23,14 @@ PairPoint pair_point(double speed, Complex a, Complex b) {
     return {speed, (a + b) / 2.0, (a - b) * (a - b) / 4.0};
 }
 
+/// Points of one pair are at most so many: the two ends of a step, and two beyond each.
+constexpr std::size_t most_points = 6;
+
 /// Through all points, Neville's scheme.
 Complex interpolated(const std::vector<PairPoint> &points, Complex PairPoint::*what, double speed) {
-    std::vector<Complex> values;
-    for (const PairPoint &point : points)
-        values.push_back(point.*what);
+    std::array<Complex, most_points> values;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        values.at(i) = points[i].*what;
     for (std::size_t order = 1; order < points.size(); ++order)
         for (std::size_t i = 0; i + order < points.size(); ++i) {
             const double from = points[i].speed;

@@ -249,7 +249,9 @@ void PeriodicMotions::use_planar() const {
 std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bool all,
                                                                 std::vector<Wanted> *wanted) const {
     List list = known(speed);
-    const double most = fastest_growing(speed).motion.value.real();
+    double most = -std::numeric_limits<double>::infinity(); // of none
+    for (const Listed &one : list)
+        most = std::max(most, one.motion.value.real());
     const double size = std::abs(speed);
     const Eigen::Index shapes = _planar->matrix().cols();
     for (Listed &one : list) {

@@ -25,6 +25,8 @@ struct OwnWholeRotor {
     OwnWholeRotor(const StabilityModel &model, const balancers::Arrangement &arrangement)
         : discretization(model.rotor, model.order),
           rotor(discretization, balancers::balancer_elements(model.rotor, arrangement)) {}
+    OwnWholeRotor(const OwnWholeRotor &) = delete; // the rotor refers to the discretization
+    OwnWholeRotor &operator=(const OwnWholeRotor &) = delete;
 };
 
 /// How fast motions are followed, and of the steps in time over half a turn how many more than

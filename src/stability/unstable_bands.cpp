@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace whirl::stability {
 
@@ -94,7 +95,9 @@ double end_towards(const MotionsAt &at, const Known &known, double unstable, dou
 /// @param beyond  the next band, or the border of the range
 bool lost_in_noise(const MotionsAt &at, double end, double inside, double beyond) {
     const auto largest = [&at](double speed) { // whether or not rounding could make it of zero
-        return fastest_growing(at(speed)).value.real();
+        const std::vector<Motion> motions = at(speed);
+        return motions.empty() ? -std::numeric_limits<double>::infinity()
+                               : fastest_growing(motions).value.real();
     };
     const double near = std::min(std::abs(inside - end) / 2, 1e-3 * std::abs(end));
     const double growth = largest(end + std::copysign(near, inside - end));

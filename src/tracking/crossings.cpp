@@ -10,6 +10,7 @@
 #include "tracking/crossing_nodes.h"
 #include "tracking/crossing_search.h"
 #include "tracking/crossing_step.h"
+#include "tracking/followed_crossings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,11 +58,14 @@ class Sweep {
         const int wanted = bands ? wanted_for_bands() : 0;
         if (bands)
             find_bands(search, wanted);
+        const std::vector<FollowedCrossing> plain = followed_crossings(_nodes, multiple);
+        for (const FollowedCrossing &crossing : plain)
+            search.take(crossing.line, crossing.speed, crossing.real);
         for (std::size_t k = 0; k < _nodes.count(); ++k) {
             if (any_on(k, multiple))
                 search.visit(_nodes.bare(k));
             if (k + 1 < _nodes.count())
-                look_into(search, k, multiple, rides);
+                look_into(search, k, multiple, rides, plain);
         }
         drop_on_rides(rides, multiple, hill(), out.found);
         out.locked.insert(out.locked.end(), rides.begin(), rides.end());
@@ -152,7 +156,8 @@ class Sweep {
     }
 
     void look_into(CrossingSearch &search, std::size_t k, double multiple,
-                   const std::vector<Locked> &rides) const {
+                   const std::vector<Locked> &rides,
+                   const std::vector<FollowedCrossing> &known) const {
         const std::vector<double> rows =
             kinks(_nodes.solver().discretization().rotor(), _nodes.speed(k), _nodes.speed(k + 1));
         std::vector<Link> links = _nodes.links(k);
@@ -161,6 +166,11 @@ class Sweep {
                 return (ride.mode == link.line &&
                         inside(ride, _nodes.speed(k), _nodes.speed(k + 1))) ||
                        (hill() && passes(ride, link, k));
+            });
+        });
+        std::erase_if(links, [&](const Link &link) {
+            return std::ranges::any_of(known, [&](const FollowedCrossing &crossing) {
+                return crossing.step == k && crossing.line == link.line;
             });
         });
         emerge(search, k, multiple);

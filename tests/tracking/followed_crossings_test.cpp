@@ -1,5 +1,7 @@
-// Crossings of modes that are followed over the speeds: against those of modes found at each speed
-// alone, and against the eigenvalue of the whole rotor there.
+// Plain crossings found on the motion alone: against the search that solves all modes at each speed
+// it looks at, and against the eigenvalue of the whole rotor there.
+
+#include "tracking/followed_crossings.h"
 
 #include "modes/spectrum.h"
 #include "support/random.h"
@@ -12,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <vector>
 
 namespace whirl::tracking {
@@ -54,6 +55,7 @@ struct Diagram {
 
 TEST(FollowedCrossings, AreThoseOfTheSearchThatSolvesAllModes) {
     tests::Random random(31);
+    std::size_t plain = 0;
     std::size_t all = 0;
     for (int draw = 0; draw < 6; ++draw) {
         SCOPED_TRACE(draw);
@@ -74,18 +76,23 @@ TEST(FollowedCrossings, AreThoseOfTheSearchThatSolvesAllModes) {
             EXPECT_EQ(followed.found[i].multiple, alone.found[i].multiple);
         }
         all += alone.found.size();
-        for (const results::Crossing &crossing : followed.found) {
-            const double ratio = crossing.damping.ratio.value();
-            const std::complex<double> value =
-                crossing.frequency * std::complex(-ratio / std::sqrt(1 - ratio * ratio), 1.0);
-            double nearest = 1;
-            for (const modes::WhirlMode &mode : alone.solver.at(crossing.speed, 8).modes)
-                nearest = std::min(nearest,
-                                   std::abs(mode.eigenvalue - value) / std::abs(mode.eigenvalue));
-            EXPECT_LT(nearest, 1e-10) << crossing.multiple << " at " << crossing.speed;
-        }
+        const SweepNodes nodes(followed.solver, followed.lines.tracking, followed.lines.spectra);
+        for (const double multiple : {0.5, 1.0, 2.0})
+            for (const FollowedCrossing &crossing : followed_crossings(nodes, multiple)) {
+                ++plain;
+                const modes::Spectrum there = alone.solver.at(crossing.speed, 8);
+                double nearest = 1;
+                for (const modes::WhirlMode &mode : there.modes)
+                    nearest = std::min(
+                        nearest,
+                        std::abs(mode.eigenvalue -
+                                 std::complex(crossing.real, multiple * std::abs(crossing.speed))) /
+                            std::abs(mode.eigenvalue));
+                EXPECT_LT(nearest, 1e-10) << multiple << " at " << crossing.speed;
+            }
     }
     EXPECT_GT(all, 30U);
+    EXPECT_GT(2 * plain, all) << "of most crossings the motion alone is enough";
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "balancers/arrangement.h"
 #include "ends/band_ends.h"
 #include "ends/finer_ends.h"
+#include "model/errors.h"
 #include "stability/motions.h"
 #include "stability/unstable_bands.h"
 
@@ -14,7 +15,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 namespace whirl::analyses {
@@ -196,7 +196,7 @@ void note_torque(const stability::StabilityModel &model, results::StabilityResul
             "has the slow modes",
             *fastest, speed,
             left > 0 ? fmt::format("{:.4g} 1/s are left there", left) : "none grows there"));
-    } catch (const std::runtime_error &) { // no more than a note
+    } catch (const model::Failure &) { // no more than a note
     }
 }
 

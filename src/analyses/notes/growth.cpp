@@ -1,5 +1,6 @@
 #include "analyses/notes/growth.h"
 
+#include "model/errors.h"
 #include "modes/formulation.h"
 #include "modes/spectrum.h"
 
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 namespace whirl::analyses {
@@ -76,7 +76,7 @@ void note_growing_motions(const model::Case &scene, results::ModelSummary &model
                 worst = speed;
             }
         }
-    } catch (const std::runtime_error &) { // no more than a note
+    } catch (const model::Failure &) { // no more than a note
         return;
     }
     if (growing.empty())

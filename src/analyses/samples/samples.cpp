@@ -14,7 +14,6 @@
 #include <map>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 
 namespace whirl::analyses {
 
@@ -80,7 +79,7 @@ Outcome one_sample(const std::vector<double> &values, const model::SamplesSettin
         overrides.push_back(fmt::format("{}={}", settings.vary[i].path, values[i]));
     try {
         return packed(answers.of(with(overrides)));
-    } catch (const std::runtime_error &problem) {
+    } catch (const model::Failure &problem) {
         return {{}, reason_of(problem.what())};
     }
 }

@@ -294,7 +294,8 @@ void DryEvents::choose(double t, Eigen::VectorXd &state) {
         dry.slip[i] = near.parts[i] ? 0 : rates[i] > 0 ? 1 : -1;
     }
     stop_standing(t, state);
-    const std::size_t most = 4 * (dry.gaps.size() + dry.slip.size());
+    const auto resisting = static_cast<std::size_t>(std::ranges::count(dry.resists, true));
+    const std::size_t most = 4 * (dry.gaps.size() + resisting);
     std::size_t pass = 0;
     do {
         if (++pass > 50 * most)
