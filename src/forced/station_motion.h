@@ -1,6 +1,6 @@
 #pragma once
 
-#include "forced/condensed_motion.h"
+#include "forced/condensed/condensed_motion.h"
 #include "forced/forced_motion.h"
 #include "results/formulation.h"
 

@@ -1,8 +1,8 @@
 #include "synchronous/critical_speeds.h"
 
 #include "assembly/planes.h"
-#include "modes/degenerate.h"
 #include "modes/orbits.h"
+#include "modes/solver/degenerate.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
 #include "synchronous/followed.h"

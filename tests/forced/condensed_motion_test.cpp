@@ -1,4 +1,4 @@
-#include "forced/condensed_motion.h"
+#include "forced/condensed/condensed_motion.h"
 #include "forced/forced_motion.h"
 #include "forced/response_places.h"
 #include "results/formulation.h"

@@ -1,4 +1,4 @@
-#include "forced/equal_chain.h"
+#include "forced/condensed/equal_chain.h"
 
 #include <cmath>
 #include <cstddef>

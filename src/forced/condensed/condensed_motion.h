@@ -2,7 +2,7 @@
 
 #include "elements/planar_matrices.h"
 #include "forced/forced_motion.h"
-#include "linalg/band_matrix.h"
+#include "linalg/dense/band_matrix.h"
 #include "results/formulation.h"
 
 #include <Eigen/Core>

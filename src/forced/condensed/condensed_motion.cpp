@@ -1,7 +1,7 @@
-#include "forced/condensed_motion.h"
+#include "forced/condensed/condensed_motion.h"
 
 #include "elements/beam.h"
-#include "forced/equal_chain.h"
+#include "forced/condensed/equal_chain.h"
 #include "forced/forced_motion.h"
 #include "forced/response_places.h"
 #include "linalg/dense/products.h"

@@ -1,4 +1,4 @@
-#include "modes/degenerate.h"
+#include "modes/solver/degenerate.h"
 
 #include "modes/orbits.h"
 

@@ -1,4 +1,4 @@
-#include "linalg/band_matrix.h"
+#include "linalg/dense/band_matrix.h"
 
 #include "linalg/check.h"
 
