@@ -23,7 +23,7 @@ namespace {
 using Errors = decltype(results::BalanceBands::errors);
 
 /// Ends of the bands strictly inside the range, with their errors where these are known.
-std::vector<results::BandEnd> inner_ends(const std::vector<results::SpeedBand> &bands,
+std::vector<results::BandEnd> inner_ends(const std::vector<results::Interval> &bands,
                                          const Errors &errors, double from, double to) {
     std::vector<results::BandEnd> ends;
     for (std::size_t i = 0; i < bands.size(); ++i) {
@@ -47,7 +47,7 @@ auto nearest_end(const std::vector<results::BandEnd> &ends, double speed, bool u
 void complete(results::BalanceBands &bands, double from, double to) {
     bands.ends = inner_ends(bands.bands, bands.errors, from, to);
     const std::vector<results::BandEnd> rigid =
-        inner_ends(bands.rigid_bands.value_or(std::vector<results::SpeedBand>{}), {}, from, to);
+        inner_ends(bands.rigid_bands.value_or(std::vector<results::Interval>{}), {}, from, to);
     for (results::BandEnd &end : bands.ends) {
         const auto partner = nearest_end(rigid, end.speed, end.upper);
         // Farther apart than by half, they have nothing to do with each other.

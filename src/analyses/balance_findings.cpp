@@ -20,7 +20,7 @@ std::string plane_text(const results::BalancePlane &plane, std::size_t index) {
 
 bool rigid_says_on(const results::BalanceBands &bands, double speed) {
     return bands.rigid_bands &&
-           std::ranges::any_of(*bands.rigid_bands, [speed](const results::SpeedBand &b) {
+           std::ranges::any_of(*bands.rigid_bands, [speed](const results::Interval &b) {
                return b.from <= speed && b.to > speed;
            });
 }
@@ -118,19 +118,19 @@ void without_bands(const results::BalanceResult &result, std::vector<std::string
         out.emplace_back("No joint band in this range of speeds.");
 }
 
-double width_of(const std::vector<results::SpeedBand> &bands) {
+double width_of(const std::vector<results::Interval> &bands) {
     double width = 0;
-    for (const results::SpeedBand &band : bands)
+    for (const results::Interval &band : bands)
         width += band.to - band.from;
     return width;
 }
 
 /// How much of `a` lies in `b`.
-double common_width(const std::vector<results::SpeedBand> &a,
-                    const std::vector<results::SpeedBand> &b) {
+double common_width(const std::vector<results::Interval> &a,
+                    const std::vector<results::Interval> &b) {
     double width = 0;
-    for (const results::SpeedBand &x : a)
-        for (const results::SpeedBand &y : b)
+    for (const results::Interval &x : a)
+        for (const results::Interval &y : b)
             width += std::max(0.0, std::min(x.to, y.to) - std::max(x.from, y.from));
     return width;
 }
@@ -140,8 +140,8 @@ void real_balancers(const results::BalanceResult &result, bool damped,
                     std::vector<std::string> &out) {
     if (!result.balanced_position)
         return;
-    const std::vector<results::SpeedBand> &criterion = result.joint.bands.bands;
-    const std::vector<results::SpeedBand> &real = result.balanced_position->bands;
+    const std::vector<results::Interval> &criterion = result.joint.bands.bands;
+    const std::vector<results::Interval> &real = result.balanced_position->bands;
     if (real.empty() && !damped) {
         out.emplace_back("With the real balancers the balanced position is stable nowhere: the "
                          "bearings have no damping, and the balls' drag, which turns with the "
@@ -207,7 +207,7 @@ void motions_in_time(const results::BalanceResult &result, double time,
     std::string other;
     for (const results::SimulatedSpeed &run : result.simulated) {
         const bool stable =
-            std::ranges::any_of(result.balanced_position->bands, [&](const results::SpeedBand &b) {
+            std::ranges::any_of(result.balanced_position->bands, [&](const results::Interval &b) {
                 return run.speed > b.from && run.speed < b.to;
             });
         if (stable == (run.outcome == "balanced"))

@@ -23,14 +23,14 @@ namespace whirl::analyses {
 namespace {
 
 /// What `bands`, ascending and apart, leave of the range.
-std::vector<results::SpeedBand> rest_of(const std::vector<stability::SpeedInterval> &bands,
-                                        double from, double to) {
-    std::vector<results::SpeedBand> rest;
+std::vector<results::Interval> rest_of(const std::vector<results::Interval> &bands, double from,
+                                       double to) {
+    std::vector<results::Interval> rest;
     double start = from;
-    for (const stability::SpeedInterval &band : bands) {
-        if (band.first > start)
-            rest.push_back({start, band.first});
-        start = std::max(start, band.second);
+    for (const results::Interval &band : bands) {
+        if (band.from > start)
+            rest.push_back({start, band.from});
+        start = std::max(start, band.to);
     }
     if (start < to)
         rest.push_back({start, to});
@@ -41,15 +41,15 @@ std::vector<results::SpeedBand> rest_of(const std::vector<stability::SpeedInterv
 constexpr int arrangements = 6;
 
 /// Errors of the ends of `rest`: those of the ends of the unstable bands beside it.
-std::vector<std::pair<double, double>> errors_of(const std::vector<results::SpeedBand> &rest,
-                                                 const UnstableBands &unstable) {
-    std::vector<std::pair<double, double>> out;
-    for (const results::SpeedBand &band : rest) {
+std::vector<results::EndErrors> errors_of(const std::vector<results::Interval> &rest,
+                                          const UnstableBands &unstable) {
+    std::vector<results::EndErrors> out;
+    for (const results::Interval &band : rest) {
         out.emplace_back(0, 0); // at a border of the range
         for (std::size_t i = 0; i < unstable.bands.size(); ++i) {
-            if (unstable.bands[i].second == band.from)
+            if (unstable.bands[i].to == band.from)
                 out.back().first = unstable.errors[i].second;
-            if (unstable.bands[i].first == band.to)
+            if (unstable.bands[i].from == band.to)
                 out.back().second = unstable.errors[i].first;
         }
     }
@@ -63,15 +63,15 @@ results::BalancedPosition stable_speeds(const stability::StabilityModel &model,
     const double from = range.from;
     const double to = range.to;
     results::BalancedPosition out;
-    std::vector<stability::SpeedInterval> sometimes_unstable;
-    std::vector<stability::SpeedInterval> always_unstable;
+    std::vector<results::Interval> sometimes_unstable;
+    std::vector<results::Interval> always_unstable;
     std::shared_ptr<const stability::BandFinder> of_first;
     for (const balancers::Arrangement &arrangement :
          balancers::sampled_arrangements(model.rotor, arrangements)) {
         const bool first = out.arrangements == 0;
         const UnstableBands unstable =
             unstable_bands_of(model, grid, arrangement, first, of_first.get());
-        const std::vector<stability::SpeedInterval> bands = stability::joined(unstable.bands);
+        const std::vector<results::Interval> bands = stability::joined(unstable.bands);
         if (first) {
             of_first = unstable.finder;
             out.bands = rest_of(bands, from, to);

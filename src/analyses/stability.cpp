@@ -34,8 +34,8 @@ namespace {
 void sharpen(results::StabilityResult &result,
              const std::vector<stability::ZeroRootSpeed> &standing) {
     std::vector<double *> ends;
-    for (stability::SpeedInterval &band : result.unstable)
-        ends.insert(ends.end(), {&band.first, &band.second});
+    for (results::Interval &band : result.unstable)
+        ends.insert(ends.end(), {&band.from, &band.to});
     for (results::StabilityEnd &end : result.ends)
         if (end.kind == results::EndKind::zero)
             ends.push_back(&end.speed);
@@ -95,7 +95,7 @@ void begin(stability::BandFinder &finder, std::vector<double> &grid,
 /// @param first   unstable bands of the first arrangement
 /// @param finder_of_first  with which they were found
 results::ArrangementFamily family_of(const std::vector<balancers::Arrangement> &arrangements,
-                                     const std::vector<stability::SpeedInterval> &first,
+                                     const std::vector<results::Interval> &first,
                                      const stability::BandFinder &finder_of_first,
                                      const std::vector<double> &grid) {
     const stability::StabilityModel &model = finder_of_first.model();
@@ -103,7 +103,7 @@ results::ArrangementFamily family_of(const std::vector<balancers::Arrangement> &
     out.arrangements = static_cast<int>(arrangements.size());
     std::vector<std::vector<double>> critical;
     std::vector<std::vector<double>> additional;
-    std::vector<stability::SpeedInterval> some;
+    std::vector<results::Interval> some;
     for (std::size_t k = 0; k < arrangements.size(); ++k) {
         std::optional<stability::BandFinder> other;
         if (k > 0)
@@ -132,8 +132,8 @@ results::ArrangementFamily family_of(const std::vector<balancers::Arrangement> &
     for (const model::Balancer &balancer : model.rotor.balancers) {
         const auto interval = balancers::anisotropy_interval(balancer);
         constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null in the result
-        out.anisotropy.push_back(interval ? std::pair(interval->least, interval->largest)
-                                          : std::pair(unknown, unknown));
+        out.anisotropy.push_back(interval ? results::Interval{interval->least, interval->largest}
+                                          : results::Interval{unknown, unknown});
     }
     return out;
 }
@@ -173,13 +173,13 @@ void search_zero_roots(const stability::BandFinder &finder, const std::vector<do
 }
 
 /// What there is of a rotor that is the same at all speeds.
-void answer_once(const stability::BandFinder &finder, const stability::SpeedInterval &range,
+void answer_once(const stability::BandFinder &finder, const results::Interval &range,
                  results::StabilityResult &result) {
     const stability::MotionSolver &solver = finder.solver();
     const stability::StabilityModel &model = finder.model();
     result.model.unknowns = solver.unknowns();
     ends::AllMotions motions(solver.discretization(), model.form, finder.arrangement(), nullptr,
-                             range.first, range.second);
+                             range.from, range.to);
     count_resolved_if_driven(motions, model.rotor);
     add_growth_of_all_speeds(motions, result);
     tell_resolved_apart(motions, model, {}, result);
@@ -321,7 +321,7 @@ UnstableBands unstable_bands_of(stability::StabilityModel model, const std::vect
             out.errors = band_errors(finder, out.bands, known, between.roots);
     }
     const auto not_resolved = [&](double from, double to) {
-        out.bands.emplace_back(from, to);
+        out.bands.push_back({from, to});
         if (with_errors)
             out.errors.emplace_back(0, 0);
     };

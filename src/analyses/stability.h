@@ -25,11 +25,10 @@ namespace whirl::analyses {
 
 /// Unstable bands for one arrangement of the balls.
 struct UnstableBands {
-    std::vector<stability::SpeedInterval> bands;
-    std::vector<stability::SpeedInterval>
-        errors; ///< of both ends of each, rad/s; none where not asked for
-    std::vector<stability::SpeedInterval> doubtful; ///< motions could not be followed through
-    std::shared_ptr<stability::BandFinder> finder;  ///< by which they were found
+    std::vector<results::Interval> bands;
+    std::vector<results::EndErrors> errors;        ///< rad/s; none where not asked for
+    std::vector<results::Interval> doubtful;       ///< motions could not be followed through
+    std::shared_ptr<stability::BandFinder> finder; ///< by which they were found
 };
 /// By the same rules as stability(). Speeds that a Hill series does not describe count as unstable.
 [[nodiscard]] UnstableBands unstable_bands_of(const model::Case &scene,

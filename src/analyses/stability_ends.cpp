@@ -19,21 +19,21 @@ namespace whirl::analyses {
 namespace {
 
 /// Inside of the bands and between them.
-std::vector<double> looks(const std::vector<stability::SpeedInterval> &bands) {
+std::vector<double> looks(const std::vector<results::Interval> &bands) {
     std::vector<double> out;
     for (std::size_t i = 0; i < bands.size(); ++i) {
-        out.push_back((bands[i].first + bands[i].second) / 2);
+        out.push_back((bands[i].from + bands[i].to) / 2);
         if (i > 0)
-            out.push_back((bands[i - 1].second + bands[i].first) / 2);
+            out.push_back((bands[i - 1].to + bands[i].from) / 2);
     }
     return out;
 }
 
 /// Without those in which every motion dies out: noise of eigenvalues that are nearly zero.
-std::vector<stability::SpeedInterval> those_that_grow(std::vector<stability::SpeedInterval> bands,
-                                                      const ends::AllMotions &motions) {
-    const auto decays = [&motions](const stability::SpeedInterval &band) {
-        return motions.fastest_growing((band.first + band.second) / 2).value.real() < 0;
+std::vector<results::Interval> those_that_grow(std::vector<results::Interval> bands,
+                                               const ends::AllMotions &motions) {
+    const auto decays = [&motions](const results::Interval &band) {
+        return motions.fastest_growing((band.from + band.to) / 2).value.real() < 0;
     };
     std::erase_if(bands, decays);
     return bands;
@@ -77,26 +77,26 @@ std::vector<ends::WholeMotion> add_bands_and_ends(stability::BandFinder &finder,
             fmt::format("between {:.10g} and {:.10g} rad/s the motions could not be followed: an "
                         "unstable band narrower than that may be missing there",
                         from, to));
-    const stability::SpeedInterval range{grid.front(), grid.back()};
+    const results::Interval range{grid.front(), grid.back()};
     ends::EndsFound found = motions != nullptr ? ends::find_ends(*motions, looks(result.unstable))
                                                : ends::multiplier_ends(at, grid, result.unstable);
     if (!found.doubtful.empty())
         notes.push_back(fmt::format("the number of growing motions is in doubt at {} speeds, the "
                                     "first of them {:.10g} rad/s: ends inside of unstable bands "
                                     "may be missing there",
-                                    found.doubtful.size(), found.doubtful.front().first));
+                                    found.doubtful.size(), found.doubtful.front().from));
     for (const double edge :
          ends::reconcile(found, result.unstable, at, finder.model().form, range))
         notes.push_back(fmt::format("at {:.10g} rad/s an unstable band ends, but no change of the "
                                     "number of growing motions was found",
                                     edge));
     if (motions != nullptr) {
-        const std::vector<stability::SpeedInterval> all = result.unstable;
+        const std::vector<results::Interval> all = result.unstable;
         result.unstable = those_that_grow(all, *motions);
-        for (const stability::SpeedInterval &band : all)
+        for (const results::Interval &band : all)
             if (std::ranges::find(result.unstable, band) == result.unstable.end())
                 std::erase_if(found.ends, [&band](const results::StabilityEnd &end) {
-                    return end.speed >= band.first && end.speed <= band.second;
+                    return end.speed >= band.from && end.speed <= band.to;
                 });
     }
     const bool counted = std::ranges::all_of(found.ends, [](const auto &end) {
@@ -182,9 +182,10 @@ BandsBetween bands_between_ends(stability::BandFinder &finder, const std::vector
     return {finder.find(grid), {}};
 }
 
-std::vector<stability::SpeedInterval>
-band_errors(const stability::BandFinder &finder, const std::vector<stability::SpeedInterval> &bands,
-            const std::vector<double> &grid, const std::vector<ends::WholeMotion> &roots) {
+std::vector<results::EndErrors> band_errors(const stability::BandFinder &finder,
+                                            const std::vector<results::Interval> &bands,
+                                            const std::vector<double> &grid,
+                                            const std::vector<ends::WholeMotion> &roots) {
     std::optional<ends::FinerEnds> finer;
     const auto by_root = [&](double speed, double inward, double reach) -> std::optional<double> {
         const auto root = std::ranges::find_if(
@@ -231,12 +232,12 @@ void add_growth_of_all_speeds(const ends::AllMotions &motions, results::Stabilit
 }
 
 void settle_rounding(GrowthAndVerdict of, const std::vector<double> &speeds,
-                     const std::vector<stability::SpeedInterval> &bands, bool damped) {
+                     const std::vector<results::Interval> &bands, bool damped) {
     constexpr double hardly = 1e-8;
     const double top = std::max(std::abs(speeds.front()), std::abs(speeds.back()));
     for (std::size_t i = 0; i < speeds.size() && i < of.growth.size(); ++i) {
         const bool inside = std::ranges::any_of(bands, [&](const auto &band) {
-            return speeds[i] >= band.first && speeds[i] <= band.second;
+            return speeds[i] >= band.from && speeds[i] <= band.to;
         });
         double &growth = of.growth[i];
         if (inside || !(std::abs(growth) <= hardly * top) || (damped && growth < 0))

@@ -35,8 +35,8 @@ struct BandsBetween {
 /// Errors of the ends of unstable bands (stability::band_errors), by a root of a finer model where
 /// the end is one of `roots`.
 /// @param grid  over which they were looked for
-[[nodiscard]] std::vector<stability::SpeedInterval>
-band_errors(const stability::BandFinder &finder, const std::vector<stability::SpeedInterval> &bands,
+[[nodiscard]] std::vector<results::EndErrors>
+band_errors(const stability::BandFinder &finder, const std::vector<results::Interval> &bands,
             const std::vector<double> &grid, const std::vector<ends::WholeMotion> &roots);
 
 /// Unstable bands and the speeds at which the number of growing motions changes: by the ends of
@@ -58,7 +58,7 @@ struct GrowthAndVerdict {
 /// none: the search for bands looks more sharply than the eigenvalues at a speed can. So is decay
 /// as slow of a rotor without damping.
 void settle_rounding(GrowthAndVerdict of, const std::vector<double> &speeds,
-                     const std::vector<stability::SpeedInterval> &bands, bool damped);
+                     const std::vector<results::Interval> &bands, bool damped);
 
 /// Balls on one diameter can roll on without any effect, which neither grows nor dies out.
 void add_neutral_balls(const model::Rotor &rotor, results::StabilityResult &result);

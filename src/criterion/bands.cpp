@@ -77,14 +77,14 @@ std::optional<double> turning_sign(const SpeedFunction &f, double a, double b, d
 
 } // namespace
 
-std::vector<results::SpeedBand> sharp_bands(const SpeedFunction &criterion,
-                                            const std::vector<double> &critical,
-                                            const std::vector<double> &pinned, double from,
-                                            double to) {
+std::vector<results::Interval> sharp_bands(const SpeedFunction &criterion,
+                                           const std::vector<double> &critical,
+                                           const std::vector<double> &pinned, double from,
+                                           double to) {
     std::vector<Breakpoint> points = breakpoints(critical, pinned);
     points.insert(points.begin(), {from, true}); // the range begins there, as at a critical speed
     points.push_back({to, true});
-    std::vector<results::SpeedBand> bands;
+    std::vector<results::Interval> bands;
     bool before = false;
     double middle_before = from;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -108,8 +108,8 @@ std::vector<results::SpeedBand> sharp_bands(const SpeedFunction &criterion,
     return bands;
 }
 
-std::vector<results::SpeedBand> sampled_bands(const SpeedFunction &criterion,
-                                              const std::vector<double> &speeds) {
+std::vector<results::Interval> sampled_bands(const SpeedFunction &criterion,
+                                             const std::vector<double> &speeds) {
     std::vector<std::pair<double, double>> points; // speed, value
     for (const double speed : speeds)
         points.emplace_back(speed, criterion(speed));
@@ -127,7 +127,7 @@ std::vector<results::SpeedBand> sampled_bands(const SpeedFunction &criterion,
     for (const double speed : turns)
         points.emplace_back(speed, criterion(speed));
     std::ranges::sort(points);
-    std::vector<results::SpeedBand> bands;
+    std::vector<results::Interval> bands;
     const double last = points.back().first;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const bool balanced = points[i].second < 0;
@@ -206,10 +206,10 @@ std::optional<double> end_near(const SpeedFunction &criterion, double end, bool 
 }
 
 /// The end of a band is looked for half way to its neighbours below and above.
-std::pair<double, double> around(const std::vector<results::SpeedBand> &bands, double end) {
+std::pair<double, double> around(const std::vector<results::Interval> &bands, double end) {
     double below = end / 2;
     double above = end * 1.5;
-    for (const results::SpeedBand &band : bands)
+    for (const results::Interval &band : bands)
         for (const double other : {band.from, band.to}) {
             if (other < end)
                 below = std::max(below, (other + end) / 2);
@@ -240,7 +240,7 @@ double blur_of(double end, const Judged &criterion) {
 }
 
 /// Error of one end, rad/s.
-std::optional<double> error_of(double end, bool upper, const std::vector<results::SpeedBand> &bands,
+std::optional<double> error_of(double end, bool upper, const std::vector<results::Interval> &bands,
                                const Judged &judged, const SpeedFunction *finer) {
     const SpeedFunction &criterion = judged.value;
     const auto [below, above] = around(bands, end);
@@ -271,7 +271,7 @@ void judge(const BalanceScene &scene, const std::string &which, const Judged &cr
                                         which, end));
         return error;
     };
-    for (const results::SpeedBand &band : of.bands)
+    for (const results::Interval &band : of.bands)
         of.errors.emplace_back(judged(band.from, false, scene.from),
                                judged(band.to, true, scene.to));
 }

@@ -19,15 +19,15 @@ using SpeedFunction = std::function<double(double)>;
 /// are left out.
 ///
 /// @param critical,pinned  in (from, to), ascending
-[[nodiscard]] std::vector<results::SpeedBand> sharp_bands(const SpeedFunction &criterion,
-                                                          const std::vector<double> &critical,
-                                                          const std::vector<double> &pinned,
-                                                          double from, double to);
+[[nodiscard]] std::vector<results::Interval> sharp_bands(const SpeedFunction &criterion,
+                                                         const std::vector<double> &critical,
+                                                         const std::vector<double> &pinned,
+                                                         double from, double to);
 
 /// Bands of any criterion, from its signs at these speeds (ascending, the ends of the range among
 /// them); where it comes near zero between two speeds and turns back, its extremum is sought.
-[[nodiscard]] std::vector<results::SpeedBand> sampled_bands(const SpeedFunction &criterion,
-                                                            const std::vector<double> &speeds);
+[[nodiscard]] std::vector<results::Interval> sampled_bands(const SpeedFunction &criterion,
+                                                           const std::vector<double> &speeds);
 
 /// Speeds at which a criterion of a damped rotor is to be looked at: the given ones and more of
 /// them close to each of `hints`, where lightly damped resonances stand, and between the hints.

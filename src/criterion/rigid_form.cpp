@@ -14,9 +14,9 @@ closed_form::TwoSupportRotor closed_form_rotor(const results::RigidEquivalent &r
     return {rigid.mass, rigid.diametral, rigid.polar, rigid.k11, rigid.k14, rigid.k33};
 }
 
-std::vector<results::SpeedBand> cut(const std::vector<closed_form::Band> &bands, double from,
-                                    double to) {
-    std::vector<results::SpeedBand> out;
+std::vector<results::Interval> cut(const std::vector<closed_form::Band> &bands, double from,
+                                   double to) {
+    std::vector<results::Interval> out;
     for (const closed_form::Band &band : bands) {
         const double start = std::max(band.from, from);
         const double end = std::min(band.to.value_or(to), to);
@@ -47,15 +47,15 @@ std::optional<results::RigidEquivalent> rigid_equivalent(const rigid::RigidRotor
     return out;
 }
 
-std::vector<results::SpeedBand> rigid_plane_bands(const results::RigidEquivalent &rigid, double z,
-                                                  double from, double to) {
+std::vector<results::Interval> rigid_plane_bands(const results::RigidEquivalent &rigid, double z,
+                                                 double from, double to) {
     return cut(closed_form::static_balancing_bands(closed_form_rotor(rigid), z - rigid.center),
                from, to);
 }
 
-std::vector<results::SpeedBand> rigid_joint_bands(const results::RigidEquivalent &rigid,
-                                                  const std::vector<double> &planes, double from,
-                                                  double to) {
+std::vector<results::Interval> rigid_joint_bands(const results::RigidEquivalent &rigid,
+                                                 const std::vector<double> &planes, double from,
+                                                 double to) {
     const auto [least, largest] = std::ranges::minmax_element(planes);
     // One place, measured by the radius of gyration.
     if (*largest - *least < 1e-9 * std::sqrt(rigid.diametral / rigid.mass))

@@ -15,11 +15,11 @@ namespace whirl::criterion {
 rigid_equivalent(const rigid::RigidRotor &body);
 
 /// Closed-form bands of one plane at z (m), cut to [from, to]; theory: rigid_rotor_criterion.h.
-[[nodiscard]] std::vector<results::SpeedBand>
+[[nodiscard]] std::vector<results::Interval>
 rigid_plane_bands(const results::RigidEquivalent &rigid, double z, double from, double to);
 
 /// The same for all planes together; planes at one place count once.
-[[nodiscard]] std::vector<results::SpeedBand>
+[[nodiscard]] std::vector<results::Interval>
 rigid_joint_bands(const results::RigidEquivalent &rigid, const std::vector<double> &planes,
                   double from, double to);
 

@@ -14,7 +14,6 @@ using results::EndKind;
 using results::StabilityEnd;
 using stability::Motion;
 using stability::MotionsAt;
-using stability::SpeedInterval;
 
 /// Part of the speed within which an end of a band and a change of the count are the same.
 constexpr double same = 1e-6;
@@ -30,12 +29,12 @@ bool begins_or_ends_growth(const StabilityEnd &end) {
 }
 
 /// Ends move onto those of bands.
-void snap(std::vector<StabilityEnd> &ends, const std::vector<SpeedInterval> &bands) {
+void snap(std::vector<StabilityEnd> &ends, const std::vector<results::Interval> &bands) {
     for (StabilityEnd &end : ends) {
         if (!begins_or_ends_growth(end))
             continue;
-        for (const SpeedInterval &band : bands) {
-            const double edge = end.growing_above > 0 ? band.first : band.second;
+        for (const results::Interval &band : bands) {
+            const double edge = end.growing_above > 0 ? band.from : band.to;
             if (near(end.speed, edge))
                 end.speed = edge;
         }
@@ -43,14 +42,14 @@ void snap(std::vector<StabilityEnd> &ends, const std::vector<SpeedInterval> &ban
 }
 
 /// A band that the ends do not know.
-void take_up(std::vector<StabilityEnd> &ends, const SpeedInterval &band, const MotionsAt &at,
-             results::Form form, const SpeedInterval &range) {
-    const std::vector<Motion> inside = at((band.first + band.second) / 2);
+void take_up(std::vector<StabilityEnd> &ends, const results::Interval &band, const MotionsAt &at,
+             results::Form form, const results::Interval &range) {
+    const std::vector<Motion> inside = at((band.from + band.to) / 2);
     const int count = std::max(1, growing(inside));
     const double frequency = std::abs(stability::fastest_growing(inside).value.imag());
     for (const bool begins : {true, false}) {
-        const double speed = begins ? band.first : band.second;
-        if (speed == range.first || speed == range.second)
+        const double speed = begins ? band.from : band.to;
+        if (speed == range.from || speed == range.to)
             continue;
         StabilityEnd end;
         end.speed = speed;
@@ -62,8 +61,8 @@ void take_up(std::vector<StabilityEnd> &ends, const SpeedInterval &band, const M
     std::ranges::sort(ends, {}, &StabilityEnd::speed);
 }
 
-bool overlap(const SpeedInterval &a, const SpeedInterval &b) {
-    return std::max(a.first, b.first) < std::min(a.second, b.second);
+bool overlap(const results::Interval &a, const results::Interval &b) {
+    return std::max(a.from, b.from) < std::min(a.to, b.to);
 }
 
 /// A count at a speed, and the motions behind it.
@@ -166,36 +165,37 @@ class CountSearch {
 
 } // namespace
 
-std::vector<SpeedInterval> bands_of(const EndsFound &found, const SpeedInterval &range) {
-    std::vector<SpeedInterval> out;
-    double start = range.first;
+std::vector<results::Interval> bands_of(const EndsFound &found, const results::Interval &range) {
+    std::vector<results::Interval> out;
+    double start = range.from;
     bool unstable = found.growing_from > 0;
     for (const StabilityEnd &end : found.ends) {
         if (!begins_or_ends_growth(end))
             continue;
         if (unstable)
-            out.emplace_back(start, end.speed);
+            out.push_back({start, end.speed});
         start = end.speed;
         unstable = end.growing_above > 0;
     }
     if (unstable)
-        out.emplace_back(start, range.second);
+        out.push_back({start, range.to});
     return out;
 }
 
-std::vector<double> reconcile(EndsFound &found, std::vector<SpeedInterval> &bands,
-                              const MotionsAt &at, results::Form form, const SpeedInterval &range) {
+std::vector<double> reconcile(EndsFound &found, std::vector<results::Interval> &bands,
+                              const MotionsAt &at, results::Form form,
+                              const results::Interval &range) {
     snap(found.ends, bands);
-    const std::vector<SpeedInterval> by_ends = bands_of(found, range);
-    for (const SpeedInterval &band : bands)
+    const std::vector<results::Interval> by_ends = bands_of(found, range);
+    for (const results::Interval &band : bands)
         if (std::ranges::none_of(by_ends, [&](const auto &other) { return overlap(band, other); }))
             take_up(found.ends, band, at, form, range);
-    const std::vector<SpeedInterval> all = bands_of(found, range);
+    const std::vector<results::Interval> all = bands_of(found, range);
     std::vector<double> unexplained;
-    for (const SpeedInterval &band : bands)
-        for (const double edge : {band.first, band.second})
-            if (std::ranges::none_of(all, [&](const SpeedInterval &other) {
-                    return near(edge, other.first) || near(edge, other.second);
+    for (const results::Interval &band : bands)
+        for (const double edge : {band.from, band.to})
+            if (std::ranges::none_of(all, [&](const results::Interval &other) {
+                    return near(edge, other.from) || near(edge, other.to);
                 }))
                 unexplained.push_back(edge);
     if (unexplained.empty())
@@ -209,7 +209,7 @@ std::vector<double> reconcile(EndsFound &found, std::vector<SpeedInterval> &band
 }
 
 EndsFound multiplier_ends(const MotionsAt &at, const std::vector<double> &speeds,
-                          const std::vector<SpeedInterval> &bands) {
+                          const std::vector<results::Interval> &bands) {
     std::vector<double> looks = speeds;
     std::vector<double> edges;
     for (const auto &[from, to] : bands) { // their ends are known: no halving is needed there

@@ -8,8 +8,8 @@
 namespace whirl::ends {
 
 /// Where something grows by the ends: the unstable bands of the range.
-[[nodiscard]] std::vector<stability::SpeedInterval> bands_of(const EndsFound &found,
-                                                             const stability::SpeedInterval &range);
+[[nodiscard]] std::vector<results::Interval> bands_of(const EndsFound &found,
+                                                      const results::Interval &range);
 
 /// Makes the ends and the unstable bands tell one story. An end at which growth begins or ceases
 /// altogether is the band's end, to the last digit; bands that only the ends know are taken up, and
@@ -18,10 +18,9 @@ namespace whirl::ends {
 /// @param form  whose axes their frequencies are in
 /// Where ends do not explain those of the bands, the bands stay as they are.
 /// @returns ends of bands at which the number of growing motions is not known to change
-[[nodiscard]] std::vector<double> reconcile(EndsFound &found,
-                                            std::vector<stability::SpeedInterval> &bands,
+[[nodiscard]] std::vector<double> reconcile(EndsFound &found, std::vector<results::Interval> &bands,
                                             const stability::MotionsAt &at, results::Form form,
-                                            const stability::SpeedInterval &range);
+                                            const results::Interval &range);
 
 /// Ends of a rotor whose equations stay periodic: as many motions grow as Floquet multipliers lie
 /// outside of the unit circle. Where neighbouring speeds differ in that number it is bisected.
@@ -29,6 +28,6 @@ namespace whirl::ends {
 ///                band is not seen
 [[nodiscard]] EndsFound multiplier_ends(const stability::MotionsAt &at,
                                         const std::vector<double> &speeds,
-                                        const std::vector<stability::SpeedInterval> &bands);
+                                        const std::vector<results::Interval> &bands);
 
 } // namespace whirl::ends

@@ -32,14 +32,14 @@ std::vector<std::size_t> counterparts(const std::vector<double> &list,
 
 } // namespace
 
-std::vector<std::pair<double, double>> intervals_of(const std::vector<std::vector<double>> &lists) {
-    std::vector<std::pair<double, double>> out;
+std::vector<results::Interval> intervals_of(const std::vector<std::vector<double>> &lists) {
+    std::vector<results::Interval> out;
     const auto longest =
         std::ranges::max_element(lists, {}, [](const auto &a) { return a.size(); });
     if (longest == lists.end())
         return out;
     for (const double speed : *longest)
-        out.emplace_back(speed, speed);
+        out.push_back({speed, speed});
     for (const std::vector<double> &list : lists) {
         const std::vector<std::size_t> places = counterparts(list, *longest);
         for (std::size_t i = 0; i < list.size(); ++i) {

@@ -94,7 +94,7 @@ class EndSearch {
             end.growing_below = growing[i];
             end.growing_above = growing[i + 1];
             if (end.growing_below + found.gain != end.growing_above)
-                _out.doubtful.emplace_back(end.speed, end.speed);
+                _out.doubtful.push_back({end.speed, end.speed});
             fill_frequency(end, found.motion);
             end.resolved.motion = resolved(found);
             end.resolved.below = resolved_growing[passed];
@@ -167,7 +167,7 @@ class EndSearch {
             guess.value = {0, std::abs(change.value.imag())};
             _found.push_back({guess, EndKind::collision, change.gain});
         } else if (change.smooth) {
-            _out.doubtful.emplace_back(change.from, change.to);
+            _out.doubtful.push_back({change.from, change.to});
         }
     }
 
@@ -182,7 +182,7 @@ class EndSearch {
                 std::abs(a.speed - b.speed) <= same * std::abs(b.speed) &&
                 std::abs(a.value - b.value) <= same * std::abs(b.speed) &&
                 std::abs(a.right.dot(b.right)) > parallel * a.right.norm() * b.right.norm())
-                _out.doubtful.emplace_back(a.speed, b.speed);
+                _out.doubtful.push_back({a.speed, b.speed});
         }
     }
 
@@ -227,7 +227,7 @@ class EndSearch {
         }
         for (const auto &[interval, look] : seen)
             if (look.second.*counted + look.second.unknown < out[interval])
-                _out.doubtful.emplace_back(look.first, look.first);
+                _out.doubtful.push_back({look.first, look.first});
         for (std::size_t k = 0; k < out.size(); ++k)
             if (out[k] == none)
                 out[k] = k > 0 ? out[k - 1] + found[k - 1].gain : 0;

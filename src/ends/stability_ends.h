@@ -8,8 +8,6 @@
 
 namespace whirl::ends {
 
-using stability::SpeedInterval;
-
 /// Steps of a range to begin with; they are halved where that is needed.
 constexpr int usual_steps = 24;
 /// Of one of many rotors that hardly differ.
@@ -19,7 +17,7 @@ struct EndsFound {
     std::vector<results::StabilityEnd> ends; ///< ascending
     int growing_from = 0;                    ///< motions that grow at the beginning of the range
     /// Where the number of growing motions is not what the ends make of it.
-    std::vector<SpeedInterval> doubtful;
+    std::vector<results::Interval> doubtful;
     /// The motions on the imaginary axis at the ends that are roots (kinds zero and pair).
     std::vector<WholeMotion> roots;
     /// Of some motions rounding does not let one tell whether they grow: there is no damping, and

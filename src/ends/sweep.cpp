@@ -82,7 +82,7 @@ class Sweep {
             return;
         }
         if (_looks_left <= 0) {
-            found.doubtful.emplace_back(a.speed, b.speed);
+            found.doubtful.push_back({a.speed, b.speed});
             return;
         }
         const Spectrum middle = look(a.speed + std::clamp(*cut, 1e-3, 1 - 1e-3) * step);

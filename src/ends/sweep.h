@@ -30,8 +30,8 @@ struct Count {
 /// What a range of speeds shows.
 struct Swept {
     std::vector<Change> changes;
-    std::map<double, Count> counts;                   ///< at all speeds looked at
-    std::vector<stability::SpeedInterval> doubtful{}; ///< steps in which motions were not followed
+    std::map<double, Count> counts;            ///< at all speeds looked at
+    std::vector<results::Interval> doubtful{}; ///< steps in which motions were not followed
 };
 
 /// Follows all eigenvalues of a rotor through a range of speeds, with steps that are halved until

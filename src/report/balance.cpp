@@ -26,7 +26,7 @@ using results::SimulatedSpeed;
 
 namespace {
 
-using Bands = std::vector<results::SpeedBand>;
+using Bands = std::vector<results::Interval>;
 
 std::string page_bands(const Bands &bands) {
     return bands_text(bands, "{:.8g}", " … ", "; ", written_factor("speed").value_or(1));

@@ -81,7 +81,7 @@ Json sag_json(const StaticSag &sag) {
 auto ends(std::optional<results::Interval> BalancerNumbers::*of, const char *format) {
     return [of, format](const BalancerNumbers &b) {
         const auto &interval = b.*of;
-        return interval ? Json(fmt::format(fmt::runtime(format), interval->first, interval->second))
+        return interval ? Json(fmt::format(fmt::runtime(format), interval->from, interval->to))
                         : Json();
     };
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "results/interval.h"
 #include "results/model_summary.h"
 #include "results/pendulum.h"
 
@@ -10,12 +11,6 @@
 #include <vector>
 
 namespace whirl::results {
-
-/// Open interval of spin speed, rad/s.
-struct SpeedBand {
-    double from = 0;
-    double to = 0;
-};
 
 /// An end of a band inside the range of speeds, beside the nearest end of the rigid closed form.
 struct BandEnd {
@@ -29,8 +24,8 @@ struct BandEnd {
 
 /// Where one plane alone, or all of them together, can balance the rotor.
 struct BalanceBands {
-    std::vector<SpeedBand> bands;                      ///< of the rotor of the case
-    std::optional<std::vector<SpeedBand>> rigid_bands; ///< closed form; none where it has no form
+    std::vector<Interval> bands;                      ///< of the rotor of the case
+    std::optional<std::vector<Interval>> rigid_bands; ///< closed form; none where it has no form
     std::vector<double> pinned; ///< forward critical speeds of the rotor pinned there, rad/s
     std::vector<BandEnd> ends;
     /// Of each band: errors of its ends, rad/s; 0 at an end of the range, none where not known.
@@ -102,11 +97,11 @@ struct SimulatedSpeed {
 
 /// Where every motion about the balanced position with the real balancers dies out.
 struct BalancedPosition {
-    std::vector<SpeedBand> bands; ///< with the arrangement of the case, or the symmetric one
-    std::vector<std::pair<double, double>> errors; ///< of both ends of each, rad/s
-    int arrangements = 0;              ///< looked at; more than one where the balls have a choice
-    std::vector<SpeedBand> with_every; ///< stable with every arrangement looked at
-    std::vector<SpeedBand> with_some;  ///< stable with at least one
+    std::vector<Interval> bands;      ///< with the arrangement of the case, or the symmetric one
+    std::vector<EndErrors> errors;    ///< rad/s
+    int arrangements = 0;             ///< looked at; more than one where the balls have a choice
+    std::vector<Interval> with_every; ///< stable with every arrangement looked at
+    std::vector<Interval> with_some;  ///< stable with at least one
 };
 
 struct BalanceResult {

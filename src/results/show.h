@@ -1,16 +1,14 @@
 #pragma once
 
+#include "results/interval.h"
 #include "results/model_summary.h"
 
 #include <complex>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace whirl::results {
-
-using Interval = std::pair<double, double>; ///< least, largest
 
 /// Dimensionless numbers of the composite rotor (docs/theory.md, "Composite rotor"): units of mass
 /// M_s, of length sqrt(A_Sigma/M_s), of time sqrt(M_s/c_x). Those that need the bearings are empty

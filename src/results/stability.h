@@ -1,12 +1,12 @@
 #pragma once
 
 #include "model/case.h"
+#include "results/interval.h"
 #include "results/level1.h"
 #include "results/model_summary.h"
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace whirl::results {
@@ -35,14 +35,14 @@ enum class Verdict {
 
 /// What follows from the choice that n >= 3 balls have among their balanced positions.
 struct ArrangementFamily {
-    int arrangements = 0;    ///< sampled, the extreme ones among them
-    bool incomplete = false; ///< some critical or additional speeds could not be resolved
-    std::vector<std::pair<double, double>> unstable;          ///< with some arrangement, rad/s
-    std::vector<std::pair<double, double>> always_unstable;   ///< with every one
-    std::vector<std::pair<double, double>> critical_speeds;   ///< least and largest, rad/s
-    std::vector<std::pair<double, double>> additional_speeds; ///< least and largest, rad/s
+    int arrangements = 0;           ///< sampled, the extreme ones among them
+    bool incomplete = false;        ///< some critical or additional speeds could not be resolved
+    std::vector<Interval> unstable; ///< with some arrangement, rad/s
+    std::vector<Interval> always_unstable;   ///< with every one
+    std::vector<Interval> critical_speeds;   ///< least and largest, rad/s
+    std::vector<Interval> additional_speeds; ///< least and largest, rad/s
     /// Least and largest inertial anisotropy that each balancer adds, kg m2; NaN: not searched.
-    std::vector<std::pair<double, double>> anisotropy;
+    std::vector<Interval> anisotropy;
 };
 
 /// Growth over two entries of the case.
@@ -89,10 +89,10 @@ struct StabilityResult {
     /// Largest real part at each, 1/s; NaN: no answer, or none was found that grows, but not of
     /// all motions it is known whether they do.
     std::vector<double> growth;
-    std::vector<Verdict> verdict;                    ///< at each speed
-    std::vector<std::pair<double, double>> unstable; ///< rad/s, open intervals
+    std::vector<Verdict> verdict;   ///< at each speed
+    std::vector<Interval> unstable; ///< rad/s, open intervals
     /// Error of both ends of each, rad/s (band_errors.h).
-    std::vector<std::pair<double, double>> unstable_error;
+    std::vector<EndErrors> unstable_error;
     /// All speeds in the range at which the number of growing motions changes, ascending: ends of
     /// the unstable bands and changes inside of them.
     std::vector<StabilityEnd> ends;
@@ -103,8 +103,8 @@ struct StabilityResult {
     std::vector<StabilityEnd> unresolved_ends; ///< counted with all motions of this mesh
     std::vector<double> resolved_growth;       ///< as growth, of the motions up to there; or empty
     std::vector<Verdict> resolved_verdict;     ///< as verdict, of these; or empty
-    std::vector<std::pair<double, double>> resolved_unstable; ///< as unstable, of these
-    std::vector<std::pair<double, double>> resolved_unstable_error;
+    std::vector<Interval> resolved_unstable;   ///< as unstable, of these
+    std::vector<EndErrors> resolved_unstable_error;
     /// As growth, of the motions above `resolved_up_to`, or empty. NaN: it is not known of all of
     /// them whether they grow, and none was found that does.
     std::vector<double> unresolved_growth;

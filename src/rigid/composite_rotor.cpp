@@ -150,8 +150,8 @@ results::CompositeCurves composite_curves(const Parts &parts, std::complex<doubl
         if (!anisotropy)
             continue;
         // Both inertias of the plane grow with the scale, and so do the ends of the interval.
-        curves.A_least.push_back(anisotropy->first * scale / point.mean_inertia());
-        curves.A_largest.push_back(anisotropy->second * scale / point.mean_inertia());
+        curves.A_least.push_back(anisotropy->from * scale / point.mean_inertia());
+        curves.A_largest.push_back(anisotropy->to * scale / point.mean_inertia());
     }
     add_hodograph(curves, composite);
     return curves;

@@ -27,24 +27,24 @@ std::optional<double> end_near(const MotionsAt &at, double end, double inward, d
 /// What the whole rotor makes of bands of the reduced one; nothing where it does not agree.
 class Confirmation {
   public:
-    Confirmation(const MotionsAt &at, const std::vector<SpeedInterval> &bands,
-                 const SpeedInterval &range, const PeriodicMotions *periodic)
-        : _at(at), _bands(bands), _front(range.first), _back(range.second), _periodic(periodic) {}
+    Confirmation(const MotionsAt &at, const std::vector<results::Interval> &bands,
+                 const results::Interval &range, const PeriodicMotions *periodic)
+        : _at(at), _bands(bands), _front(range.from), _back(range.to), _periodic(periodic) {}
 
-    [[nodiscard]] std::optional<std::vector<SpeedInterval>> bands() const {
-        std::vector<SpeedInterval> out;
+    [[nodiscard]] std::optional<std::vector<results::Interval>> bands() const {
+        std::vector<results::Interval> out;
         double last = _front; // the end of the band before
         for (std::size_t i = 0; i < _bands.size(); ++i) {
-            const double next = i + 1 < _bands.size() ? _bands[i + 1].first : _back;
-            const std::optional<std::vector<SpeedInterval>> found = of(_bands[i], last, next);
+            const double next = i + 1 < _bands.size() ? _bands[i + 1].from : _back;
+            const std::optional<std::vector<results::Interval>> found = of(_bands[i], last, next);
             if (!found)
                 return std::nullopt;
             if (found->empty())
                 continue;
-            if (grows_between(last, found->front().first))
+            if (grows_between(last, found->front().from))
                 return std::nullopt;
             out.insert(out.end(), found->begin(), found->end());
-            last = out.back().second;
+            last = out.back().to;
         }
         if (grows_between(last, _back))
             return std::nullopt;
@@ -53,21 +53,21 @@ class Confirmation {
 
   private:
     const MotionsAt &_at;
-    const std::vector<SpeedInterval> &_bands;
+    const std::vector<results::Interval> &_bands;
     double _front, _back;
     const PeriodicMotions *_periodic;
 
     /// Bands that hardly stand apart, with nothing between them that decays, are one: at its ends
     /// the growth of an undamped rotor comes and goes with the rounding.
-    [[nodiscard]] std::vector<SpeedInterval>
-    without_slits(const std::vector<SpeedInterval> &bands) const {
+    [[nodiscard]] std::vector<results::Interval>
+    without_slits(const std::vector<results::Interval> &bands) const {
         constexpr double slit = 1e-7;
-        std::vector<SpeedInterval> out;
-        for (const SpeedInterval &band : bands) {
+        std::vector<results::Interval> out;
+        for (const results::Interval &band : bands) {
             const bool close =
-                !out.empty() && band.first - out.back().second <= slit * std::abs(band.first);
-            if (close && growth(_at, (band.first + out.back().second) / 2) >= 0)
-                out.back().second = band.second;
+                !out.empty() && band.from - out.back().to <= slit * std::abs(band.from);
+            if (close && growth(_at, (band.from + out.back().to) / 2) >= 0)
+                out.back().to = band.to;
             else
                 out.push_back(band);
         }
@@ -93,8 +93,8 @@ class Confirmation {
     /// The band between the ends that lie near its own as `near` finds them.
     /// @param last, next  where other bands end and begin
     template <class Near>
-    [[nodiscard]] std::optional<SpeedInterval> between(const SpeedInterval &band, double last,
-                                                       double next, const Near &near) const {
+    [[nodiscard]] std::optional<results::Interval>
+    between(const results::Interval &band, double last, double next, const Near &near) const {
         const auto [from, to] = band;
         std::optional<double> low = from;
         std::optional<double> high = to;
@@ -103,13 +103,13 @@ class Confirmation {
         if (low && to < _back)
             high = near(to, -1, to - from, next - to);
         return low && high && growth(_at, (*low + *high) / 2) > 0
-                   ? std::optional(SpeedInterval{*low, *high})
+                   ? std::optional(results::Interval{*low, *high})
                    : std::nullopt;
     }
 
     /// @returns nothing where the whole rotor does not agree; it can have none of a narrow one
-    [[nodiscard]] std::optional<std::vector<SpeedInterval>> of(const SpeedInterval &band,
-                                                               double last, double next) const {
+    [[nodiscard]] std::optional<std::vector<results::Interval>> of(const results::Interval &band,
+                                                                   double last, double next) const {
         const auto root = [this](auto... end) { return root_near(end...); };
         if (const auto found = between(band, last, next, root))
             return {{*found}};
@@ -124,16 +124,16 @@ class Confirmation {
     }
 
     /// By a search of its own around it.
-    [[nodiscard]] std::vector<SpeedInterval> of_narrow(const SpeedInterval &band, double last,
-                                                       double next) const {
-        const double middle = (band.first + band.second) / 2;
+    [[nodiscard]] std::vector<results::Interval> of_narrow(const results::Interval &band,
+                                                           double last, double next) const {
+        const double middle = (band.from + band.to) / 2;
         constexpr double close_by = 1e-6; // ten times what eigenvalues agree to
-        const double around = std::max(4 * (band.second - band.first), close_by * std::abs(middle));
-        const double low = std::max({_front, middle - around, (band.first + last) / 2});
-        const double high = std::min({_back, middle + around, (band.second + next) / 2});
+        const double around = std::max(4 * (band.to - band.from), close_by * std::abs(middle));
+        const double low = std::max({_front, middle - around, (band.from + last) / 2});
+        const double high = std::min({_back, middle + around, (band.to + next) / 2});
         if (growth(_at, middle) > 0)
-            return {band_around(_at, middle, (band.second - band.first) / 2, {low, high})};
-        std::vector<double> speeds{low, band.first, middle, band.second, high};
+            return {band_around(_at, middle, (band.to - band.from) / 2, {low, high})};
+        std::vector<double> speeds{low, band.from, middle, band.to, high};
         speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end()); // at a border
         return unstable_bands(_at, speeds);
     }
@@ -141,10 +141,9 @@ class Confirmation {
 
 } // namespace
 
-std::optional<std::vector<SpeedInterval>> confirmed_bands(const MotionsAt &at,
-                                                          const std::vector<SpeedInterval> &bands,
-                                                          const SpeedInterval &range,
-                                                          const PeriodicMotions *periodic) {
+std::optional<std::vector<results::Interval>>
+confirmed_bands(const MotionsAt &at, const std::vector<results::Interval> &bands,
+                const results::Interval &range, const PeriodicMotions *periodic) {
     return Confirmation(at, bands, range, periodic).bands();
 }
 

@@ -16,8 +16,8 @@ class PeriodicMotions;
 /// @param periodic  whose reduced rotor has the bands, its ends roots: those of the whole one are
 ///                  then found by Newton's method; or none
 /// @returns nothing where the whole rotor does not agree; of a narrow band it can have none
-[[nodiscard]] std::optional<std::vector<SpeedInterval>>
-confirmed_bands(const MotionsAt &at, const std::vector<SpeedInterval> &bands,
-                const SpeedInterval &range, const PeriodicMotions *periodic);
+[[nodiscard]] std::optional<std::vector<results::Interval>>
+confirmed_bands(const MotionsAt &at, const std::vector<results::Interval> &bands,
+                const results::Interval &range, const PeriodicMotions *periodic);
 
 } // namespace whirl::stability

@@ -79,9 +79,10 @@ std::optional<double> by_roots(const PeriodicMotions &motions, const periodic::W
 
 } // namespace
 
-std::vector<SpeedInterval> band_errors(const BandFinder &finder,
-                                       const std::vector<SpeedInterval> &bands,
-                                       const SpeedInterval &range, const ErrorByRoot &by_root) {
+std::vector<results::EndErrors> band_errors(const BandFinder &finder,
+                                            const std::vector<results::Interval> &bands,
+                                            const results::Interval &range,
+                                            const ErrorByRoot &by_root) {
     const StabilityModel &model = finder.model();
     const bool elastic = !model.rotor.shaft.rigid;
     const PeriodicMotions *const periodic = finder.solver().by_monodromy();
@@ -111,13 +112,13 @@ std::vector<SpeedInterval> band_errors(const BandFinder &finder,
         return rounding + 1e-12 * std::abs(end.speed) +
                (elastic ? mesh_error::estimate_safety * distance(finer_at, end, slope) : 0.0);
     };
-    std::vector<SpeedInterval> out;
+    std::vector<results::EndErrors> out;
     for (std::size_t i = 0; i < bands.size(); ++i) {
         const auto &[from, to] = bands[i];
-        const double below = i > 0 ? bands[i - 1].second : range.first;
-        const double above = i + 1 < bands.size() ? bands[i + 1].first : range.second;
-        out.emplace_back(from > range.first ? error_of({from, 1, to - from, from - below}) : 0.0,
-                         to < range.second ? error_of({to, -1, to - from, above - to}) : 0.0);
+        const double below = i > 0 ? bands[i - 1].to : range.from;
+        const double above = i + 1 < bands.size() ? bands[i + 1].from : range.to;
+        out.emplace_back(from > range.from ? error_of({from, 1, to - from, from - below}) : 0.0,
+                         to < range.to ? error_of({to, -1, to - from, above - to}) : 0.0);
     }
     return out;
 }

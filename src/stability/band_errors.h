@@ -22,9 +22,8 @@ using ErrorByRoot = std::function<std::optional<double>(double speed, double inw
 /// @param finder  of the model that the bands belong to
 /// @param range   in which they were looked for
 /// @param by_root  asked first
-[[nodiscard]] std::vector<SpeedInterval> band_errors(const BandFinder &finder,
-                                                     const std::vector<SpeedInterval> &bands,
-                                                     const SpeedInterval &range,
-                                                     const ErrorByRoot &by_root);
+[[nodiscard]] std::vector<results::EndErrors>
+band_errors(const BandFinder &finder, const std::vector<results::Interval> &bands,
+            const results::Interval &range, const ErrorByRoot &by_root);
 
 } // namespace whirl::stability

@@ -126,7 +126,7 @@ void BandSearch::through(const Look &a, const Look &b, int depth) {
             return;
         }
         if (!small)
-            _doubtful.emplace_back(a.speed, b.speed);
+            _doubtful.push_back({a.speed, b.speed});
     }
     if (unstable && !carried)
         window_between(a.speed, b.speed);

@@ -30,7 +30,7 @@ class BandSearch {
     [[nodiscard]] const Known &known() const { return _known; }
     /// Unstable speeds, each with a first step to look for the ends of its band.
     [[nodiscard]] const std::vector<std::pair<double, double>> &seeds() const { return _seeds; }
-    [[nodiscard]] const std::vector<SpeedInterval> &doubtful() const { return _doubtful; }
+    [[nodiscard]] const std::vector<results::Interval> &doubtful() const { return _doubtful; }
 
   private:
     /// Motions at a speed.
@@ -43,7 +43,7 @@ class BandSearch {
     const MotionsAt &_at;
     Known _known;
     std::vector<std::pair<double, double>> _seeds;
-    std::vector<SpeedInterval> _doubtful;
+    std::vector<results::Interval> _doubtful;
     int _halvings = 0; ///< so far
     int _most_halvings;
 

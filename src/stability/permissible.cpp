@@ -113,17 +113,17 @@ class Varied {
         return std::nullopt;
     }
 
-    [[nodiscard]] std::vector<SpeedInterval> bands(double dI,
-                                                   const std::vector<double> &speeds) const {
+    [[nodiscard]] std::vector<results::Interval> bands(double dI,
+                                                       const std::vector<double> &speeds) const {
         BandFinder finder(model_with(dI), _arrangement, _shapes);
-        std::vector<SpeedInterval> found = finder.find(speeds).bands;
+        std::vector<results::Interval> found = finder.find(speeds).bands;
         _shapes = finder.shapes();
         return found;
     }
 
     /// The same, on the way to an answer that is verified.
-    [[nodiscard]] std::vector<SpeedInterval> likely_bands(double dI,
-                                                          const std::vector<double> &speeds) const {
+    [[nodiscard]] std::vector<results::Interval>
+    likely_bands(double dI, const std::vector<double> &speeds) const {
         const MotionSolver motions = solver(dI);
         if (!to_be_refined() && (motions.by_monodromy() == nullptr || !_shapes))
             return bands(dI, speeds);
@@ -183,7 +183,7 @@ class DescentSearch {
         for (const double speed : _speeds) // what grows at the speeds themselves is no search's
             lower_at(speed);
         for (int step = 0; step < most_steps; ++step) {
-            std::vector<SpeedInterval> bands = _varied.likely_bands(_dI, _speeds);
+            std::vector<results::Interval> bands = _varied.likely_bands(_dI, _speeds);
             if (bands.empty() && step == 0) // which is an answer
                 bands = _varied.bands(_dI, _speeds);
             if (bands.empty() || !close(bands) || (_varied.by_monodromy() && !follow()))
@@ -201,7 +201,7 @@ class DescentSearch {
     const std::vector<double> &_speeds;
     double _dI;
     Descent _out;
-    SpeedInterval _last; ///< the band that was closed last
+    results::Interval _last; ///< the band that was closed last
 
     /// Lowers dI until this speed is just stable.
     /// @returns whether it was not
@@ -219,11 +219,11 @@ class DescentSearch {
 
     /// Lowers dI until the strongest speed of each band is just stable.
     /// @returns whether it is worthwhile to go on
-    bool close(const std::vector<SpeedInterval> &bands) {
+    bool close(const std::vector<results::Interval> &bands) {
         const MotionSolver solver = _varied.solver(_dI);
         const MotionsAt at = [&solver](double speed) { return solver.at(speed); };
         const double before = _dI;
-        for (const SpeedInterval &band : bands) {
+        for (const results::Interval &band : bands) {
             const double speed = strongest_speed(at, band);
             if (lower_at(speed))
                 _last = band;
@@ -241,7 +241,7 @@ class DescentSearch {
             const double high = std::min(to + (to - from), _speeds.back());
             std::vector<double> near{low, from, (from + to) / 2, to, high};
             near.erase(std::unique(near.begin(), near.end()), near.end());
-            const std::vector<SpeedInterval> bands = _varied.likely_bands(_dI, near);
+            const std::vector<results::Interval> bands = _varied.likely_bands(_dI, near);
             if (bands.empty())
                 return true;
             if (!close(bands))
@@ -305,8 +305,8 @@ double first_to_grow(const Varied &varied, const Descent &found,
     constexpr double above = 1e-3;
     const double dI = *found.dI * (1 + above);
     const MotionSolver solver = varied.solver(dI);
-    for (const SpeedInterval &band : varied.likely_bands(dI, around(found.speed, speeds)))
-        if (band.first <= found.speed && found.speed <= band.second)
+    for (const results::Interval &band : varied.likely_bands(dI, around(found.speed, speeds)))
+        if (band.from <= found.speed && found.speed <= band.to)
             return strongest_speed([&solver](double speed) { return solver.at(speed); }, band);
     return found.speed;
 }
@@ -348,7 +348,7 @@ std::optional<double> permissible(Varied &varied, double largest, bool undamped,
 
 std::vector<results::PermissibleAnisotropy>
 permissible_anisotropies(const BandFinder &finder, const std::vector<double> &grid,
-                         const std::vector<SpeedInterval> &bands) {
+                         const std::vector<results::Interval> &bands) {
     const StabilityModel &model = finder.model();
     const balancers::Arrangement &arrangement = finder.arrangement();
     const model::Rotor &rotor = model.rotor;

@@ -24,6 +24,6 @@ namespace whirl::stability {
 /// @param finder  with which the bands of the rotor as it is were found
 [[nodiscard]] std::vector<results::PermissibleAnisotropy>
 permissible_anisotropies(const BandFinder &finder, const std::vector<double> &speeds,
-                         const std::vector<SpeedInterval> &bands);
+                         const std::vector<results::Interval> &bands);
 
 } // namespace whirl::stability

@@ -113,25 +113,25 @@ bool stable_speed_between(const Known &known, double low, double high) {
 
 /// Carries instability on where it was lost in the noise: up to the next band, or the border of the
 /// range, unless a speed on the way is known to be stable.
-std::vector<SpeedInterval> through_the_noise(const MotionsAt &at, const Known &known,
-                                             std::vector<SpeedInterval> bands) {
+std::vector<results::Interval> through_the_noise(const MotionsAt &at, const Known &known,
+                                                 std::vector<results::Interval> bands) {
     if (bands.empty())
         return bands;
     const double front = known.begin()->first;
     const double back = known.rbegin()->first;
-    double &first = bands.front().first;
+    double &first = bands.front().from;
     if (first > front && !stable_speed_between(known, front, first) && known.begin()->second >= 0 &&
-        lost_in_noise(at, first, bands.front().second, front))
+        lost_in_noise(at, first, bands.front().to, front))
         first = front;
-    double &last = bands.back().second;
+    double &last = bands.back().to;
     if (last < back && !stable_speed_between(known, last, back) && known.rbegin()->second >= 0 &&
-        lost_in_noise(at, last, bands.back().first, back))
+        lost_in_noise(at, last, bands.back().from, back))
         last = back;
     for (std::size_t i = 0; i + 1 < bands.size(); ++i)
-        if (!stable_speed_between(known, bands[i].second, bands[i + 1].first) &&
-            (lost_in_noise(at, bands[i].second, bands[i].first, bands[i + 1].first) ||
-             lost_in_noise(at, bands[i + 1].first, bands[i + 1].second, bands[i].second)))
-            bands[i].second = bands[i + 1].first;
+        if (!stable_speed_between(known, bands[i].to, bands[i + 1].from) &&
+            (lost_in_noise(at, bands[i].to, bands[i].from, bands[i + 1].from) ||
+             lost_in_noise(at, bands[i + 1].from, bands[i + 1].to, bands[i].to)))
+            bands[i].to = bands[i + 1].from;
     return joined(std::move(bands));
 }
 
@@ -212,26 +212,26 @@ double band_end(const MotionsAt &at, double stable, double unstable, double tole
     return (bracket.stable() + bracket.unstable()) / 2;
 }
 
-std::vector<SpeedInterval> joined(std::vector<SpeedInterval> bands) {
+std::vector<results::Interval> joined(std::vector<results::Interval> bands) {
     std::ranges::sort(bands);
-    std::vector<SpeedInterval> out;
-    for (const SpeedInterval &band : bands) {
-        const double tolerance = 1e-9 * std::abs(band.first);
-        if (!out.empty() && band.first <= out.back().second + tolerance)
-            out.back().second = std::max(out.back().second, band.second);
+    std::vector<results::Interval> out;
+    for (const results::Interval &band : bands) {
+        const double tolerance = 1e-9 * std::abs(band.from);
+        if (!out.empty() && band.from <= out.back().to + tolerance)
+            out.back().to = std::max(out.back().to, band.to);
         else
             out.push_back(band);
     }
     return out;
 }
 
-std::vector<SpeedInterval> common(const std::vector<SpeedInterval> &a,
-                                  const std::vector<SpeedInterval> &b) {
-    std::vector<SpeedInterval> out;
-    for (const SpeedInterval &x : a)
-        for (const SpeedInterval &y : b)
-            if (std::max(x.first, y.first) < std::min(x.second, y.second))
-                out.emplace_back(std::max(x.first, y.first), std::min(x.second, y.second));
+std::vector<results::Interval> common(const std::vector<results::Interval> &a,
+                                      const std::vector<results::Interval> &b) {
+    std::vector<results::Interval> out;
+    for (const results::Interval &x : a)
+        for (const results::Interval &y : b)
+            if (std::max(x.from, y.from) < std::min(x.to, y.to))
+                out.push_back({std::max(x.from, y.from), std::min(x.to, y.to)});
     return out;
 }
 
@@ -240,37 +240,37 @@ BandsFound find_bands(const MotionsAt &at, const std::vector<double> &speeds, do
     const Known &known = search.known();
     BandsFound out;
     for (const auto &[speed, step] : search.seeds()) {
-        const bool covered = std::ranges::any_of(out.bands, [s = speed](const auto &band) {
-            return s >= band.first && s <= band.second;
-        });
+        const bool covered = std::ranges::any_of(
+            out.bands, [s = speed](const auto &band) { return s >= band.from && s <= band.to; });
         if (covered)
             continue;
         const double low = end_towards(at, known, speed, step, speeds.front(), part);
-        out.bands.emplace_back(low, end_towards(at, known, speed, step, speeds.back(), part));
+        out.bands.push_back({low, end_towards(at, known, speed, step, speeds.back(), part)});
     }
     out.bands = through_the_noise(at, known, joined(std::move(out.bands)));
     out.doubtful = joined(search.doubtful());
     return out;
 }
 
-SpeedInterval band_around(const MotionsAt &at, double unstable, double step,
-                          const SpeedInterval &borders) {
-    return {end_towards(at, {}, unstable, step, borders.first),
-            end_towards(at, {}, unstable, step, borders.second)};
+results::Interval band_around(const MotionsAt &at, double unstable, double step,
+                              const results::Interval &borders) {
+    return {end_towards(at, {}, unstable, step, borders.from),
+            end_towards(at, {}, unstable, step, borders.to)};
 }
 
-std::vector<SpeedInterval> unstable_bands(const MotionsAt &at, const std::vector<double> &speeds) {
+std::vector<results::Interval> unstable_bands(const MotionsAt &at,
+                                              const std::vector<double> &speeds) {
     return find_bands(at, speeds).bands;
 }
 
-double strongest_speed(const MotionsAt &at, const SpeedInterval &band) {
+double strongest_speed(const MotionsAt &at, const results::Interval &band) {
     // By parabolas after a coarse look, since a band may have several humps.
     constexpr int looks = 16;
-    double best = (band.first + band.second) / 2;
+    double best = (band.from + band.to) / 2;
     double most = -1;
-    const double width = (band.second - band.first) / looks;
+    const double width = (band.to - band.from) / looks;
     for (int i = 0; i <= looks; ++i) {
-        const double speed = band.first + i * width;
+        const double speed = band.from + i * width;
         const double growth = growth_of(at(speed));
         if (growth > most) {
             most = growth;
@@ -278,8 +278,7 @@ double strongest_speed(const MotionsAt &at, const SpeedInterval &band) {
         }
     }
     return linalg::least_place([&at](double speed) { return -growth_of(at(speed)); },
-                               std::max(band.first, best - width),
-                               std::min(band.second, best + width));
+                               std::max(band.from, best - width), std::min(band.to, best + width));
 }
 
 } // namespace whirl::stability

@@ -1,17 +1,14 @@
 #pragma once
 
+#include "results/interval.h"
 #include "stability/motions.h"
 
 #include <cmath>
 #include <functional>
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace whirl::stability {
-
-/// An open interval of spin speed, rad/s.
-using SpeedInterval = std::pair<double, double>;
 
 using MotionsAt = std::function<std::vector<Motion>(double speed)>;
 
@@ -19,9 +16,9 @@ using MotionsAt = std::function<std::vector<Motion>(double speed)>;
 using Known = std::map<double, double>;
 
 struct BandsFound {
-    std::vector<SpeedInterval> bands;    ///< ascending, apart
-    std::vector<SpeedInterval> doubtful; ///< motions could not be followed through: a narrow band
-                                         ///< may lie there
+    std::vector<results::Interval> bands;    ///< ascending, apart
+    std::vector<results::Interval> doubtful; ///< motions could not be followed through: a narrow
+                                             ///< band may lie there
 };
 
 /// Unstable spin speeds between the first and the last of `speeds`, ends refined as roots
@@ -36,12 +33,12 @@ struct BandsFound {
 
 /// The band around a speed at which something grows, between two borders, by looks outwards.
 /// @param step  the first one, rad/s
-[[nodiscard]] SpeedInterval band_around(const MotionsAt &at, double unstable, double step,
-                                        const SpeedInterval &borders);
+[[nodiscard]] results::Interval band_around(const MotionsAt &at, double unstable, double step,
+                                            const results::Interval &borders);
 
 /// Only the bands.
-[[nodiscard]] std::vector<SpeedInterval> unstable_bands(const MotionsAt &at,
-                                                        const std::vector<double> &speeds);
+[[nodiscard]] std::vector<results::Interval> unstable_bands(const MotionsAt &at,
+                                                            const std::vector<double> &speeds);
 
 /// The end of instability between a stable and an unstable speed. Where the growth passes through
 /// zero it is a root; where two eigenvalues part along the imaginary axis the growth starts like a
@@ -88,13 +85,13 @@ class SignBracket {
 };
 
 /// Where instability is strongest in a band found, rad/s.
-[[nodiscard]] double strongest_speed(const MotionsAt &at, const SpeedInterval &band);
+[[nodiscard]] double strongest_speed(const MotionsAt &at, const results::Interval &band);
 
 /// What both lists of bands have in common.
-[[nodiscard]] std::vector<SpeedInterval> common(const std::vector<SpeedInterval> &a,
-                                                const std::vector<SpeedInterval> &b);
+[[nodiscard]] std::vector<results::Interval> common(const std::vector<results::Interval> &a,
+                                                    const std::vector<results::Interval> &b);
 
 /// Joins bands that touch or overlap; ascending.
-[[nodiscard]] std::vector<SpeedInterval> joined(std::vector<SpeedInterval> bands);
+[[nodiscard]] std::vector<results::Interval> joined(std::vector<results::Interval> bands);
 
 } // namespace whirl::stability

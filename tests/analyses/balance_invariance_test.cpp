@@ -16,7 +16,7 @@ namespace {
 
 using namespace whirl;
 using results::BalanceResult;
-using results::SpeedBand;
+using results::Interval;
 using tests::Random;
 
 model::Case random_scene(Random &random) {
@@ -54,7 +54,7 @@ model::Case turned(model::Case scene, double angle) {
 }
 
 /// @param unit  of speed in the second list
-void expect_same(const std::vector<SpeedBand> &a, const std::vector<SpeedBand> &b, double tolerance,
+void expect_same(const std::vector<Interval> &a, const std::vector<Interval> &b, double tolerance,
                  const std::string &what, double unit = 1) {
     ASSERT_EQ(a.size(), b.size()) << what;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -122,7 +122,7 @@ TEST(BalanceInvariance, SymmetricCouplingIsCounted) {
         std::vector<double> ends;
         for (const auto *bands :
              {&result.planes[0].bands, &result.planes[1].bands, &result.joint.bands})
-            for (const SpeedBand &band : bands->bands)
+            for (const Interval &band : bands->bands)
                 ends.insert(ends.end(), {band.from, band.to});
         // By spectral elements of degree 5 and a dense complex receptance, bisection to 1e-12; the
         // three elements of order 4 are off by some 1e-8.

@@ -16,7 +16,7 @@ namespace {
 
 using namespace whirl;
 using results::BalanceResult;
-using results::SpeedBand;
+using results::Interval;
 
 /// Rotor of theory.md 5.3: a body of 60 kg, its centre 0.4 m and 0.5 m from the supports, on a
 /// shaft without mass.
@@ -50,7 +50,7 @@ struct TwoSupport {
     }
 };
 
-void expect_bands(const std::vector<SpeedBand> &found, const std::vector<SpeedBand> &expected,
+void expect_bands(const std::vector<Interval> &found, const std::vector<Interval> &expected,
                   double relative) {
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -67,8 +67,8 @@ TEST(Balance, LongRigidRotorHasTheBandsOfTheClosedForm) {
     const std::vector<double> printed{512.017736, 731.436942, 474.341649, 320.390663};
     ASSERT_EQ(result.planes.size(), z.size());
     for (std::size_t i = 0; i < z.size(); ++i) {
-        const std::vector<SpeedBand> expected{{rotor.resonance(1), rotor.additional(z[i])},
-                                              {rotor.resonance(2), 3000}};
+        const std::vector<Interval> expected{{rotor.resonance(1), rotor.additional(z[i])},
+                                             {rotor.resonance(2), 3000}};
         // Rounding of roots; a mass of 1e-12 of the rotor's is left in the shaft.
         expect_bands(result.planes[i].bands.bands, expected, 1e-9);
         expect_bands(*result.planes[i].bands.rigid_bands, expected, 1e-9);
@@ -132,8 +132,8 @@ oracles::SteppedRotor exact_two_discs(bool supported = true) {
     return rotor;
 }
 
-std::vector<SpeedBand> as_bands(const std::vector<oracles::Band> &bands) {
-    std::vector<SpeedBand> out;
+std::vector<Interval> as_bands(const std::vector<oracles::Band> &bands) {
+    std::vector<Interval> out;
     for (const auto &[from, to] : bands)
         out.push_back({static_cast<double>(from), static_cast<double>(to)});
     return out;
@@ -312,7 +312,7 @@ TEST(Balance, MapAgreesWithPlanesThatStandThere) {
         EXPECT_NEAR(map.criterion.back()[station] / (mass * result.planes[plane].criterion.back()),
                     1, 1e-9);
         double covered = 0;
-        for (const SpeedBand &band : result.planes[plane].bands.bands)
+        for (const Interval &band : result.planes[plane].bands.bands)
             covered += band.to - band.from;
         EXPECT_NEAR(map.share[station], covered / 4500, 0.01); // straight lines between 81 speeds
     }

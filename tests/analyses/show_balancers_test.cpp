@@ -129,7 +129,7 @@ TEST(ShowBalancers, two_balls_of_capacity_two_leave_the_rotor_isotropic) {
     // A_m0 - A_m/2 = 0.08 - 0.08 kg m2: nothing but rounding may be left.
     EXPECT_NEAR(result.dI.value(), 0, 1e-16);
     EXPECT_NEAR(result.balancers.at(0).dA.value(), 0, 1e-16);
-    EXPECT_NEAR(result.balancers.at(0).dA_interval.value().second, 0, 1e-16);
+    EXPECT_NEAR(result.balancers.at(0).dA_interval.value().to, 0, 1e-16);
     EXPECT_NEAR(result.balancers.at(0).dimensionless.A.value(), 0, 1e-16);
     EXPECT_NEAR(result.balancers.at(0).dA_paper.value(), 0.08, rounding);
 }
@@ -170,10 +170,10 @@ TEST(ShowBalancers, three_balls_have_an_interval) {
     scene.rotor.balancers = {balls(0.5, 3, 4.0 / 3, 0.4)}; // E = 2
     const results::BalancerNumbers balancer = analyses::show(scene).balancers.at(0);
     // Six digits of three balls at E = 2: |D| 0.25 to 0.728869, |1 + 2 D| 0.5 to 1.837117.
-    EXPECT_NEAR(balancer.D_interval->first, 0.25, 1e-6);
-    EXPECT_NEAR(balancer.D_interval->second, 0.728869, 1e-6);
-    EXPECT_NEAR(balancer.dA_interval->first, 0.04 * 0.5, 1e-6);
-    EXPECT_NEAR(balancer.dA_interval->second, 0.04 * 1.837117, 1e-6);
+    EXPECT_NEAR(balancer.D_interval->from, 0.25, 1e-6);
+    EXPECT_NEAR(balancer.D_interval->to, 0.728869, 1e-6);
+    EXPECT_NEAR(balancer.dA_interval->from, 0.04 * 0.5, 1e-6);
+    EXPECT_NEAR(balancer.dA_interval->to, 0.04 * 1.837117, 1e-6);
 }
 
 TEST(ShowBalancers, without_a_balanced_position_masses_remain) {
@@ -238,8 +238,8 @@ TEST(ShowBalancers, curves_are_those_of_rotors_with_scaled_masses) {
         EXPECT_NEAR(balancer.dimensionless.A_m, curves.A_m[i], 1e-12);
         EXPECT_NEAR(balancer.dimensionless.A.value(), curves.A[i], 1e-12);
         EXPECT_NEAR(balancer.dA_paper.value() / there.Id, curves.A_paper[i], 1e-12);
-        EXPECT_NEAR(balancer.dA_interval->first / there.Id, curves.A_least[i], 1e-11);
-        EXPECT_NEAR(balancer.dA_interval->second / there.Id, curves.A_largest[i], 1e-11);
+        EXPECT_NEAR(balancer.dA_interval->from / there.Id, curves.A_least[i], 1e-11);
+        EXPECT_NEAR(balancer.dA_interval->to / there.Id, curves.A_largest[i], 1e-11);
         EXPECT_NEAR(std::abs(curves.A_C2[i] - curves.A_C1[i]) / 2, curves.A[i], 1e-12);
         EXPECT_NEAR((curves.A_C2[i] + curves.A_C1[i]) / 2, 1, 1e-12);
     }

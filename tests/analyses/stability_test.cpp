@@ -36,10 +36,10 @@ TEST(UnstableBands, StableWindowBetweenTwoInstabilitiesIsFound) {
     };
     const auto bands = stability::unstable_bands(at, {0.0, 0.7, 1.4, 2.1});
     ASSERT_EQ(bands.size(), 2U);
-    EXPECT_EQ(bands[0].first, 0);
-    EXPECT_NEAR(bands[0].second, 1, 1e-10);
-    EXPECT_NEAR(bands[1].first, 1.02, 1e-10);
-    EXPECT_EQ(bands[1].second, 2.1);
+    EXPECT_EQ(bands[0].from, 0);
+    EXPECT_NEAR(bands[0].to, 1, 1e-10);
+    EXPECT_NEAR(bands[1].from, 1.02, 1e-10);
+    EXPECT_EQ(bands[1].to, 2.1);
 }
 
 // Two motions that grow and overlap leave no window.
@@ -49,7 +49,7 @@ TEST(UnstableBands, OverlappingInstabilitiesAreOneBand) {
     };
     const auto bands = stability::unstable_bands(at, {0.0, 0.7, 1.4, 2.1});
     ASSERT_EQ(bands.size(), 1U);
-    EXPECT_EQ(bands[0], stability::SpeedInterval(0, 2.1));
+    EXPECT_EQ(bands[0], (results::Interval{0, 2.1}));
 }
 
 // Outside of all bands growth of 1e-9 of the highest speed is rounding; inside, or larger, it is
@@ -97,7 +97,7 @@ TEST(StandingSpeeds, CriticalOnesAreThoseOfCriticalAndZeroRootsEndTheBand) {
         EXPECT_NEAR(result.critical_speeds[i], critical[i], 1e-8 * critical[i]);
     ASSERT_FALSE(result.zero_root_speeds.empty());
     ASSERT_FALSE(result.unstable.empty());
-    EXPECT_EQ(result.zero_root_speeds.front(), result.unstable.front().first);
+    EXPECT_EQ(result.zero_root_speeds.front(), result.unstable.front().from);
     EXPECT_GT(std::abs(result.zero_root_speeds.front() - critical.front()), 1e-6);
 }
 
@@ -108,8 +108,8 @@ TEST(SignedSpeeds, NegativeRangeIsTheMirrorImage) {
     scene.speeds = model::SpeedRange{-6, -1, 101};
     const auto result = stability(scene, {});
     ASSERT_EQ(result.unstable.size(), 1U);
-    EXPECT_NEAR(result.unstable[0].first, -3.788366, 1e-6);
-    EXPECT_NEAR(result.unstable[0].second, -2.381264, 1e-6);
+    EXPECT_NEAR(result.unstable[0].from, -3.788366, 1e-6);
+    EXPECT_NEAR(result.unstable[0].to, -2.381264, 1e-6);
     // A root is zero at both ends; the mass has its critical speed sqrt(0.15625) below the range.
     ASSERT_EQ(result.zero_root_speeds.size(), 2U);
     EXPECT_NEAR(result.zero_root_speeds[0], -3.788366, 1e-6);
@@ -202,10 +202,8 @@ TEST(BandErrors, AreThoseOfTheMesh) {
                 EXPECT_LE(off, 1.05 * error + 1e-9 * truth) << order << " " << truth;
                 EXPECT_GE(off + 1e-9 * truth, 0.5 * error) << order << " " << truth;
             };
-            check(coarse.unstable[i].first, exact.unstable[i].first,
-                  coarse.unstable_error[i].first);
-            check(coarse.unstable[i].second, exact.unstable[i].second,
-                  coarse.unstable_error[i].second);
+            check(coarse.unstable[i].from, exact.unstable[i].from, coarse.unstable_error[i].first);
+            check(coarse.unstable[i].to, exact.unstable[i].to, coarse.unstable_error[i].second);
         }
     }
 }
@@ -245,8 +243,8 @@ TEST(UnstableBands, HumpBetweenGridSpeedsIsFound) {
     };
     const auto bands = stability::unstable_bands(at, {0.0, 0.4, 0.8, 1.25, 1.6, 2.0});
     ASSERT_EQ(bands.size(), 1U);
-    EXPECT_NEAR(bands[0].first, 1.03, 1e-9);
-    EXPECT_NEAR(bands[0].second, 1.23, 1e-9);
+    EXPECT_NEAR(bands[0].from, 1.03, 1e-9);
+    EXPECT_NEAR(bands[0].to, 1.23, 1e-9);
 }
 
 // Two motions that grow everywhere with different states: one of them has a window, the other not.
@@ -257,8 +255,8 @@ TEST(UnstableBands, WindowUnderADipOfTheGrowthIsFound) {
     };
     const auto bands = stability::unstable_bands(at, {0.0, 0.3, 0.6, 0.9, 1.2, 1.5});
     ASSERT_EQ(bands.size(), 2U);
-    EXPECT_NEAR(bands[0].second, 1.0, 1e-9);
-    EXPECT_NEAR(bands[1].first, 1.02, 1e-9);
+    EXPECT_NEAR(bands[0].to, 1.0, 1e-9);
+    EXPECT_NEAR(bands[1].from, 1.02, 1e-9);
 }
 
 // Where a map asks for what cannot be, that point alone is empty.

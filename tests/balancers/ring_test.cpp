@@ -60,7 +60,7 @@ double stable_from(double share) {
     scene.rotor.balancers[0].imbalance *= share;
     scene.speeds = model::SpeedRange{90, 150, 13};
     const auto same = [&](const auto & /*overrides*/) { return scene; };
-    return analyses::stability(scene, same).unstable.at(0).second;
+    return analyses::stability(scene, same).unstable.at(0).to;
 }
 
 // The equations of motion of all rings, from the Lagrangian by computer algebra and linearised

@@ -121,7 +121,9 @@ TEST_P(ModeNames, of_critical_speeds_are_those_of_crossings) {
         if (value.real() == 0) {
             EXPECT_LE(own, 1e-6 * omega) << speed.at("mode") << " at " << omega;
         } else if (!speed.at("heavily_damped").get<bool>()) {
-            EXPECT_LE(own, other) << speed.at("mode") << " at " << omega;
+            // Of lines that cross at the same speed (1B and 1F of a disc that does not tilt) none
+            // is nearer but for rounding.
+            EXPECT_LE(own, other + 1e-14 * omega) << speed.at("mode") << " at " << omega;
         }
     }
 }

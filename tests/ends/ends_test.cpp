@@ -231,8 +231,8 @@ TEST(Ends, OfTheAnisotropicRotorAreThoseOfItsClosedForm) {
     EXPECT_EQ(result.ends[1].growing_above, 0);
     EXPECT_EQ(result.ends[0].frequency_rotating, 0);
     ASSERT_EQ(result.unstable.size(), 1U);
-    EXPECT_EQ(result.unstable[0].first, result.ends[0].speed);
-    EXPECT_EQ(result.unstable[0].second, result.ends[1].speed);
+    EXPECT_EQ(result.unstable[0].from, result.ends[0].speed);
+    EXPECT_EQ(result.unstable[0].to, result.ends[1].speed);
 }
 
 // A mass on a light shaft of stiffness k with damping eta k of its own and d from outside: the

@@ -34,7 +34,7 @@ std::vector<stability::Motion> balls_at(double speed) {
 TEST(MultiplierEnds, GrowthThatSinksBelowTheNoiseTowardsRestHasNoEndThere) {
     for (const std::vector<double> &speeds :
          {std::vector<double>{0, 100, 200, 300, 400, 500}, {0, 500}, {0.05, 500}, {2, 7, 500}}) {
-        const stability::SpeedInterval band{speeds.front(), speeds.back()};
+        const results::Interval band{speeds.front(), speeds.back()};
         const EndsFound found = multiplier_ends(balls_at, speeds, {band});
         ASSERT_EQ(found.ends.size(), 1U) << "from " << speeds.front();
         EXPECT_NEAR(found.ends[0].speed, stops, 1e-9 * stops);

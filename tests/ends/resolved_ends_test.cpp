@@ -113,7 +113,7 @@ TEST(ResolvedEnds, FastMotionsThatGrowAreFoundAtEverySpeed) {
         EXPECT_NEAR(result.unresolved_growth[i] / growth_of_all(scene, result.speeds[i]), 1, 1e-4);
         EXPECT_EQ(result.growth[i], result.unresolved_growth[i]);
     }
-    EXPECT_EQ(result.unstable, (std::vector<std::pair<double, double>>{{0, 1500}}));
+    EXPECT_EQ(result.unstable, (std::vector<results::Interval>{{0, 1500}}));
 }
 
 TEST(ResolvedEnds, VerdictsOnResolvedMotionsAreThoseOfEveryOrder) {
@@ -138,7 +138,7 @@ TEST(ResolvedEnds, BandsAndVerdictsTellOneStory) {
     const results::StabilityResult result = analyses::stability(scene, {});
     const auto inside = [](const auto &bands, double speed) {
         return std::any_of(bands.begin(), bands.end(), [speed](const auto &band) {
-            return speed >= band.first && speed <= band.second;
+            return speed >= band.from && speed <= band.to;
         });
     };
     for (std::size_t i = 0; i < result.speeds.size(); ++i) {

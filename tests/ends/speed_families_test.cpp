@@ -5,7 +5,7 @@
 namespace whirl::ends {
 namespace {
 
-using Intervals = std::vector<std::pair<double, double>>;
+using Intervals = std::vector<results::Interval>;
 
 TEST(SpeedFamilies, ListsOfOneLengthGoTogetherInOrder) {
     EXPECT_EQ(intervals_of({{1, 5, 9}, {1.5, 4, 9}, {0.5, 6, 9}}),

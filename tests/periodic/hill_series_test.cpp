@@ -134,24 +134,24 @@ TEST(HillSeries, EndsOfBandsAreItsOwn) {
     const auto grows = [&series](double speed) {
         return stability::growth_of(series.at(speed)) > 0;
     };
-    const double beside = 1e-7 * bands[0].first;
-    EXPECT_FALSE(grows(bands[0].first - beside));
-    EXPECT_TRUE(grows(bands[0].first + beside));
-    EXPECT_TRUE(grows(bands[0].second - beside));
-    EXPECT_FALSE(grows(bands[0].second + beside));
+    const double beside = 1e-7 * bands[0].from;
+    EXPECT_FALSE(grows(bands[0].from - beside));
+    EXPECT_TRUE(grows(bands[0].from + beside));
+    EXPECT_TRUE(grows(bands[0].to - beside));
+    EXPECT_FALSE(grows(bands[0].to + beside));
 }
 
 // Without damping: 0.27 rad/s wide.
 TEST(HillSeries, NarrowBandOfAnElasticRotorIsTheSameOnEveryGrid) {
-    std::vector<stability::SpeedInterval> found;
+    std::vector<results::Interval> found;
     for (const int count : {11, 501}) {
         const model::Case scene = tests::scene_of(flexible_rotor(0), 692, 700, count);
         const auto bands = analyses::unstable_bands_of(scene, {}, false).bands;
         ASSERT_EQ(bands.size(), 1U);
         found.push_back(bands[0]);
     }
-    EXPECT_NEAR(found[0].first, found[1].first, 1e-8 * found[0].first);
-    EXPECT_NEAR(found[0].second, found[1].second, 1e-8 * found[0].second);
+    EXPECT_NEAR(found[0].from, found[1].from, 1e-8 * found[0].from);
+    EXPECT_NEAR(found[0].to, found[1].to, 1e-8 * found[0].to);
 }
 
 // Seven bands, one of them 0.23 rad/s wide, from grids of 251 and of 97 speeds. On either side of
@@ -169,7 +169,7 @@ TEST(HillSeries, NarrowBandsOfADampedElasticRotorAreTheSameOnEveryGridAndItsOwn)
     const auto again = bands_of(97);
     ASSERT_EQ(bands.size(), 7U);
     ASSERT_EQ(again.size(), bands.size());
-    EXPECT_NEAR(bands[2].second - bands[2].first, 0.233, 0.001);
+    EXPECT_NEAR(bands[2].to - bands[2].from, 0.233, 0.001);
     const stability::MotionSolver series(
         tests::looked_at(rotor, results::Form::hill, rotor.shaft.order, 1), {});
     const auto grows = [&series](double speed) {
@@ -177,8 +177,8 @@ TEST(HillSeries, NarrowBandsOfADampedElasticRotorAreTheSameOnEveryGridAndItsOwn)
     };
     for (std::size_t i = 0; i < bands.size(); ++i)
         for (const bool first : {true, false}) {
-            const double end = first ? bands[i].first : bands[i].second;
-            EXPECT_NEAR(first ? again[i].first : again[i].second, end, 1e-8 * end);
+            const double end = first ? bands[i].from : bands[i].to;
+            EXPECT_NEAR(first ? again[i].from : again[i].to, end, 1e-8 * end);
             const double inward = (first ? 1e-5 : -1e-5) * end;
             EXPECT_TRUE(grows(end + inward)) << end;
             EXPECT_FALSE(grows(end - inward)) << end;
@@ -196,9 +196,9 @@ TEST(HillSeries, EveryBandOfADampedElasticRotorBeginsAndEndsWithItsCount) {
     EXPECT_EQ(found.unstable.size(), 7U);
     ASSERT_EQ(found.ends.size(), 2 * found.unstable.size());
     for (std::size_t i = 0; i < found.unstable.size(); ++i) {
-        EXPECT_EQ(found.ends[2 * i].speed, found.unstable[i].first);
+        EXPECT_EQ(found.ends[2 * i].speed, found.unstable[i].from);
         EXPECT_EQ(found.ends[2 * i].growing_below, 0);
-        EXPECT_EQ(found.ends[2 * i + 1].speed, found.unstable[i].second);
+        EXPECT_EQ(found.ends[2 * i + 1].speed, found.unstable[i].to);
         EXPECT_EQ(found.ends[2 * i + 1].growing_above, 0);
     }
 }
@@ -211,11 +211,11 @@ TEST(HillSeries, NarrowBandAtTheBorderOfTheRange) {
     };
     const auto whole = bands_from(692);
     ASSERT_EQ(whole.size(), 1U);
-    const double middle = (whole[0].first + whole[0].second) / 2;
+    const double middle = (whole[0].from + whole[0].to) / 2;
     const auto rest = bands_from(middle);
     ASSERT_EQ(rest.size(), 1U);
-    EXPECT_EQ(rest[0].first, middle);
-    EXPECT_NEAR(rest[0].second, whole[0].second, 1e-8 * middle);
+    EXPECT_EQ(rest[0].from, middle);
+    EXPECT_NEAR(rest[0].to, whole[0].to, 1e-8 * middle);
 }
 
 // Without damping two motions collide on the unit circle, with damping one passes it.

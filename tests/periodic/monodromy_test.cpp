@@ -138,8 +138,8 @@ void expect_bands(const model::Rotor &rotor, const model::SpeedRange &speeds,
     const auto bands = analyses::unstable_bands_of(scene, {}, false).bands;
     ASSERT_EQ(2 * bands.size(), ends.size()) << speeds.count;
     for (std::size_t i = 0; i < bands.size(); ++i) {
-        EXPECT_NEAR(bands[i].first, ends[2 * i], 1e-8 * ends[2 * i]) << speeds.count;
-        EXPECT_NEAR(bands[i].second, ends[2 * i + 1], 1e-8 * ends[2 * i + 1]) << speeds.count;
+        EXPECT_NEAR(bands[i].from, ends[2 * i], 1e-8 * ends[2 * i]) << speeds.count;
+        EXPECT_NEAR(bands[i].to, ends[2 * i + 1], 1e-8 * ends[2 * i + 1]) << speeds.count;
     }
 }
 

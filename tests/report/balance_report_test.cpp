@@ -24,7 +24,7 @@ results::BalanceResult sample_balance() {
         plane.name = wicked_title;
         plane.z = z;
         plane.bands.bands = {{50, 120}, {150, 200}};
-        plane.bands.rigid_bands = std::vector<results::SpeedBand>{{51, 125}};
+        plane.bands.rigid_bands = std::vector<results::Interval>{{51, 125}};
         plane.bands.pinned = {120};
         plane.bands.ends = {{120, true, 125, -0.04, {}, 120}, {150, false, {}, {}, {}, {}}};
         plane.criterion = {0, -0.1, std::numeric_limits<double>::infinity()};
@@ -108,7 +108,7 @@ TEST_F(BalanceReport, JsonHasTheAgreedKeys) {
         nlohmann::json::parse(to_json(sample_case(), sample_balance())).contains("placement"));
     results::BalanceResult stable = sample_balance();
     stable.balanced_position =
-        results::BalancedPosition{std::vector<results::SpeedBand>{{60, 110}}, {}, 1, {}, {}};
+        results::BalancedPosition{std::vector<results::Interval>{{60, 110}}, {}, 1, {}, {}};
     EXPECT_EQ(
         nlohmann::json::parse(to_json(sample_case(), stable))["balanced_position"]["bands"][0][1],
         110);

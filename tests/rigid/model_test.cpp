@@ -129,8 +129,8 @@ TEST(RigidLimitModel, EndsAreThoseOfTheUnstableBand) {
     const auto bands = analyses::unstable_bands_of(scene, {}, false).bands;
     ASSERT_EQ(bands.size(), 1u);
     ASSERT_TRUE(found[0] && found[1]);
-    EXPECT_NEAR(found[0]->value, bands[0].first, 1e-8 * bands[0].first); // of the bands' ends
-    EXPECT_NEAR(found[1]->value, bands[0].second, 1e-8 * bands[0].second);
+    EXPECT_NEAR(found[0]->value, bands[0].from, 1e-8 * bands[0].from); // of the bands' ends
+    EXPECT_NEAR(found[1]->value, bands[0].to, 1e-8 * bands[0].to);
 }
 
 /// The largest stable anisotropy by descent over unstable bands.

@@ -68,8 +68,8 @@ const Eigen::Vector3cd e3(0, 0, 1);
 
 void expect_band(const BandsFound &found, double from, double to, double tolerance) {
     ASSERT_EQ(found.bands.size(), 1U);
-    EXPECT_NEAR(found.bands[0].first, from, tolerance);
-    EXPECT_NEAR(found.bands[0].second, to, tolerance);
+    EXPECT_NEAR(found.bands[0].from, from, tolerance);
+    EXPECT_NEAR(found.bands[0].to, to, tolerance);
     EXPECT_TRUE(found.doubtful.empty());
 }
 

@@ -216,12 +216,12 @@ TEST(JeffcottDiagram, StableSpeeds) {
     };
     const auto heavy = bands_of(jeffcott(0.05));
     ASSERT_EQ(heavy.size(), 2U);
-    EXPECT_NEAR(heavy[0].second, 1.030, 6e-4);
-    EXPECT_NEAR(heavy[1].first, 1.094, 6e-4);
-    EXPECT_NEAR(heavy[1].second, 1.882, 6e-4);
+    EXPECT_NEAR(heavy[0].to, 1.030, 6e-4);
+    EXPECT_NEAR(heavy[1].from, 1.094, 6e-4);
+    EXPECT_NEAR(heavy[1].to, 1.882, 6e-4);
     const auto light = bands_of(jeffcott(0.025));
     ASSERT_EQ(light.size(), 1U);
-    EXPECT_NEAR(light[0].second, 1.638, 6e-4);
+    EXPECT_NEAR(light[0].to, 1.638, 6e-4);
 }
 
 // The start decides: from balls at +-90 deg this point balances, as published; from balls close

@@ -75,8 +75,8 @@ TEST_P(Onset, IsTheFirstForwardCriticalSpeed) {
             [&solver](double speed) { return solver.at(speed); }, {150, 190, 230, 300, 400});
         const double critical = first_forward_critical_speed(GetParam());
         ASSERT_EQ(bands.size(), 1U);
-        EXPECT_NEAR(bands[0].first, critical, 1e-8 * critical);
-        EXPECT_EQ(bands[0].second, 400);
+        EXPECT_NEAR(bands[0].from, critical, 1e-8 * critical);
+        EXPECT_EQ(bands[0].to, 400);
         // Meshes of the classical element leave up to 0.3 rad/s.
         EXPECT_NEAR(critical, critical_speed_of_the_continuum(GetParam()),
                     GetParam().order == 1 ? 0.3 : 0.01);

@@ -18,7 +18,7 @@
 namespace {
 
 using namespace whirl;
-using Bands = std::vector<stability::SpeedInterval>;
+using Bands = std::vector<results::Interval>;
 
 const model::Material steel{"steel", 2.1e11, 2.1e11 / 2.6, 7850};
 
@@ -77,7 +77,7 @@ double dense_growth(const model::Rotor &rotor, double speed) {
 
 bool has_band(const Bands &bands, double from, double to, double tolerance) {
     return std::any_of(bands.begin(), bands.end(), [&](const auto &band) {
-        return std::abs(band.first - from) < tolerance && std::abs(band.second - to) < tolerance;
+        return std::abs(band.from - from) < tolerance && std::abs(band.to - to) < tolerance;
     });
 }
 
@@ -127,7 +127,7 @@ model::Rotor random_rotor(std::mt19937 &random) {
 
 bool inside(const Bands &doubtful, double speed) {
     return std::any_of(doubtful.begin(), doubtful.end(), [&](const auto &interval) {
-        return speed >= interval.first && speed <= interval.second;
+        return speed >= interval.from && speed <= interval.to;
     });
 }
 

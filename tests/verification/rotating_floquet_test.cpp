@@ -133,7 +133,7 @@ TEST_P(TwoRoutes, BandsAreUnstableInsideAndStableBeside) {
         const double off = 0.05 * std::min(to - from, 1.0);
         for (const double speed : {from - off, to + off}) {
             const bool elsewhere = std::any_of(bands.begin(), bands.end(), [&](const auto &band) {
-                return speed > band.first && speed < band.second;
+                return speed > band.from && speed < band.to;
             });
             if (!elsewhere && speed > scene.from && speed < scene.to) {
                 EXPECT_LT(periodic(speed).growth(steps), 1e-8 * speed) << from << " " << to;
@@ -149,7 +149,7 @@ TEST_P(TwoRoutes, GridOfMultipliersFindsNoOtherBand) {
     for (int i = 0; i <= points; ++i) {
         const double speed = scene.from + (scene.to - scene.from) * (i + 0.37) / (points + 1);
         const bool inside = std::any_of(bands.begin(), bands.end(), [&](const auto &band) {
-            return speed > band.first && speed < band.second;
+            return speed > band.from && speed < band.to;
         });
         EXPECT_EQ(periodic(speed).growth(steps) > 1e-7 * speed, inside) << speed;
     }

@@ -155,14 +155,13 @@ TEST(RigidLimit, EndsOfTheUnstableBandConvergeAsOneOverTheStiffness) {
         return bands.at(0);
     };
     const auto limit = ends(1, true);
-    EXPECT_NEAR(limit.first, exact->from, 1e-9 * exact->from);
-    EXPECT_NEAR(limit.second, *exact->to, 1e-9 * *exact->to);
+    EXPECT_NEAR(limit.from, exact->from, 1e-9 * exact->from);
+    EXPECT_NEAR(limit.to, *exact->to, 1e-9 * *exact->to);
     auto before = ends(16, false);
     for (const double stiffer : {32.0, 64.0, 128.0}) {
         const auto now = ends(stiffer, false);
-        EXPECT_NEAR(std::log2((before.first - limit.first) / (now.first - limit.first)), 1, 0.05);
-        EXPECT_NEAR(std::log2((before.second - limit.second) / (now.second - limit.second)), 1,
-                    0.05);
+        EXPECT_NEAR(std::log2((before.from - limit.from) / (now.from - limit.from)), 1, 0.05);
+        EXPECT_NEAR(std::log2((before.to - limit.to) / (now.to - limit.to)), 1, 0.05);
         before = now;
     }
 }

@@ -51,9 +51,9 @@ model::Rotor coupled_rotor() {
     return rotor;
 }
 
-bool within(const std::vector<stability::SpeedInterval> &bands, double speed, double margin) {
+bool within(const std::vector<results::Interval> &bands, double speed, double margin) {
     return std::any_of(bands.begin(), bands.end(), [&](const auto &band) {
-        return speed > band.first - margin && speed < band.second + margin;
+        return speed > band.from - margin && speed < band.to + margin;
     });
 }
 
@@ -137,8 +137,8 @@ TEST(HillForm, EqualsTheRotatingFormOnEqualBearings) {
     const auto hill = analyses::unstable_bands_of(scene, {}, false).bands;
     ASSERT_EQ(rotating.size(), 1U);
     ASSERT_EQ(hill.size(), 1U);
-    EXPECT_NEAR(hill[0].first, rotating[0].first, 1e-9 * rotating[0].first);
-    EXPECT_NEAR(hill[0].second, rotating[0].second, 1e-9 * rotating[0].second);
+    EXPECT_NEAR(hill[0].from, rotating[0].from, 1e-9 * rotating[0].from);
+    EXPECT_NEAR(hill[0].to, rotating[0].to, 1e-9 * rotating[0].to);
 }
 
 TEST(HillForm, SaysSoWhereTheSeriesDoesNotSettle) {

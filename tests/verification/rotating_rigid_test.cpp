@@ -212,8 +212,8 @@ TEST(AnisotropicRigidRotor, CriticalSpeedsWithoutDamping) {
         EXPECT_NEAR(found.critical_speeds[i], expected[i], 1e-9 * expected[i]);
     }
     ASSERT_EQ(found.unstable.size(), 1U); // between the two of tilt
-    EXPECT_NEAR(found.unstable[0].first, expected[1], 1e-9 * expected[1]);
-    EXPECT_NEAR(found.unstable[0].second, expected[2], 1e-9 * expected[2]);
+    EXPECT_NEAR(found.unstable[0].from, expected[1], 1e-9 * expected[1]);
+    EXPECT_NEAR(found.unstable[0].to, expected[2], 1e-9 * expected[2]);
 }
 
 TEST(AnisotropicRigidRotor, UnstableBandWithDamping) {
@@ -221,10 +221,10 @@ TEST(AnisotropicRigidRotor, UnstableBandWithDamping) {
         stability_of(tests::scene_of(tests::tilt_rotor(0.8, 0.1, 1.25, 0.156), 0, 6, 61));
     const auto band = closed_form::unstable_band(exact_tilt(0.8));
     ASSERT_EQ(found.unstable.size(), 1U);
-    EXPECT_NEAR(found.unstable[0].first, band->from, 1e-9 * band->from);
-    EXPECT_NEAR(found.unstable[0].second, *band->to, 1e-9 * *band->to);
-    EXPECT_NEAR(found.unstable[0].first, 2.381264, 0.5e-6);
-    EXPECT_NEAR(found.unstable[0].second, 3.788366, 0.5e-6);
+    EXPECT_NEAR(found.unstable[0].from, band->from, 1e-9 * band->from);
+    EXPECT_NEAR(found.unstable[0].to, *band->to, 1e-9 * *band->to);
+    EXPECT_NEAR(found.unstable[0].from, 2.381264, 0.5e-6);
+    EXPECT_NEAR(found.unstable[0].to, 3.788366, 0.5e-6);
 }
 
 TEST(AnisotropicRigidRotor, NoUpperEndNearTheSphere) {
@@ -233,8 +233,8 @@ TEST(AnisotropicRigidRotor, NoUpperEndNearTheSphere) {
             stability_of(tests::scene_of(tests::tilt_rotor(C, 0.1, 1.25, 0.156), 0, 40, 81));
         const auto band = closed_form::unstable_band(exact_tilt(C));
         ASSERT_EQ(found.unstable.size(), 1U) << C;
-        EXPECT_NEAR(found.unstable[0].first, band->from, 1e-9 * band->from) << C;
-        EXPECT_EQ(found.unstable[0].second, 40) << C;
+        EXPECT_NEAR(found.unstable[0].from, band->from, 1e-9 * band->from) << C;
+        EXPECT_EQ(found.unstable[0].to, 40) << C;
         EXPECT_FALSE(band->to);
     }
 }
@@ -281,8 +281,8 @@ TEST(AnisotropicRigidRotor, TurnsEitherWay) {
     const auto found =
         stability_of(tests::scene_of(tests::tilt_rotor(0.8, 0.1, 1.25, 0.156), -6, -0.5, 61));
     ASSERT_EQ(found.unstable.size(), 1U);
-    EXPECT_NEAR(found.unstable[0].first, -3.788366, 0.5e-6);
-    EXPECT_NEAR(found.unstable[0].second, -2.381264, 0.5e-6);
+    EXPECT_NEAR(found.unstable[0].from, -3.788366, 0.5e-6);
+    EXPECT_NEAR(found.unstable[0].to, -2.381264, 0.5e-6);
 }
 
 } // namespace

@@ -48,7 +48,7 @@ inline double stable_above(model::Case scene, double from, double to) {
     const auto bands =
         analyses::unstable_bands_of(scene, balancers::arrangement_at_balance(scene.rotor), false)
             .bands;
-    return bands.empty() ? from : bands.back().second;
+    return bands.empty() ? from : bands.back().to;
 }
 
 } // namespace whirl::tests

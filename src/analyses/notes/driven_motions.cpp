@@ -74,7 +74,8 @@ void add_resolved_bands(results::StabilityResult &result) {
 /// Where faster motions grow: between neighbouring speeds that differ in that, by halving. A band
 /// between two speeds at which none grows is not seen: of motions that hang on the mesh.
 struct FasterBands {
-    std::vector<stability::SpeedInterval> bands, errors;
+    std::vector<results::Interval> bands;
+    std::vector<results::EndErrors> errors;
 };
 FasterBands faster_bands(const ends::AllMotions &motions, double top,
                          const results::StabilityResult &result) {
@@ -94,10 +95,10 @@ FasterBands faster_bands(const ends::AllMotions &motions, double top,
             (grows == here ? high : low) = middle;
         }
         if (here) {
-            out.bands.emplace_back((low + high) / 2, speeds.back());
+            out.bands.push_back({(low + high) / 2, speeds.back()});
             out.errors.emplace_back((high - low) / 2, 0);
         } else {
-            out.bands.back().second = (low + high) / 2;
+            out.bands.back().to = (low + high) / 2;
             out.errors.back().second = (high - low) / 2;
         }
     }
@@ -106,13 +107,12 @@ FasterBands faster_bands(const ends::AllMotions &motions, double top,
 
 /// All bands: of resolved motions, and of faster ones.
 void join_bands(const FasterBands &faster, results::StabilityResult &result) {
-    std::vector<stability::SpeedInterval> all = result.resolved_unstable;
+    std::vector<results::Interval> all = result.resolved_unstable;
     all.insert(all.end(), faster.bands.begin(), faster.bands.end());
     std::map<double, double> error_of; // of each end, by its speed
     const auto take = [&error_of](const auto &bands, const auto &errors) {
         for (std::size_t i = 0; i < bands.size(); ++i)
-            error_of.insert(
-                {{bands[i].first, errors[i].first}, {bands[i].second, errors[i].second}});
+            error_of.insert({{bands[i].from, errors[i].first}, {bands[i].to, errors[i].second}});
     };
     take(result.resolved_unstable, result.resolved_unstable_error);
     take(faster.bands, faster.errors);

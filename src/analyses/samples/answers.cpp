@@ -82,8 +82,8 @@ std::vector<Answer> answers_of(const UnstableBands &found, const model::SpeedRan
     };
     for (std::size_t i = 0; i < found.bands.size(); ++i) {
         const bool judged = i < found.errors.size();
-        add(i, "from", found.bands[i].first, judged ? found.errors[i].first : not_known);
-        add(i, "to", found.bands[i].second, judged ? found.errors[i].second : not_known);
+        add(i, "from", found.bands[i].from, judged ? found.errors[i].first : not_known);
+        add(i, "to", found.bands[i].to, judged ? found.errors[i].second : not_known);
     }
     return out;
 }

@@ -81,7 +81,7 @@ namespace whirl::results {
 
 inline void to_json(report::Json &json, const Whirl &whirl) { json = whirl_name(whirl); }
 
-inline void to_json(report::Json &json, const SpeedBand &band) {
+inline void to_json(report::Json &json, const Interval &band) {
     json = report::Json::array({band.from, band.to});
 }
 

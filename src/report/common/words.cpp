@@ -106,9 +106,9 @@ std::string notes_text(const results::ModelSummary &model) {
     return text;
 }
 
-std::string bands_text(const std::vector<results::SpeedBand> &bands, const char *end,
-                       const char *to, const char *between, double factor) {
-    const std::string text = joined(bands, between, [&](const results::SpeedBand &band) {
+std::string bands_text(const std::vector<results::Interval> &bands, const char *end, const char *to,
+                       const char *between, double factor) {
+    const std::string text = joined(bands, between, [&](const results::Interval &band) {
         return fmt::format(fmt::runtime(end), band.from * factor) + to +
                fmt::format(fmt::runtime(end), band.to * factor);
     });

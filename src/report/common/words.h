@@ -9,7 +9,7 @@
 
 namespace whirl::results {
 struct ModelSummary;
-struct SpeedBand;
+struct Interval;
 } // namespace whirl::results
 
 namespace whirl::report {
@@ -56,7 +56,7 @@ inline constexpr auto place_of = [](const auto &row) { return place(row.name, ro
 [[nodiscard]] std::string notes_text(const results::ModelSummary &model);
 
 /// Bands in one cell; @param end  format of an end
-[[nodiscard]] std::string bands_text(const std::vector<results::SpeedBand> &bands, const char *end,
+[[nodiscard]] std::string bands_text(const std::vector<results::Interval> &bands, const char *end,
                                      const char *to, const char *between, double factor);
 
 } // namespace whirl::report

@@ -28,7 +28,7 @@ std::string quoted(const std::string &text) {
     return whole.substr(0, whole.rfind(' '));
 }
 
-std::string bars(const std::vector<results::SpeedBand> &bands, double low, double high,
+std::string bars(const std::vector<results::Interval> &bands, double low, double high,
                  const char *colour) {
     std::string out;
     for (const auto &band : bands)
@@ -85,7 +85,7 @@ Curves bands_key(const BalanceResult &result) {
 }
 
 /// The bars of a row; the word `nowhere` at its left without any.
-std::string main_bars(const std::vector<results::SpeedBand> &bands, double base,
+std::string main_bars(const std::vector<results::Interval> &bands, double base,
                       const char *colour) {
     if (bands.empty())
         return fmt::format("set label 'nowhere in this range' at graph 0.01,first {} left "

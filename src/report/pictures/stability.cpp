@@ -15,7 +15,7 @@ using results::StabilityResult;
 
 namespace {
 
-using Bands = std::vector<std::pair<double, double>>;
+using Bands = std::vector<results::Interval>;
 
 constexpr const char *shade = "#F4B6C8";
 constexpr const char *shade_some = "#FBE3EA";
@@ -53,8 +53,7 @@ std::string bars(const Bands &bands, double row, const char *colour) {
 /// Growth at the given speeds, and 0 at the ends of the bands, which are exact: between the speeds
 /// the curve leaves zero where they are.
 std::vector<PlotPoint> growth_points(const StabilityResult &result,
-                                     const std::vector<double> &growth,
-                                     const std::vector<std::pair<double, double>> &bands) {
+                                     const std::vector<double> &growth, const Bands &bands) {
     std::vector<PlotPoint> points;
     for (std::size_t i = 0; i < result.speeds.size(); ++i)
         points.push_back({result.speeds[i] * rpm, growth[i]});

@@ -51,11 +51,11 @@ Columns<BandLine> file_columns(const results::StabilityResult &result) {
     return columns;
 }
 
-std::vector<BandLine> band_lines(const std::string &kind, const SpeedPairs &bands,
-                                 const SpeedPairs *errors) {
+std::vector<BandLine> band_lines(const std::string &kind, const Bands &bands,
+                                 const BandErrors *errors) {
     std::vector<BandLine> all;
     for (std::size_t i = 0; i < bands.size(); ++i) {
-        all.push_back({kind, bands[i].first, bands[i].second});
+        all.push_back({kind, bands[i].from, bands[i].to});
         if (errors && i < errors->size())
             std::tie(all.back().from_error, all.back().to_error) = (*errors)[i];
     }
@@ -96,7 +96,8 @@ namespace {
 /// Bands, and the verdicts at the speeds that they are to explain.
 struct Told {
     std::string title;
-    const SpeedPairs &bands, &errors;
+    const Bands &bands;
+    const BandErrors &errors;
     const std::vector<Verdict> &verdicts;
 };
 
@@ -123,7 +124,7 @@ std::string not_in_bands(const Told &of, const std::vector<double> &speeds) {
     std::size_t unknown = 0;
     for (std::size_t i = 0; i < of.verdicts.size() && i < speeds.size(); ++i) {
         const bool inside = std::any_of(of.bands.begin(), of.bands.end(), [&](const auto &band) {
-            return speeds[i] >= band.first && speeds[i] <= band.second;
+            return speeds[i] >= band.from && speeds[i] <= band.to;
         });
         const bool grows =
             of.verdicts[i] == Verdict::unstable || of.verdicts[i] == Verdict::diverges;
@@ -206,15 +207,14 @@ std::string lines_of(const std::vector<std::string> &sentences, const char *befo
 
 } // namespace
 
-std::string bands_text(const std::string &title, const SpeedPairs &bands,
-                       const SpeedPairs *errors) {
+std::string bands_text(const std::string &title, const Bands &bands, const BandErrors *errors) {
     return bands.empty()
                ? title + ": none in this range\n"
                : title + ":\n" +
                      text_table(band_columns(errors != nullptr), band_lines("", bands, errors));
 }
 
-std::string bands_section(const SpeedPairs &bands, const SpeedPairs *errors) {
+std::string bands_section(const Bands &bands, const BandErrors *errors) {
     return bands.empty()
                ? "<p>None in this range.</p>\n"
                : page_table(band_columns(errors != nullptr), band_lines("", bands, errors));

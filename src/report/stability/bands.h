@@ -6,12 +6,12 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace whirl::report {
 
-using SpeedPairs = std::vector<std::pair<double, double>>;
+using Bands = std::vector<results::Interval>;
+using BandErrors = std::vector<results::EndErrors>;
 
 /// A line of stability.csv. Of a band from and to are its ends; of a map they are its two entries.
 struct BandLine {
@@ -29,8 +29,8 @@ struct BandLine {
 [[nodiscard]] Columns<BandLine> file_columns(const results::StabilityResult &result);
 
 /// @param errors  of both ends of each band, or none
-[[nodiscard]] std::vector<BandLine> band_lines(const std::string &kind, const SpeedPairs &bands,
-                                               const SpeedPairs *errors = nullptr);
+[[nodiscard]] std::vector<BandLine> band_lines(const std::string &kind, const Bands &bands,
+                                               const BandErrors *errors = nullptr);
 [[nodiscard]] std::vector<BandLine> speed_lines(const std::string &kind,
                                                 const std::vector<double> &speeds);
 [[nodiscard]] std::vector<BandLine> growth_lines(const results::StabilityResult &result);
@@ -43,9 +43,8 @@ struct BandLine {
 [[nodiscard]] std::vector<Section> headline_sections(const results::StabilityResult &result);
 
 /// A table of bands, or that there are none. @param errors  of both ends of each; none: not told
-[[nodiscard]] std::string bands_text(const std::string &title, const SpeedPairs &bands,
-                                     const SpeedPairs *errors = nullptr);
-[[nodiscard]] std::string bands_section(const SpeedPairs &bands,
-                                        const SpeedPairs *errors = nullptr);
+[[nodiscard]] std::string bands_text(const std::string &title, const Bands &bands,
+                                     const BandErrors *errors = nullptr);
+[[nodiscard]] std::string bands_section(const Bands &bands, const BandErrors *errors = nullptr);
 
 } // namespace whirl::report

@@ -11,7 +11,7 @@ namespace {
 
 /// Bands as the motions of the rotor on few shapes tell what grows in them.
 std::vector<periodic::OpenBand> open_bands(const PeriodicMotions &motions,
-                                           const std::vector<SpeedInterval> &bands) {
+                                           const std::vector<results::Interval> &bands) {
     std::vector<periodic::OpenBand> out;
     for (const auto &[from, to] : bands) {
         const double middle = (from + to) / 2;
@@ -25,7 +25,7 @@ std::vector<periodic::OpenBand> open_bands(const PeriodicMotions &motions,
 
 std::optional<double> closing_anisotropy(const std::function<StabilityModel(double dI)> &with,
                                          double given, const BandFinder &as_it_is,
-                                         std::vector<SpeedInterval> bands,
+                                         std::vector<results::Interval> bands,
                                          const std::vector<double> &speeds) {
     const balancers::Arrangement &arrangement = as_it_is.arrangement();
     const PeriodicMotions *motions = as_it_is.solver().by_monodromy();

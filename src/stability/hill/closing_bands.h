@@ -21,7 +21,7 @@ namespace whirl::stability {
 /// @returns nothing where there are no bands, or they cannot be followed
 [[nodiscard]] std::optional<double>
 closing_anisotropy(const std::function<StabilityModel(double dI)> &with, double given,
-                   const BandFinder &as_it_is, std::vector<SpeedInterval> bands,
+                   const BandFinder &as_it_is, std::vector<results::Interval> bands,
                    const std::vector<double> &speeds);
 
 } // namespace whirl::stability
