@@ -30,7 +30,7 @@ bool TurningPencil::set_speed(double speed) {
     const QuadraticAt problem = _matrices.at(speed);
     _speed = speed;
     _shift = 0.31 * std::max(std::abs(speed), _slow);
-    _scales = linalg::scales_at(_shift, problem.M.diagonal(), _matrices.at(0).K.diagonal());
+    _scales = linalg::scales_at(_shift, problem.M.diagonal(), _stiffness);
     _M = linalg::scaled(problem.M, _scales);
     _D = linalg::scaled(problem.D, _scales);
     _K = linalg::scaled(problem.K, _scales);

@@ -21,7 +21,7 @@ class TurningPencil {
     /// @param matrices  form rotating
     /// @param slow      of the order of the motions on the supports, 1/s
     TurningPencil(FormMatrices matrices, double slow)
-        : _matrices(std::move(matrices)), _slow(slow) {}
+        : _matrices(std::move(matrices)), _stiffness(_matrices.at(0).K.diagonal()), _slow(slow) {}
 
     /// @returns false where the matrix at the shift that residuals are measured from is singular
     [[nodiscard]] bool set_speed(double speed);
@@ -39,6 +39,7 @@ class TurningPencil {
     using Complex = std::complex<double>;
 
     FormMatrices _matrices;
+    Eigen::VectorXd _stiffness; ///< of each unknown at rest
     double _slow;
     double _speed = 0;
     double _shift = 0;
