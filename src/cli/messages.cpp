@@ -1,6 +1,6 @@
 #include "cli/messages.h"
 
-#include <fmt/format.h>
+#include "report/common/text_width.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -24,14 +24,16 @@ void complain(std::string_view message) {
     const bool ended = !message.empty() && message.back() == '\n';
     // One write for the whole message, so that it stays in one piece; if standard error is
     // closed there is nobody to tell.
-    const std::string whole = fmt::format("{}{}", message, ended ? "" : "\n");
+    const std::string whole = report::printable(message, true) + (ended ? "" : "\n");
     (void)std::fwrite(whole.data(), 1, whole.size(), stderr);
 }
 
 void say(std::string_view text) {
     if (!first_process())
         return;
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    const std::string whole = report::printable(text, true);
+    if (std::fwrite(whole.data(), 1, whole.size(), stdout) != whole.size() ||
+        std::fflush(stdout) != 0)
         throw std::system_error(errno, std::generic_category(), "cannot write to standard output");
 }
 

@@ -17,8 +17,8 @@ inline constexpr int exit_bad_input = 2; ///< the case or the arguments are wron
 /// with 0: mpirun would stop the first one before it has spoken.
 [[nodiscard]] inline int status_here(int status) { return first_process() ? status : exit_done; }
 
-/// Writes one message to standard error, with a line end where it has none. Only the first
-/// process speaks.
+/// Writes one message to standard error, with a line end where it has none; names in it cannot
+/// command the terminal. Only the first process speaks.
 void complain(std::string_view message);
 
 /// Writes to standard output, likewise. @throws std::system_error where that is not possible.

@@ -1,10 +1,13 @@
 #include "report/common/csv.h"
 
+#include "report/common/text_width.h"
 #include "report/common/units.h"
 #include "report/common/words.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace whirl::report {
@@ -32,8 +35,13 @@ std::string csv_cell(const Json &value, double factor) {
     }
     if (!value.is_string())
         return value.is_null() ? "" : value.dump();
-    const std::string text = value.get<std::string>();
-    return text.find_first_of(",\"\r\n") == std::string::npos ? text : in_quotes(text);
+    std::string text = printable(value.get<std::string>());
+    const bool formula =
+        std::ranges::any_of(std::array{"=", "+", "-", "@", "＝", "＋", "－", "＠"},
+                            [&text](const char *sign) { return text.starts_with(sign); });
+    if (formula)
+        text.insert(0, "'");
+    return formula || text.find_first_of(",;\"") != std::string::npos ? in_quotes(text) : text;
 }
 
 std::string csv_head_line(const std::vector<std::string> &head) {

@@ -5,7 +5,8 @@
 namespace whirl::report {
 
 /// A value for a CSV file: numbers with all digits, empty for what is missing or not finite, text
-/// in quotes where a comma, a quote or a line end would break the row.
+/// in quotes where it could break the row. A text that a spreadsheet would take for a formula, such
+/// as "=A1", has an apostrophe in front (OWASP, "CSV injection").
 /// @param factor  of numbers, from csv_factors()
 [[nodiscard]] std::string csv_cell(const Json &value, double factor = 1);
 /// The first line of a file, its units, in brackets at the ends of headings, those asked for: the

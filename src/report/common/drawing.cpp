@@ -1,6 +1,7 @@
 #include "report/common/drawing.h"
 
 #include "report/common/html.h"
+#include "report/common/text_width.h"
 #include "report/common/words.h"
 
 #include <fmt/format.h>

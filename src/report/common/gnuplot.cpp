@@ -1,6 +1,7 @@
 #include "report/common/gnuplot.h"
 
 #include "model/errors.h"
+#include "report/common/text_width.h"
 #include "report/common/words.h"
 
 #include <fmt/format.h>
@@ -12,10 +13,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 extern char **environ;
 
@@ -87,26 +91,32 @@ std::string with_points_as_in_png(const std::string &commands) {
     return out.append(commands, from);
 }
 
-/// The script as it is handed over: its points as in with_points_as_in_png, where it is for an SVG,
-/// and the powers of ten of its texts (those of plot_text) as they are written by hand: only here,
-/// for the units of the numbers may have been changed before.
+/// A text of plot_text so that gnuplot makes valid SVG of it that says the same: it leaves entities
+/// such as "&#x41;" and "]]>" as they are.
+std::string for_svg(std::string text) {
+    for (const auto &[from, to] : {std::pair("\\046\\043x", "\\046\\043x26;\\043x"),          // &#x
+                                   std::pair("\\135\\135\\076", "\\135\\135\\046\\043x3e;")}) // ]]>
+        for (std::size_t at = text.find(from); at != std::string::npos;
+             at = text.find(from, at + std::strlen(to)))
+            text.replace(at, std::strlen(from), to);
+    return text;
+}
+
+/// The script as it is handed over: powers of ten of its texts (those of plot_text) as they are
+/// written by hand, for the units of the numbers may have been changed before.
 std::string handed_over(const std::string &script, PictureFormat format) {
     const bool svg = format == PictureFormat::svg;
     std::string out;
-    std::size_t from = 0;
-    while (from < script.size()) {
-        const std::size_t start = std::min(script.find('\'', from), script.size());
-        std::size_t end = start + 1;
-        while (end < script.size() && (script[end] != '\'' || script.compare(end, 2, "''") == 0))
-            end += script[end] == '\'' ? 2 : 1;
-        end = std::min(end, script.size());
-        const std::string commands = script.substr(from, start - from);
-        out += svg ? with_points_as_in_png(commands) : commands;
-        const std::string text = script.substr(start, end - start);
-        out += script.compare(end, 12, "' noenhanced") == 0 ? with_powers(text) : text;
-        if (end < script.size())
-            out += '\'';
-        from = end + 1;
+    bool text = false;
+    for (std::size_t from = 0; from <= script.size(); text = !text) {
+        const std::size_t to = std::min(script.find('"', from), script.size());
+        std::string piece = script.substr(from, to - from);
+        if (text)
+            piece = with_powers(svg ? for_svg(piece) : piece);
+        else if (svg)
+            piece = with_points_as_in_png(piece);
+        out += piece + (to < script.size() ? "\"" : "");
+        from = to + 1;
     }
     return out;
 }
@@ -171,14 +181,14 @@ void PlotJobs::finish() {
 }
 
 std::string plot_text(const std::string &text) {
-    std::string quoted = "'";
-    for (const char letter : text) {
-        if (letter == '\'')
-            quoted += "''";
-        else
-            quoted += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
+    std::string quoted = "\"";
+    for (const char letter : printable(text)) {
+        const auto byte = static_cast<unsigned char>(letter);
+        const bool plain =
+            byte >= 0x80 || std::isalnum(byte) != 0 || std::strchr(" .,:;()+-=/", byte) != nullptr;
+        quoted += plain ? std::string(1, letter) : fmt::format("\\{:03o}", byte);
     }
-    return quoted + "' noenhanced";
+    return quoted + "\" noenhanced";
 }
 
 } // namespace whirl::report

@@ -45,8 +45,9 @@ class PlotJobs {
     std::vector<Job> _jobs;
 };
 
-/// Text as a gnuplot string that is shown letter by letter: quotes doubled, control characters
-/// blanked, markup off.
+/// Text as a gnuplot string that is shown letter by letter, markup off: whatever could mean
+/// something to gnuplot stands there by its number. No other strings of a script are in double
+/// quotation marks.
 [[nodiscard]] std::string plot_text(const std::string &text);
 
 } // namespace whirl::report

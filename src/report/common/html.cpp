@@ -1,5 +1,6 @@
 #include "report/common/html.h"
 
+#include "report/common/text_width.h"
 #include "report/common/words.h"
 
 #include <fmt/format.h>
@@ -9,13 +10,6 @@
 #include <sstream>
 
 namespace whirl::report {
-
-std::string printable(std::string text) {
-    for (char &letter : text)
-        if (static_cast<unsigned char>(letter) < 0x20)
-            letter = ' ';
-    return text;
-}
 
 std::string markup(const pugi::xml_document &document) {
     std::ostringstream text;

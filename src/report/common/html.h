@@ -11,9 +11,6 @@ class xml_document;
 
 namespace whirl::report {
 
-/// Text with its control characters blanked, which no markup can hold.
-[[nodiscard]] std::string printable(std::string text);
-
 /// The document as HTML or SVG: no declaration, an end tag for every element.
 [[nodiscard]] std::string markup(const pugi::xml_document &document);
 

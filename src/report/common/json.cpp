@@ -1,5 +1,7 @@
 #include "report/common/json.h"
 
+#include <fmt/format.h>
+
 namespace nlohmann {
 WHIRL_JSON(template);
 }
@@ -15,6 +17,20 @@ Json json_object(std::size_t entries) {
     Json object = Json::object();
     object.get_ref<Json::object_t &>().reserve(entries);
     return object;
+}
+
+std::string json_text(const Json &json) {
+    std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    // The library does so below U+0020; a terminal obeys U+007F to U+009F too.
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const unsigned next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
+        if (byte == 0x7f)
+            text.replace(i, 1, "\\u007f");
+        else if (byte == 0xc2 && next < 0xa0)
+            text.replace(i, 2, fmt::format("\\u{:04x}", next));
+    }
+    return text;
 }
 
 void take_entries(Json &object, Json &&more) {

@@ -52,10 +52,9 @@ using Json = nlohmann::ordered_json;
 /// Moves the entries of one object into another one, which `update` would copy.
 void take_entries(Json &object, Json &&more);
 
-/// As text; bytes that are not UTF-8 are replaced: a title must not cost the result.
-[[nodiscard]] inline std::string json_text(const Json &json) {
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+/// As text; bytes that are not UTF-8 are replaced: a title must not cost the result. Control
+/// characters stand there by their numbers.
+[[nodiscard]] std::string json_text(const Json &json);
 
 /// A result in the units that were asked for, by the keys of its numbers. `units` says of each key
 /// that was converted what its unit is; all others are in SI.

@@ -1,6 +1,7 @@
 #include "report/common/table.h"
 
 #include "report/common/html.h"
+#include "report/common/text_width.h"
 #include "report/common/units.h"
 
 #include <fmt/format.h>
@@ -141,7 +142,7 @@ std::string text_table(const Texts &in_si) {
     for (auto &row : table) {
         widths.resize(std::max(widths.size(), row.size()));
         for (std::size_t i = 0; i < row.size(); ++i) {
-            row[i] = cell_in_written_units(row[i]);
+            row[i] = cell_in_written_units(printable(row[i]));
             widths[i] = std::max(widths[i], shown_size(row[i]));
         }
     }

@@ -22,6 +22,32 @@ constexpr std::array<int, 96> latin{
     613, 613, 613, 613, 613, 613, 982, 550, 615, 615,  615, 615, 278, 278, 278,  278,
     612, 634, 612, 612, 612, 612, 612, 838, 612, 634,  634, 634, 634, 592, 635,  592};
 
+struct Letter {
+    unsigned code = 0;
+    std::size_t bytes = 1;
+};
+constexpr unsigned no_letter = 0xfffd;
+
+/// Of UTF-8; a byte that begins none is `no_letter`.
+Letter first_letter(std::string_view text) {
+    const auto byte = [&text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned first = byte(0);
+    if (first < 0x80)
+        return {first, 1};
+    const std::size_t bytes = first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+    unsigned code = first & (0x7fU >> bytes);
+    for (std::size_t i = 1; i < bytes; ++i) {
+        if (i == text.size() || (byte(i) & 0xc0U) != 0x80U)
+            return {no_letter, 1};
+        code = code << 6U | (byte(i) & 0x3fU);
+    }
+    constexpr unsigned least[] = {0x80, 0x800, 0x10000}; // of two, three and four bytes
+    const bool surrogate = code >= 0xd800 && code < 0xe000;
+    const bool valid =
+        first >= 0xc0 && first < 0xf5 && code >= least[bytes - 2] && code < 0x110000 && !surrogate;
+    return valid ? Letter{code, bytes} : Letter{no_letter, 1};
+}
+
 int width_of(unsigned letter) {
     if (letter >= 0x20 && letter < 0x7f)
         return ascii[letter - 0x20];
@@ -42,20 +68,26 @@ int width_of(unsigned letter) {
 
 double text_width(std::string_view text, double size) {
     int sum = 0;
-    unsigned letter = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        if (byte < 0x80)
-            letter = byte;
-        else if (byte < 0xc0) // one of the bytes that follow
-            letter = letter << 6U | (byte & 0x3fU);
-        else
-            letter = byte & (byte < 0xe0 ? 0x1fU : byte < 0xf0 ? 0x0fU : 0x07U);
-        const bool last =
-            i + 1 == text.size() || (static_cast<unsigned char>(text[i + 1]) & 0xc0U) != 0x80U;
-        sum += last ? width_of(letter) : 0;
+    for (Letter letter; !text.empty(); text.remove_prefix(letter.bytes)) {
+        letter = first_letter(text);
+        sum += width_of(letter.code);
     }
     return size * sum / 1000;
+}
+
+std::string printable(std::string_view text, bool line_ends) {
+    std::string out;
+    for (Letter letter; !text.empty(); text.remove_prefix(letter.bytes)) {
+        letter = first_letter(text);
+        const bool control = letter.code < 0x20 || (letter.code >= 0x7f && letter.code < 0xa0);
+        if (control && !(line_ends && letter.code == '\n'))
+            out += ' ';
+        else if (letter.code == no_letter || letter.code == 0xfffe || letter.code == 0xffff)
+            out += "\xEF\xBF\xBD";
+        else
+            out += text.substr(0, letter.bytes);
+    }
+    return out;
 }
 
 std::string fitting(std::string text, double size, double width) {

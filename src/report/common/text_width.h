@@ -15,4 +15,9 @@ namespace whirl::report {
 /// The text, cut with dots where it is wider than so many pixels.
 [[nodiscard]] std::string fitting(std::string text, double size, double width);
 
+/// Text as it can be shown by a page, a picture or a terminal: blanks for control characters (those
+/// of a terminal move the cursor, and markup cannot hold them), U+FFFD for what is no letter.
+/// @param line_ends  stay, else the text becomes one line
+[[nodiscard]] std::string printable(std::string_view text, bool line_ends = false);
+
 } // namespace whirl::report

@@ -1,5 +1,6 @@
 #include "report/common/words.h"
 
+#include "report/common/text_width.h"
 #include "results/balance.h"
 #include "results/formulation.h"
 #include "results/model_summary.h"
@@ -56,7 +57,7 @@ std::string joined(const std::vector<std::string> &texts, const std::string &bet
 }
 
 std::string title_of(const model::Case &scene) {
-    return scene.title.empty() ? scene.name : scene.title;
+    return printable(scene.title.empty() ? scene.name : scene.title);
 }
 
 std::string place(const std::string &name, double z) {
@@ -103,7 +104,8 @@ std::string notes_text(const results::ModelSummary &model) {
     std::string text;
     const Units units = Units::of_readers(written_units());
     for (const model::Sentence &note : model.notes)
-        text += fmt::format("note: {}\n", kept_as_written(units.text(note)));
+        text += fmt::format("note: {}
+", kept_as_written(printable(units.text(note))));
     return text;
 }
 

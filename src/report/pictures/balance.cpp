@@ -22,9 +22,13 @@ constexpr const char *stable_colour = "#0072B2";
 constexpr const char *some_colour = "#A6CBE3";
 constexpr const char *unbalanced_colour = "#D55E00";
 
-/// plot_text without the word that tics do not take; they get it for all together.
-std::string quoted(const std::string &text) {
-    const std::string whole = plot_text(text);
+/// plot_text for a tic: without the word that tics do not take (they get it for all together), and
+/// with percent signs doubled, which are formats of numbers there.
+std::string tic_text(const std::string &text) {
+    std::string doubled;
+    for (const char letter : text)
+        doubled += letter == '%' ? std::string("%%") : std::string(1, letter);
+    const std::string whole = plot_text(doubled);
     return whole.substr(0, whole.rfind(' '));
 }
 
@@ -138,7 +142,7 @@ std::string bands_panel(const model::Case &scene, const BalanceResult &result,
     std::string names;
     double middle = -0.5;
     for (const Row &row : rows) {
-        names += fmt::format("{}{} {}", names.empty() ? "" : ", ", quoted(row.name), middle--);
+        names += fmt::format("{}{} {}", names.empty() ? "" : ", ", tic_text(row.name), middle--);
         script += row.marks;
     }
     Curves key = bands_key(result);
