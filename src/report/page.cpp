@@ -66,10 +66,10 @@ std::string sections_of(const Report &report, const std::string &pictures) {
     std::vector<Section> sections = report.sections(Units::of_readers(report.scene->units));
     if (!pictures.empty())
         sections.insert(sections.begin() + static_cast<std::ptrdiff_t>(report.pictures_after),
-                        {report.pictures_heading, kept_as_written(pictures)});
+                        {report.pictures_heading, pictures});
     std::string html;
     for (const Section &section : sections)
-        html += element("h2", in_written_units(section.heading)) + in_written_units(section.html);
+        html += element("h2", section.heading) + section.html;
     return html;
 }
 

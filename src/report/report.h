@@ -100,7 +100,9 @@ template <class Result>
 /// digits, null for what is missing or not finite.
 /// With [units] json = true in those that were asked for, and a key `units` that says so.
 [[nodiscard]] std::string to_json(const Report &report);
-/// The same always in SI, for the scripts of the page.
+/// The same in the units of the page, for its scripts; `units` names them by quantity.
+[[nodiscard]] std::string to_page_json(const Report &report);
+/// The same always in SI.
 [[nodiscard]] std::string to_si_json(const Report &report);
 /// The text for the terminal, in the units that were asked for.
 [[nodiscard]] std::string to_text(const Report &report);

@@ -20,18 +20,17 @@ constexpr std::size_t most_panels = 12;
 
 /// The numbers of an answer as they are drawn: speeds in rpm, amplitudes in µm.
 double factor_of(const SampledAnswer &answer) {
-    return answer.unit == "rad/s" ? rpm
-           : answer.unit == "m"   ? double(micrometres)
-           : answer.unit == "N"   ? double(newtons)
-                                  : 1.0;
+    return answer.quantity == Quantity::speed       ? rpm
+           : answer.quantity == Quantity::amplitude ? double(micrometres)
+           : answer.quantity == Quantity::force     ? double(newtons)
+                                                    : 1.0;
 }
 
 std::string axis_of(const SampledAnswer &answer) {
-    return answer.unit == "rad/s" ? "Spin speed (rpm)"
-           : answer.unit == "m"   ? "Amplitude (µm)"
-           : answer.unit == "N"   ? "Force (N)"
-           : answer.unit == "1"   ? "Share"
-                                  : answer.unit;
+    return answer.quantity == Quantity::speed       ? "Spin speed (rpm)"
+           : answer.quantity == Quantity::amplitude ? "Amplitude (µm)"
+           : answer.quantity == Quantity::force     ? "Force (N)"
+                                                    : "Share";
 }
 
 std::vector<double> shown_values(const SampledAnswer &answer) {
@@ -102,13 +101,14 @@ std::string panel_of(const model::Case &scene, const SampledAnswer &answer) {
     Curves drawn;
     drawn.add(bars, "using 1:2 with boxes lc rgb '#3C97CF' fs transparent solid 0.45 border lc rgb "
                     "'#0072B2'");
-    return marks_of(answer) + (answer.unit == "rad/s" ? operation_band(scene, x) : "") +
+    return marks_of(answer) + (answer.quantity == Quantity::speed ? operation_band(scene, x) : "") +
            axes_over(x, {0, 1.08 * most}) +
            fmt::format(
                "set title {} font ',12' offset 0,0.2\nset xlabel '{}' font ',11' offset 0,0.4\n"
                "set ylabel 'samples' font ',11' offset 1.5,0\n"
                "set xtics {:.9g} font ',11'\nset ytics font ',11'\nset boxwidth {:.9g}\n",
-               plot_text(answer.name), axis_of(answer), step_of(high - low), histogram.width) +
+               plot_text(std::string(answer.name)), axis_of(answer), step_of(high - low),
+               histogram.width) +
            drawn.script() + "unset object\nunset arrow\nunset label\nunset title\n";
 }
 
