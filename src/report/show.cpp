@@ -87,7 +87,8 @@ auto ends(std::optional<results::Interval> BalancerNumbers::*of, const char *for
 }
 
 std::string name_of(const BalancerNumbers &balancer, std::size_t index) {
-    return balancer.name.empty() ? std::to_string(index + 1) : balancer.name;
+    return (balancer.name.empty() ? std::to_string(index + 1) : balancer.name) +
+           (balancer.held ? " (held)" : "");
 }
 
 std::string position_text(const BalancerNumbers &balancer) {
@@ -104,9 +105,10 @@ const Columns<BalancerNumbers> balancer_columns{
     {InText("balancer"), name_of},
     {"name", &BalancerNumbers::name},
     {"z", OnPage("Place, z", "{:.8g} m"), InText("z (m)"), &BalancerNumbers::z},
+    {"held", [](const auto &b) { return b.held; }},
     {"E", OnPage("Capacity E", "{:.8g}", "∞"), InText("E", "{:.6g}", "infinite"),
      &BalancerNumbers::E},
-    {OnPage("Balanced position of the balls"), position_text},
+    {OnPage("Place of the balls"), position_text},
     {"D_c", OnPage("Second harmonic D: cosine part", "{:.8g}"), InText("D_c"),
      [](const auto &b) { return b.D ? Json(b.D->real()) : Json(); }},
     {"D_s", OnPage("Second harmonic D: sine part", "{:.8g}"), InText("D_s"),
@@ -273,7 +275,7 @@ std::vector<Section> sections_of(const ShowResult &result, const Units &) {
         const BalancerNumbers &balancer = result.balancers[i];
         const std::string name =
             balancer.name.empty() ? fmt::format("balancer {}", i + 1) : balancer.name;
-        sections.push_back({"Composite rotor: " + name,
+        sections.push_back({"Composite rotor: " + name + (balancer.held ? " (held)" : ""),
                             page_properties(balancer_columns, balancer) +
                                 page_table(dimensionless_columns, std::vector{balancer})});
     }
