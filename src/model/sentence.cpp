@@ -17,6 +17,7 @@ std::string value_text(const Value &value, const Unit &unit) {
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {
         const bool last = i + 1 == value.numbers.size();
         text += i == 0 ? "" : value.from_to ? " to " : last ? " and " : ", ";
+        text += value.sign && value.numbers[i] > 0 ? "+" : "";
         text += readable(value.numbers[i] * unit.factor, value.digits);
     }
     if (!unit.name.empty())

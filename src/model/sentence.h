@@ -17,6 +17,13 @@ struct Value {
     Quantity of = Quantity::number;
     int digits = 6;       ///< significant ones
     bool from_to = false; ///< a range; else a list
+    bool sign = false;    ///< of positive numbers too
+
+    [[nodiscard]] Value with_sign() const {
+        Value out = *this;
+        out.sign = true;
+        return out;
+    }
 };
 
 /// Makes values of one quantity: as::speed(x), as::speed.range(a, b), as::speed.list(speeds).
@@ -24,13 +31,13 @@ struct ValueOf {
     Quantity of;
 
     [[nodiscard]] Value operator()(double number, int digits = 6) const {
-        return {{number}, of, digits, false};
+        return {{number}, of, digits};
     }
     [[nodiscard]] Value range(double from, double to, int digits = 6) const {
         return {{from, to}, of, digits, true};
     }
     [[nodiscard]] Value list(const std::vector<double> &numbers, int digits = 6) const {
-        return {numbers, of, digits, false};
+        return {numbers, of, digits};
     }
 };
 namespace as {
@@ -50,6 +57,8 @@ inline constexpr ValueOf imbalance{Quantity::imbalance};
 inline constexpr ValueOf moment{Quantity::moment};
 inline constexpr ValueOf time{Quantity::time};
 inline constexpr ValueOf angle{Quantity::angle};
+inline constexpr ValueOf density{Quantity::density};
+inline constexpr ValueOf inverse_mass{Quantity::inverse_mass};
 } // namespace as
 
 /// The units in which a sentence is written.
