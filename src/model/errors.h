@@ -14,7 +14,10 @@ class Failure : public std::runtime_error {
     explicit Failure(Sentence sentence)
         : std::runtime_error(sentence.text()), _sentence(std::move(sentence)) {}
 
-    /// what() in other units than SI.
+    explicit Failure(const std::string &words) : Failure(Sentence(words)) {}
+    explicit Failure(const char *words) : Failure(Sentence(words)) {}
+
+    /// What to say in the units of readers; what() is in SI.
     [[nodiscard]] const Sentence &sentence() const { return _sentence; }
 
   private:

@@ -73,9 +73,11 @@ using UnitOf = std::function<Unit(Quantity)>;
 class Sentence {
   public:
     Sentence() = default;
-    // While notes are converted: a whole text.
-    Sentence(std::string text); // NOLINT(google-explicit-constructor)
-    Sentence(const char *text); // NOLINT(google-explicit-constructor)
+    /// Without values.
+    Sentence(const char *words); // NOLINT(google-explicit-constructor)
+    /// What somebody else says, as it is: input, a library.
+    explicit Sentence(const std::string &words);
+
     template <class First, class... More>
     Sentence(std::string_view pattern, const First &first, const More &...more) {
         take(pattern, {Sentence::part(first), Sentence::part(more)...});
@@ -92,8 +94,8 @@ class Sentence {
     [[nodiscard]] bool starts_with(std::string_view words) const {
         return text().starts_with(words);
     }
-    /// Not made of values: its units are still to be found in the text.
-    [[nodiscard]] bool plain() const { return _plain; }
+    /// The words alone, with {} for values.
+    [[nodiscard]] std::string pattern() const;
 
     friend std::ostream &operator<<(std::ostream &stream, const Sentence &sentence);
     friend bool operator==(const Sentence &a, const Sentence &b) { return a.text() == b.text(); }
@@ -119,7 +121,6 @@ class Sentence {
     static Sentence part(double) = delete; // say what it is: as::number(x), as::speed(x)
 
     Pieces _pieces;
-    bool _plain = false;
 };
 
 /// Sentences one after another, with words between.

@@ -291,15 +291,9 @@ std::vector<Section> sections_of(const ShowResult &result, const Units &units) {
         const BalancerNumbers &balancer = result.balancers[i];
         const std::string name =
             balancer.name.empty() ? fmt::format("balancer {}", i + 1) : balancer.name;
-<<<<<<< HEAD
-        sections.push_back({"Composite rotor: " + name,
+        sections.push_back({"Composite rotor: " + name + (balancer.held ? " (held)" : ""),
                             page_properties(balancer_columns, balancer, units) +
                                 page_table(dimensionless_columns, std::vector{balancer}, units)});
-=======
-        sections.push_back({"Composite rotor: " + name + (balancer.held ? " (held)" : ""),
-                            page_properties(balancer_columns, balancer) +
-                                page_table(dimensionless_columns, std::vector{balancer})});
->>>>>>> origin/main
     }
     if (result.anisotropy)
         sections.push_back({"Anisotropy: tilt of the rigid rotor",
