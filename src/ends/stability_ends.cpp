@@ -43,6 +43,7 @@ struct Found {
     WholeMotion motion;
     EndKind kind = EndKind::pair;
     int gain = 0;
+    bool together = false; ///< with others that rounding does not tell apart
     double place = 0; ///< the same change of the reduced rotor, whose motions are counted, rad/s
 };
 
@@ -70,6 +71,7 @@ class EndSearch {
 
     EndsFound ends() {
         std::ranges::sort(_found, {}, [](const Found &a) { return a.motion.speed; });
+        take_together();
         doubt_doubles();
         const std::vector<int> growing = growing_between(_found, &Count::growing);
         std::vector<Found> counted;
@@ -94,7 +96,8 @@ class EndSearch {
             end.kind = found.kind;
             end.growing_below = growing[i];
             end.growing_above = growing[i + 1];
-            if (end.growing_below + found.gain != end.growing_above)
+            if (end.growing_below + found.gain != end.growing_above && !found.together &&
+                !hidden_at(end.speed))
                 _out.doubtful.push_back({end.speed, end.speed});
             fill_frequency(end, found.motion);
             end.resolved.motion = resolved(found);
@@ -148,8 +151,11 @@ class EndSearch {
     void take(const Change &change, int piece) {
         const auto [place, root] = at_the_axis(change, piece);
         WholeMotion guess = _motions.lifted(root, place);
-        // A pair that has come to the real axis moves along it as two.
-        const bool standing = root.value.imag() == 0 || change.value.imag() == 0;
+        // A pair that has come to the real axis moves along it as two; where they part rounding
+        // does not tell them from a pair.
+        constexpr double both_parts = 3;
+        const bool standing = root.value.imag() == 0 || change.value.imag() == 0 ||
+                              std::abs(root.value) <= both_parts * root.noise;
         guess.value = {0, standing ? 0 : std::abs(root.value.imag())};
         if (root.value.imag() < 0) {
             guess.right = guess.right.conjugate().eval();
@@ -158,32 +164,76 @@ class EndSearch {
         const bool collide = change.undamped && !standing;
         const auto exact = collide ? std::nullopt : on_the_axis(_motions.whole(), guess, standing);
         const double reach = 3 * (change.to - change.from) + 1e-4 * std::abs(change.speed);
-        const bool confirmed = exact && std::abs(exact->speed - change.speed) <= reach;
+        // A pair next to zero can lead to where two real roots meet, which is another motion.
+        constexpr double like = 0.5;
+        const bool confirmed = exact && std::abs(exact->speed - change.speed) <= reach &&
+                               std::abs(exact->value) >= like * std::abs(guess.value);
         const int single = change.gain > 0 ? 1 : -1;
         if (confirmed && (standing || exact->rate.real() * single > 0)) {
             _found.push_back({*exact, standing ? EndKind::zero : EndKind::pair,
-                              standing ? change.gain : 2 * single, change.speed});
+                              standing ? change.gain : 2 * single, false, change.speed});
         } else if (!change.smooth && change.from != change.to &&
                    change.to - change.from < 1e-9 * std::abs(change.speed)) {
             guess.value = {0, std::abs(change.value.imag())};
-            _found.push_back({guess, EndKind::collision, change.gain, change.speed});
+            _found.push_back({guess, EndKind::collision, change.gain, false, change.speed});
         } else if (change.smooth) {
             _out.doubtful.push_back({change.from, change.to});
         }
     }
 
-    /// Two changes that led to one and the same root: the other one's is missing.
-    void doubt_doubles() {
+    /// Part of the speed over which rounding hides two real roots that meet next to zero, as with
+    /// hardly any damping: the root of it, with allowance.
+    static constexpr double hidden = 1e-7;
+
+    /// Next to a speed rounding hides whether motions grow: as many as the looks on both sides
+    /// tell.
+    [[nodiscard]] bool hidden_at(double speed) const {
+        const double near = hidden * std::abs(speed);
+        return std::any_of(_counts.lower_bound(speed - near), _counts.upper_bound(speed + near),
+                           [](const auto &look) { return look.second.unknown > 0; });
+    }
+
+    /// Of two real roots that meet next to zero the one that grew is lost in rounding there, and
+    /// found as one of two a little later: all these changes are those of the roots which pass
+    /// zero, each once, and how many grow is what the looks on both sides tell.
+    void take_together() {
+        std::vector<Found> out;
+        const auto next_to_zero = [](const Found &found) {
+            return std::abs(found.motion.value) <= std::sqrt(hidden) * std::abs(found.motion.speed);
+        };
+        for (Found &found : _found) {
+            const bool zero = found.kind == EndKind::zero;
+            const bool after_zero = !out.empty() && out.back().kind == EndKind::zero;
+            const bool near = !out.empty() && (zero || after_zero) && next_to_zero(found) &&
+                              next_to_zero(out.back()) &&
+                              found.motion.speed - out.back().motion.speed <=
+                                  hidden * std::abs(found.motion.speed);
+            if (!near || (zero && after_zero && !same_root(out.back().motion, found.motion))) {
+                out.push_back(std::move(found));
+                continue;
+            }
+            if (!after_zero)
+                out.back() = std::move(found);
+            out.back().together = true;
+        }
+        _found = std::move(out);
+    }
+
+    [[nodiscard]] static bool same_root(const WholeMotion &a, const WholeMotion &b) {
         constexpr double same = 1e-9;
         constexpr double parallel = 1 - 1e-6;
+        return std::abs(a.speed - b.speed) <= same * std::abs(b.speed) &&
+               std::abs(a.value - b.value) <= same * std::abs(b.speed) &&
+               std::abs(a.right.dot(b.right)) > parallel * a.right.norm() * b.right.norm();
+    }
+
+    /// Two changes that led to one and the same root: the other one's is missing.
+    void doubt_doubles() {
         for (std::size_t i = 1; i < _found.size(); ++i) {
-            const WholeMotion &a = _found[i - 1].motion;
-            const WholeMotion &b = _found[i].motion;
-            if (_found[i].kind == _found[i - 1].kind && _found[i].kind != EndKind::collision &&
-                std::abs(a.speed - b.speed) <= same * std::abs(b.speed) &&
-                std::abs(a.value - b.value) <= same * std::abs(b.speed) &&
-                std::abs(a.right.dot(b.right)) > parallel * a.right.norm() * b.right.norm())
-                _out.doubtful.push_back({a.speed, b.speed});
+            const Found &a = _found[i - 1];
+            const Found &b = _found[i];
+            if (a.kind == b.kind && b.kind != EndKind::collision && same_root(a.motion, b.motion))
+                _out.doubtful.push_back({a.motion.speed, b.motion.speed});
         }
     }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace whirl::ends {
@@ -123,15 +124,24 @@ class Sweep {
         return std::nullopt;
     }
 
-    /// Of the roots that grow at the one end that which has just begun to.
+    /// Of the roots that grow at the one end that which has just begun to: the farthest from those
+    /// that grow at the other end, and of several the one that grows least.
     void take_abrupt(const Spectrum &a, const Spectrum &b) {
         const int gain = b.growing() - a.growing();
         const Spectrum &more = gain > 0 ? b : a;
         const Spectrum &fewer = gain > 0 ? a : b;
+        const auto from_growing = [&fewer](const Root &root) {
+            double out = std::numeric_limits<double>::infinity();
+            for (const Root &other : fewer.roots)
+                if (other.sign() > 0)
+                    out = std::min(out, std::abs(other.value - root.value));
+            return out;
+        };
         const Root *best = nullptr;
         for (const Root &root : more.roots)
             if (root.sign() > 0 && root.value.imag() >= 0 &&
-                (best == nullptr || root.value.real() < best->value.real()))
+                (best == nullptr || std::pair(-from_growing(root), root.value.real()) <
+                                        std::pair(-from_growing(*best), best->value.real())))
                 best = &root;
         Change change{(a.speed + b.speed) / 2, a.speed, b.speed, 0, gain, false, false};
         if (best != nullptr) {

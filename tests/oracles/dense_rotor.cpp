@@ -89,15 +89,6 @@ std::vector<double> nodes_of(const CaseRotor &rotor, int parts) {
     return nodes;
 }
 
-/// Cone by the diameters of the element's middle.
-Cylinder element_at(const Segment &segment, double share, double length) {
-    Cylinder out = segment.left;
-    out.length = length;
-    out.outer += share * (segment.outer_end - segment.left.outer);
-    out.inner += share * (segment.inner_end - segment.left.inner);
-    return out;
-}
-
 void add_shaft(const CaseRotor &rotor, DenseRotor &out, Eigen::MatrixXd &shaft) {
     const Eigen::Index n = out.planar();
     double start = 0;
@@ -105,11 +96,9 @@ void add_shaft(const CaseRotor &rotor, DenseRotor &out, Eigen::MatrixXd &shaft) 
     for (const Segment &segment : rotor.shaft) {
         const double end = start + segment.left.length;
         for (; node + 1 < out.z.size() && out.z[node] < end - 1e-9 * rotor.length(); ++node) {
-            const double h = out.z[node + 1] - out.z[node];
-            const double share =
-                ((out.z[node] + out.z[node + 1]) / 2 - start) / segment.left.length;
-            const BeamMatrices beam =
-                beam_matrices(element_at(segment, share, h), rotor.axial_force);
+            const BeamMatrices beam = beam_matrices(
+                element_between(segment, out.z[node] - start, out.z[node + 1] - start),
+                rotor.axial_force);
             const auto first = static_cast<Eigen::Index>(2 * node);
             shaft.block<4, 4>(first, first) += beam.stiffness;
             for (const Eigen::Index at : {first, n + first}) {
@@ -157,12 +146,23 @@ void add_square(Eigen::Matrix4d &A, double factor, const Eigen::RowVector4d &v) 
 
 } // namespace
 
+Cylinder element_between(const Segment &segment, double left, double right) {
+    const double share = (left + right) / 2 / segment.left.length;
+    Cylinder out = segment.left;
+    out.length = right - left;
+    out.outer += share * (segment.outer_end - segment.left.outer);
+    out.inner += share * (segment.inner_end - segment.left.inner);
+    return out;
+}
+
 BeamMatrices beam_matrices(const Cylinder &cylinder, double axial_force) {
     const Section s = section_of(cylinder);
     const double h = cylinder.length;
     const double strain = s.EI / (s.shear * h * h);
     const Eigen::Matrix4d a = cubic(h, strain);
-    BeamMatrices out{Eigen::Matrix4d::Zero(), Eigen::Matrix4d::Zero(), Eigen::Matrix4d::Zero()};
+    BeamMatrices out;
+    for (Eigen::Matrix4d *matrix : {&out.stiffness, &out.bending, &out.mass, &out.gyroscopic})
+        matrix->setZero();
     // Gauss's four points: exact to degree 7, w^2 has degree 6
     const double inner = std::sqrt(3.0 / 7 - 2.0 / 7 * std::sqrt(1.2));
     const double outer = std::sqrt(3.0 / 7 + 2.0 / 7 * std::sqrt(1.2));
@@ -174,6 +174,7 @@ BeamMatrices beam_matrices(const Cylinder &cylinder, double axial_force) {
         const Shapes f = shapes_at((1 + point) / 2, h, a, strain);
         const double dz = share * h / 2;
         add_square(out.stiffness, dz * s.EI, f.curvature);
+        add_square(out.bending, dz * s.EI, f.curvature);
         add_square(out.stiffness, dz * s.shear, f.strain);
         add_square(out.stiffness, dz * axial_force, f.slope);
         add_square(out.mass, dz * cylinder.rho * s.area, f.w);

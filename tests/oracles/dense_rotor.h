@@ -14,6 +14,7 @@ namespace whirl::oracles {
 /// 1968, Theory of Matrix Structural Analysis; Nelson 1980, J. Mech. Des. 102, 793).
 struct BeamMatrices {
     Eigen::Matrix4d stiffness;  ///< integral of EI phi'^2 + kappa G A (w' - phi)^2 + N w'^2
+    Eigen::Matrix4d bending;    ///< of EI phi'^2 alone
     Eigen::Matrix4d mass;       ///< of rho A w^2 + rho I phi^2
     Eigen::Matrix4d gyroscopic; ///< of 2 rho I phi^2: a section's polar inertia is twice its other
 };
@@ -29,6 +30,10 @@ struct DenseRotor {
     /// Row of the deflection in x at a node; throws where there is none.
     [[nodiscard]] Eigen::Index deflection(double place) const;
 };
+
+/// The cylinder of an element from `left` to `right`, both measured from the beginning of its
+/// segment, m: a cone by the diameters of the element's middle.
+[[nodiscard]] Cylinder element_between(const Segment &segment, double left, double right);
 
 /// Elements as the case asks for, each cut into `parts`; nodes wherever something is attached.
 /// Internal damping eta: C_i = eta K of the shaft, Kc = [0 C_i; -C_i 0].

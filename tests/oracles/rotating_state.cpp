@@ -1,6 +1,7 @@
 #include "oracles/rotating_state.h"
 
 #include "oracles/balls.h"
+#include "oracles/dense_rotor.h"
 
 #include <algorithm>
 #include <limits>
@@ -29,6 +30,7 @@ Quadratic quadratic(const RotatingRotor &r, Real speed) {
     direct[0].topLeftCorner(n, n) =
         (r.K - speed * speed * (r.M - r.G)).cast<Complex>() + i * speed * r.Ce.cast<Complex>();
     conjugate[2].topLeftCorner(n, n) = r.Ma;
+    conjugate[1].topLeftCorner(n, n) = r.Cia;
     conjugate[0].topLeftCorner(n, n) = speed * speed * r.Ma + r.Ka;
     // acceleration = z'' + 2 i Omega z' - Omega^2 z of u and s
     const std::array<Complex, 3> acceleration{-speed * speed, Real(2) * i * speed, Real(1)};
@@ -53,17 +55,69 @@ Quadratic quadratic(const RotatingRotor &r, Real speed) {
 RotatingRotor::RotatingRotor(Eigen::Index size) {
     for (RealMatrix *matrix : {&M, &G, &Ce, &Ci, &K})
         *matrix = RealMatrix::Zero(size, size);
-    Ma = Ka = ComplexMatrix::Zero(size, size);
+    Ma = Ka = Cia = ComplexMatrix::Zero(size, size);
+}
+
+RotatingRotor rotating_shaft(const CaseRotor &rotor, int parts) {
+    const DenseRotor dense = dense_rotor(rotor, parts);
+    const Eigen::Index n = dense.planar();
+    for (const Eigen::MatrixXd *matrix : {&dense.K, &dense.C})
+        if (!matrix->topRightCorner(n, n).isZero(0) ||
+            matrix->topLeftCorner(n, n) != matrix->bottomRightCorner(n, n))
+            throw std::runtime_error("bearings that are not the same from every direction");
+    RotatingRotor out(n);
+    const auto wide = [n](const Eigen::MatrixXd &matrix) {
+        return RealMatrix(matrix.topLeftCorner(n, n).cast<Real>());
+    };
+    out.M = wide(dense.M);
+    out.K = wide(dense.K);
+    out.G = dense.G.topRightCorner(n, n).cast<Real>();
+    out.Ci = dense.Kc.topRightCorner(n, n).cast<Real>();
+    out.Ce = wide(dense.C) - out.Ci;
+    double start = 0;
+    std::size_t node = 0;
+    for (const Segment &segment : rotor.shaft) {
+        const double end = start + segment.left.length;
+        for (; node + 1 < dense.z.size() && dense.z[node] < end - 1e-9 * rotor.length(); ++node) {
+            const BeamMatrices beam = beam_matrices(
+                element_between(segment, dense.z[node] - start, dense.z[node + 1] - start));
+            const auto first = static_cast<Eigen::Index>(2 * node);
+            const auto add = [&](ComplexMatrix &to, double factor, const Eigen::Matrix4d &matrix) {
+                for (Eigen::Index i = 0; i < 4; ++i)
+                    for (Eigen::Index j = 0; j < 4; ++j)
+                        to(first + i, first + j) += static_cast<Real>(factor) * matrix(i, j);
+            };
+            add(out.Ka, segment.asymmetry, beam.bending);
+            add(out.Cia, segment.asymmetry * rotor.internal_damping, beam.bending);
+            add(out.Ma, segment.asymmetry / 2, beam.gyroscopic);
+        }
+        start = end;
+    }
+    for (const InertialAnisotropy &item : rotor.anisotropies) {
+        const Eigen::Index slope = dense.deflection(item.z) + 1;
+        out.Ma(slope, slope) +=
+            std::polar(static_cast<Real>(item.dI), 2 * static_cast<Real>(item.angle));
+    }
+    return out;
 }
 
 std::vector<Complex> state_eigenvalues(const RealMatrix &M, const RealMatrix &D,
                                        const RealMatrix &K, Real scale) {
     const Eigen::Index n = M.rows();
+    // Deflections and slopes in units in which a unit of each has the same kinetic energy
+    const auto unit = [&](Eigen::Index i) { return 1 / std::sqrt(M(i, i)); };
+    RealMatrix mass(n, n);
     RealMatrix both(n, 2 * n);
-    both << K / (scale * scale), D / scale;
+    for (Eigen::Index j = 0; j < n; ++j)
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const Real units = unit(i) * unit(j);
+            mass(i, j) = units * M(i, j);
+            both(i, j) = units * K(i, j) / (scale * scale);
+            both(i, n + j) = units * D(i, j) / scale;
+        }
     RealMatrix state = RealMatrix::Zero(2 * n, 2 * n);
     state.topRightCorner(n, n).setIdentity();
-    state.bottomRows(n) = -solve(M, both);
+    state.bottomRows(n) = -solve(mass, both);
     std::vector<Complex> out;
     for (const Complex &value : oracles::eigenvalues(state))
         out.push_back(value * scale);
@@ -72,8 +126,12 @@ std::vector<Complex> state_eigenvalues(const RealMatrix &M, const RealMatrix &D,
 
 std::vector<Complex> RotatingRotor::eigenvalues(Real speed) const {
     const Quadratic q = quadratic(*this, speed);
-    // Times in units of the revolution: entries of one size
-    return state_eigenvalues(q.second, q.first, q.zeroth, speed > 0 ? speed : Real(1));
+    // Times in units of the revolution, or of the fastest motion: entries of one size
+    Real fastest = 0;
+    for (Eigen::Index i = 0; i < q.second.rows(); ++i)
+        fastest = std::max(fastest, std::abs(q.zeroth(i, i)) / q.second(i, i));
+    return state_eigenvalues(q.second, q.first, q.zeroth,
+                             std::max({speed, std::sqrt(fastest), Real(1e-300L)}));
 }
 
 Real RotatingRotor::growth(Real speed) const {

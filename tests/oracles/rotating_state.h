@@ -21,11 +21,12 @@ struct BalancedBalls {
 
 /// Rotor in axes that turn with it, w = u exp(i Omega t), on isotropic supports:
 /// M(u'' + 2 i Omega u' - Omega^2 u) - i Omega G (u' + i Omega u) + Ce (u' + i Omega u) + Ci u'
-/// + K u + Ma conj(u'' + Omega^2 u) + Ka conj(u) = 0, one complex unknown a row.
+/// + K u + Ma conj(u'' + Omega^2 u) + Cia conj(u') + Ka conj(u) = 0, one complex unknown a row.
 struct RotatingRotor {
     RealMatrix M, G, Ce, Ci, K;
-    ComplexMatrix Ma; ///< inertial anisotropy
-    ComplexMatrix Ka; ///< two bending stiffnesses
+    ComplexMatrix Ma;  ///< inertial anisotropy
+    ComplexMatrix Ka;  ///< two bending stiffnesses
+    ComplexMatrix Cia; ///< internal damping of the same
     std::vector<BalancedBalls> balls;
 
     explicit RotatingRotor(Eigen::Index size);
@@ -43,6 +44,12 @@ struct RotatingRotor {
 [[nodiscard]] RotatingRotor rotating_composite(const CaseRotor &rotor);
 /// The disc of a case on its shaft, the mass of the shaft left out; unknowns w and phi at the disc.
 [[nodiscard]] RotatingRotor rotating_disc(const CaseRotor &rotor);
+
+/// The shaft of a case on two-node elements (dense_rotor()) in rotating axes, on bearings that are
+/// the same from every direction: [[anisotropy]] where there is a node, segments with two bending
+/// stiffnesses EI(1 +- asymmetry) and rotary inertias alike, the stiffer one in x, without
+/// balancers.
+[[nodiscard]] RotatingRotor rotating_shaft(const CaseRotor &rotor, int parts = 1);
 
 /// Of M q'' + D q' + K q = 0, 1/s. `scale`: a frequency of their order, so that the entries of the
 /// state matrix are of one size.

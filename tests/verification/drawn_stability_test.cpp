@@ -1,0 +1,271 @@
+// Rotors drawn at random, written as case files that the program and the oracles read each by
+// itself: ends of growth, level-I stability and permissible anisotropy against whole spectra of
+// dense matrices in long double. Two-node elements, which both have alike.
+
+#include "analyses/stability.h"
+#include "input/case_file.h"
+#include "oracles/dense_rotor.h"
+#include "oracles/rotating_state.h"
+#include "properties/draw.h"
+#include "properties/transforms.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+using namespace whirl;
+using oracles::Complex;
+using oracles::Real;
+using properties::Draw;
+
+struct Scene {
+    std::string text;
+    model::Case scene;
+    oracles::CaseRotor own; ///< as the oracles read it
+};
+
+Scene scene_of(std::string text) {
+    const auto *test = testing::UnitTest::GetInstance()->current_test_info();
+    const std::filesystem::path file =
+        std::filesystem::path(testing::TempDir()) / fmt::format("drawn_{}.toml", test->name());
+    std::ofstream(file) << text;
+    return {std::move(text), input::load_case(file), oracles::read_case(file.string(), {})};
+}
+
+/// What has been drawn so far.
+struct Drawn {
+    std::string text;
+    std::vector<double> z; ///< of the nodes: ends of the two segments, m
+    std::vector<double> disc_z, disc_Id;
+    double bending = 0; ///< stiffness of the shaft on rigid supports at its ends, N/m
+};
+
+/// A shaft of two elements with one to three discs at their ends.
+Drawn shaft_and_discs(Draw &draw, double internal_damping, bool asymmetric) {
+    Drawn out;
+    const bool thick = draw.chance(0.5);
+    const double length = thick ? draw.between(1.5, 4) : draw.between(0.5, 1.8);
+    const double outer = length * draw.between(0.05, 0.12);
+    const double cut = draw.between(0.25, 0.75);
+    const double E = draw.chance(0.5) ? 2.1e11 : 7e10;
+    out.z = {0, cut * length, length};
+    out.bending = 48 * E * std::pow(outer, 4) / 20 / std::pow(length, 3);
+    out.text = fmt::format("format = 1\n[material.m]\nE = {}\nnu = 0.3\nrho = {}\n[shaft]\n"
+                           "order = 1\ninternal_damping = {}\nsegments = [\n",
+                           E, draw.between(2700, 7850), internal_damping);
+    for (const double share : {cut, 1 - cut})
+        out.text += fmt::format(
+            "{{length = {}, outer = {}, inner = {}, material = \"m\", asymmetry = {}}},\n",
+            share * length, outer * draw.between(0.8, 1.2),
+            draw.chance(0.5) ? 0 : outer * draw.between(0.1, 0.5),
+            asymmetric ? draw.between(-0.15, 0.15) : 0);
+    out.text += "]\n";
+    const int first = draw.integer(0, 2);
+    for (int i = 0; i < draw.integer(1, 3); ++i) {
+        const double mass = 6000 * outer * outer * length * draw.over_decades(0.2, 4);
+        const double radius = draw.between(0.1, 0.3) * length;
+        out.disc_z.push_back(out.z[static_cast<std::size_t>((first + i) % 3)]);
+        out.disc_Id.push_back(mass * radius * radius / 4);
+        out.text +=
+            fmt::format("[[disc]]\nz = {}\nmass = {}\nId = {}\nIp = {}\n", out.disc_z.back(), mass,
+                        out.disc_Id.back(), out.disc_Id.back() * draw.between(0.6, 1.9));
+    }
+    return out;
+}
+
+/// Two bearings that are the same from every direction.
+/// @param stiffness  N/m, of their order
+/// @param damping    over their stiffness, s
+std::string two_bearings(Draw &draw, const Drawn &on, double stiffness, double damping) {
+    std::string out;
+    const std::size_t without = static_cast<std::size_t>(draw.integer(0, 2));
+    for (std::size_t i = 0; i < on.z.size(); ++i) {
+        const double k = stiffness * draw.over_decades(0.03, 30);
+        if (i != without)
+            out += fmt::format("[[bearing]]\nz = {}\nk = {}\nc = {}\n", on.z[i], k, damping * k);
+    }
+    return out;
+}
+
+/// Speed (rad/s) beyond the first forward critical speeds of a rotor without its asymmetries.
+double beyond_critical_speeds(const oracles::CaseRotor &rotor, int count) {
+    double out = 0;
+    for (const oracles::Crossing &crossing : oracles::crossings(oracles::dense_rotor(rotor)))
+        if (crossing.forward && count-- > 0)
+            out = crossing.speed;
+    return 1.3 * out;
+}
+
+/// A rotor with a turning anisotropy; its damping by its number: none, internal, or of bearings
+/// too.
+Scene anisotropic(int seed) {
+    Draw draw(static_cast<std::uint64_t>(seed));
+    const int kind = seed % 3;
+    const bool asymmetric = kind != 0 && draw.chance(0.7);
+    Drawn drawn = shaft_and_discs(draw, kind == 0 ? 0 : draw.over_decades(1e-7, 1e-5), asymmetric);
+    drawn.text += two_bearings(draw, drawn, drawn.bending * draw.over_decades(0.1, 10),
+                               kind == 2 ? draw.over_decades(1e-6, 1e-4) : 0);
+    if (!asymmetric || draw.chance(0.5))
+        drawn.text +=
+            fmt::format("[[anisotropy]]\nz = {}\ndI = {}\nangle = {}\n", drawn.disc_z[0],
+                        drawn.disc_Id[0] * draw.over_decades(0.02, 0.3), draw.between(-1.5, 1.5));
+    const Scene scene = scene_of(drawn.text + "[speeds]\nto = 1\n");
+    return scene_of(drawn.text + fmt::format("[speeds]\nto = {}\ncount = 21\n",
+                                             beyond_critical_speeds(scene.own, 3)));
+}
+
+/// Numbers of growing motions over the speed by the oracle.
+class Counted {
+  public:
+    explicit Counted(const oracles::CaseRotor &rotor)
+        : _rotor(oracles::rotating_shaft(rotor)), _noise(rotor.damped() ? 0 : 2e-9L) {}
+
+    [[nodiscard]] int growing(double speed) const {
+        const std::vector<Complex> values = _rotor.eigenvalues(speed);
+        Real largest = 0;
+        for (const Complex &l : values)
+            largest = std::max(largest, std::abs(l));
+        return static_cast<int>(std::count_if(values.begin(), values.end(), [&](const Complex &l) {
+            return l.real() > _noise * largest;
+        }));
+    }
+    struct End {
+        double speed;
+        int below, above;
+    };
+    /// Between neighbours of ascending speeds, by halving.
+    [[nodiscard]] std::vector<End> ends(const std::vector<double> &speeds) const {
+        std::vector<End> out;
+        int before = growing(speeds.front());
+        for (std::size_t k = 1; k < speeds.size(); ++k) {
+            const int here = growing(speeds[k]);
+            halve(speeds[k - 1], before, speeds[k], here, out);
+            before = here;
+        }
+        return out;
+    }
+
+  private:
+    oracles::RotatingRotor _rotor;
+    Real _noise; ///< of real parts that are zero, over the largest |l|: the root of rounding
+
+    void halve(double a, int at_a, double b, int at_b, std::vector<End> &out) const {
+        if (at_a == at_b)
+            return;
+        if (b - a < 1e-9 * b) {
+            out.push_back({(a + b) / 2, at_a, at_b});
+            return;
+        }
+        const double middle = (a + b) / 2;
+        const int there = growing(middle);
+        halve(a, at_a, middle, there, out);
+        halve(middle, there, b, at_b, out);
+    }
+};
+
+void expect_ends(const Counted &counted, const std::vector<results::StabilityEnd> &ends, double to,
+                 const std::string &name) {
+    constexpr int steps = 40;
+    std::vector<double> speeds;
+    for (int k = 0; k <= steps; ++k)
+        speeds.push_back(to * (k + 0.01) / (steps + 0.02));
+    for (std::size_t i = 1; i < ends.size(); ++i) // narrower than a step
+        speeds.push_back((ends[i - 1].speed + ends[i].speed) / 2);
+    std::sort(speeds.begin(), speeds.end());
+    const auto expected = counted.ends(speeds);
+    std::string all;
+    for (const auto &end : expected)
+        all += fmt::format("\n{:.10g} {} {}", end.speed, end.below, end.above);
+    all += "\nfor";
+    for (const auto &end : ends)
+        all += fmt::format("\n{:.10g} {} {} {}", end.speed, end.growing_below, end.growing_above,
+                           results::end_kind_name(end.kind));
+    ASSERT_EQ(ends.size(), expected.size()) << name << all;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const double end = ends[i].speed;
+        // Growth of undamped motions begins as a root of the distance: it is seen 1e-7 later.
+        EXPECT_NEAR(end, expected[i].speed, 1e-7 * end) << name;
+        EXPECT_EQ(ends[i].growing_below, expected[i].below) << name << ": " << end;
+        EXPECT_EQ(ends[i].growing_above, expected[i].above) << name << ": " << end;
+    }
+}
+
+// Nothing depends on the units that the numbers are in.
+TEST(DrawnRotors, EndsAreTheSameInOtherUnits) {
+    for (int seed = 1; seed <= 6; ++seed) {
+        const Scene scene = anisotropic(seed);
+        const auto here = analyses::stability(scene.scene, {}).ends;
+        for (const properties::Units &units :
+             {properties::Units{8, 0.25, 2}, properties::Units{3, 0.7, 1.05}}) {
+            const auto there =
+                analyses::stability(properties::in_units(scene.scene, units), {}).ends;
+            ASSERT_EQ(there.size(), here.size()) << seed;
+            for (std::size_t i = 0; i < here.size(); ++i) {
+                // Of motions that meet next to zero rounding leaves the root of itself.
+                EXPECT_NEAR(there[i].speed * units.time, here[i].speed, 1e-7 * here[i].speed)
+                    << seed;
+                EXPECT_EQ(there[i].growing_below, here[i].growing_below) << seed;
+                EXPECT_EQ(there[i].growing_above, here[i].growing_above) << seed;
+                EXPECT_EQ(there[i].kind, here[i].kind) << seed << ": " << here[i].speed;
+            }
+        }
+    }
+}
+
+TEST(DrawnRotors, EndsAreThoseOfTheCountedSpectrum) {
+    constexpr int rotors = 24;
+    std::size_t ends = 0;
+    for (int seed = 1; seed <= rotors; ++seed) {
+        const Scene scene = anisotropic(seed);
+        const results::StabilityResult result = analyses::stability(scene.scene, {});
+        const std::string name = fmt::format("rotor {}", seed);
+        expect_ends(Counted(scene.own), result.ends, result.speeds.back(), name);
+        for (const std::string &note : result.model.notes)
+            EXPECT_EQ(note.find("growing motions"), std::string::npos) << name << ": " << note;
+        ends += result.ends.size();
+    }
+    EXPECT_GE(ends, 60U); // otherwise little was compared
+}
+
+model::Case stored(const std::string &name) {
+    return input::load_case(WHIRL_ROOT "/tests/verification/scenes/" + name + ".toml");
+}
+
+// Where the matrix of what stands still is singular; by elements of order 12 the same digits.
+TEST(Ends, OfAnUndampedRotorAreThoseOfTheWholeOne) {
+    const model::Case scene = stored("ends_asymmetric_undamped");
+    for (const properties::Units &units : {properties::Units{}, properties::Units{8, 0.25, 2}}) {
+        const auto found = analyses::stability(properties::in_units(scene, units), {});
+        ASSERT_EQ(found.ends.size(), 2U);
+        EXPECT_NEAR(found.ends[0].speed * units.time, 66.721728, 5e-7);
+        EXPECT_NEAR(found.ends[1].speed * units.time, 66.979646, 5e-7);
+        ASSERT_EQ(found.unstable.size(), 1U);
+        EXPECT_EQ(found.unstable[0].from, found.ends[0].speed);
+        EXPECT_EQ(found.unstable[0].to, found.ends[1].speed);
+        EXPECT_TRUE(found.model.notes.empty()) << found.model.notes.front();
+    }
+}
+
+TEST(Ends, WithHardlyAnyDampingAreThoseOfTheWholeRotor) {
+    const model::Case scene = stored("ends_asymmetric_internal_damping");
+    for (const properties::Units &units : {properties::Units{}, properties::Units{1, 1, 1.05}}) {
+        const auto found = analyses::stability(properties::in_units(scene, units), {});
+        ASSERT_EQ(found.ends.size(), found.zero_root_speeds.size());
+        EXPECT_NEAR(found.ends[0].speed * units.time, 115.12889, 5e-6);
+        for (std::size_t i = 0; i < found.ends.size(); ++i) { // one real root more passes zero
+            EXPECT_EQ(found.ends[i].growing_below, static_cast<int>(i));
+            EXPECT_EQ(found.ends[i].growing_above, static_cast<int>(i) + 1);
+            EXPECT_EQ(found.ends[i].kind, results::EndKind::zero);
+            EXPECT_NEAR(found.ends[i].speed, found.zero_root_speeds[i],
+                        1e-9 * found.zero_root_speeds[i]);
+        }
+    }
+}
+
+} // namespace
