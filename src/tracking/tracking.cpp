@@ -20,8 +20,8 @@ namespace {
 /// range is settled by slopes.
 constexpr int deepest = 11;
 
-/// Speeds solved within such a step: some ten events, two for each halving.
-constexpr int most_in_step = 200;
+/// Speeds solved within such a step: some five events, one or two for each halving.
+constexpr int most_in_step = 60;
 
 using SharedSnapshot = std::shared_ptr<const Snapshot>;
 
@@ -365,7 +365,7 @@ Tracking track(const modes::SpectrumSolver &solver, const std::vector<modes::Spe
                int important, std::optional<int> most_between, const std::vector<double> &nodes) {
     const std::vector<char> is_node = are_nodes(spectra, nodes);
     const int budget =
-        most_between.value_or(most_in_step * static_cast<int>(std::ranges::count(is_node, 1)));
+        most_between.value_or(100 + 20 * static_cast<int>(std::ranges::count(is_node, 1)));
     constexpr double fine = 1.0 / 400; // of the range, whatever its grid
     const double finest = fine * std::abs(spectra.back().speed - spectra.front().speed);
     Tracking out;
@@ -380,13 +380,6 @@ Tracking track(const modes::SpectrumSolver &solver, const std::vector<modes::Spe
             chain.nodes.push_back(snapshots.back());
         else if (is_node[k] != 0)
             follower.follow(snapshots.back(), chain);
-    }
-    for (size_t i = 0; i < chain.steps.size(); ++i) {
-        fprintf(stderr, "%g -> %g sure %d:", chain.nodes[i]->spectrum.speed,
-                chain.nodes[i + 1]->spectrum.speed, chain.steps[i].sure);
-        for (int t : chain.steps[i].to)
-            fprintf(stderr, " %d", t);
-        fprintf(stderr, "\n");
     }
     chain.step_over_crossings(important, 2 * finest);
     chain.note_gaps(important, out.gaps);
