@@ -19,6 +19,7 @@
 #include "tracking/tracking.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -54,37 +55,6 @@ void keep_places(std::vector<Item> &items, const std::vector<std::size_t> &place
     items = std::move(kept);
 }
 
-/// What is drawn: the lines that are among the `modes` lowest at some speed of the diagram, there.
-struct Drawn {
-    std::vector<std::string> labels;
-    std::vector<int> places; ///< of the lines that were found among these, or -1
-};
-
-/// Leaves the lines that are drawn.
-/// @param own  places of the speeds of the diagram
-/// @param all  lines that are among the lowest at other speeds are drawn too
-Drawn keep_lowest_lines(tracking::FollowedLines &found, const model::SpeedRange &range,
-                        const std::vector<std::size_t> &own, int modes, bool all) {
-    std::vector<tracking::Line> &lines = found.tracking.lines;
-    const std::vector<tracking::LineName> names = tracking::line_names(
-        lines, found.spectra, places_of(tracking::naming_speeds(range), found.spectra), modes);
-    std::vector<tracking::Line> lowest;
-    Drawn out;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        tracking::Line looked_at = lines[i];
-        if (!all)
-            keep_places(looked_at.place, own);
-        const bool drawn = tracking::among_lowest(looked_at, modes);
-        out.places.push_back(drawn ? static_cast<int>(lowest.size()) : -1);
-        if (!drawn)
-            continue;
-        out.labels.push_back(names[i].label);
-        lowest.push_back(std::move(lines[i]));
-    }
-    lines = std::move(lowest);
-    return out;
-}
-
 /// Leaves the speeds of the diagram.
 void keep_own(tracking::FollowedLines &found, const std::vector<std::size_t> &own) {
     keep_places(found.spectra, own);
@@ -95,11 +65,26 @@ void keep_own(tracking::FollowedLines &found, const std::vector<std::size_t> &ow
     }
 }
 
-/// Of crossings or intervals of all lines those of the lines drawn.
-template <class Item> void keep_drawn(std::vector<Item> &items, const Drawn &drawn) {
-    for (Item &item : items)
-        item.mode = drawn.places[static_cast<std::size_t>(item.mode)];
-    std::erase_if(items, [](const Item &item) { return item.mode < 0; });
+/// Leaves the lines that are drawn. @returns their names
+std::vector<std::string> keep_drawn(const std::vector<char> &drawn,
+                                    const std::vector<tracking::LineName> &names,
+                                    tracking::FollowedLines &found, tracking::Crossings &crossed) {
+    std::vector<tracking::Line> lines;
+    std::vector<std::string> labels;
+    std::vector<int> places;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        places.push_back(drawn[i] != 0 ? static_cast<int>(lines.size()) : -1);
+        if (drawn[i] == 0)
+            continue;
+        labels.push_back(names[i].label);
+        lines.push_back(std::move(found.tracking.lines[i]));
+    }
+    found.tracking.lines = std::move(lines);
+    for (results::Crossing &crossing : crossed.found)
+        crossing.mode = places[static_cast<std::size_t>(crossing.mode)];
+    for (results::Locked &band : crossed.locked)
+        band.mode = places[static_cast<std::size_t>(band.mode)];
+    return labels;
 }
 
 std::string word(tracking::Absence why) {
@@ -168,7 +153,7 @@ results::CampbellMode mode_along(const tracking::Line &line,
 }
 
 void add_modes(const model::Case &scene, const modes::SpectrumSolver &solver,
-               const tracking::FollowedLines &found, const Drawn &drawn,
+               const tracking::FollowedLines &found, const std::vector<std::string> &labels,
                results::CampbellResult &result) {
     const std::vector<tracking::Line> &lines = found.tracking.lines;
     const tracking::LineErrors errors =
@@ -177,7 +162,7 @@ void add_modes(const model::Case &scene, const modes::SpectrumSolver &solver,
         result.modes.push_back(mode_along(lines[i], found.spectra, errors[i],
                                           results::in_rotating_axes(solver.form()),
                                           solver.follows()));
-        result.modes.back().label = drawn.labels[i];
+        result.modes.back().label = labels[i];
     }
     for (const modes::Spectrum &spectrum : found.spectra) {
         const auto largest = std::ranges::max_element(spectrum.growing);
@@ -203,35 +188,38 @@ results::CampbellResult campbell(const model::Case &scene) {
     if (scene.reduction && solver.form() == results::Form::hill)
         periodic = tracking::periodic_diagram(solver, result.speeds, tracking::naming_speeds(range),
                                               scene.campbell.modes, scene.campbell.multiples);
+    const int modes = scene.campbell.modes;
+    const std::vector<double> naming = tracking::naming_speeds(range);
+    int followed = modes;
+    if (solver.form() != results::Form::hill && !scene.campbell.multiples.empty())
+        followed = tracking::modes_below(solver, std::max(std::abs(range.from), std::abs(range.to)),
+                                         std::ranges::max(scene.campbell.multiples), modes);
     tracking::FollowedLines found =
         periodic ? std::move(periodic->found)
-                 : tracking::followed_lines(solver, with_naming_speeds(range), scene.campbell.modes,
-                                            scene.reduction);
+                 : tracking::followed_lines(solver, with_naming_speeds(range), followed,
+                                            scene.reduction, naming);
     if (process::process_rank() != 0)
         return result;
+    const std::vector<std::size_t> own = places_of(result.speeds, found.spectra);
+    const std::vector<tracking::LineName> names = tracking::line_names(
+        found.tracking.lines, found.spectra, places_of(naming, found.spectra), modes);
     // Steps longer than those between the speeds that name lines hide crossings and exchange lines:
     // then these speeds are searched too.
-    const bool coarse = result.speeds.size() < tracking::naming_speeds(range).size();
-    const std::vector<std::size_t> own = places_of(result.speeds, found.spectra);
-    const Drawn drawn =
-        keep_lowest_lines(found, range, own, scene.campbell.modes, periodic || coarse);
-    tracking::Crossings crossed;
-    const auto search = [&] {
-        return tracking::crossings(solver, found.tracking, found.spectra, scene.campbell.multiples);
-    };
-    if (periodic) {
-        crossed = std::move(periodic->crossed);
-        keep_drawn(crossed.found, drawn);
-        keep_drawn(crossed.locked, drawn);
-    } else if (coarse) {
-        crossed = search();
-    }
-    keep_own(found, own);
-    stage.emplace("errors of the whirl speeds", 0.5, 0.75);
-    add_modes(scene, solver, found, drawn, result);
-    stage.emplace("crossings", 0.75, 1.0);
+    const bool coarse = result.speeds.size() < naming.size();
     if (!periodic && !coarse)
-        crossed = search();
+        keep_own(found, own);
+    stage.emplace("crossings", 0.5, 0.75);
+    tracking::Crossings crossed =
+        periodic
+            ? std::move(periodic->crossed)
+            : tracking::crossings(solver, found.tracking, found.spectra, scene.campbell.multiples);
+    const std::vector<char> drawn =
+        tracking::lines_drawn(found.tracking.lines, found.spectra, modes, crossed);
+    const std::vector<std::string> labels = keep_drawn(drawn, names, found, crossed);
+    if (periodic || coarse)
+        keep_own(found, own);
+    stage.emplace("errors of the whirl speeds", 0.75, 1.0);
+    add_modes(scene, solver, found, labels, result);
     result.crossings = std::move(crossed.found);
     result.locked = std::move(crossed.locked);
     add_campbell_notes(scene.campbell, found, crossed, periodic.has_value(), result);

@@ -26,8 +26,9 @@ GeneralSpectrum::GeneralSpectrum(const assembly::Discretization &discretization,
 class GeneralSpectrum::AtSpeed {
   public:
     AtSpeed(const GeneralSpectrum &of, double speed)
-        : _M(of._system.M.view()), _D(_M), _K(_M),
-          _elastic_shift(0.3 * assembly::elastic_scale(of._discretization)),
+        : _M(of._system.M.view()), _D(_M), _K(_M), _speed(speed),
+          _relaxation(Relaxation::of(of._discretization.rotor().shaft)),
+          _elastic_scale(assembly::elastic_scale(of._discretization)),
           _zeros(zero_modes(of._discretization, results::Form::general, of._bearing_speed, speed)) {
         using linalg::Matrix;
         _D = Matrix::sum(1, of._system.C, speed, of._system.G).view();
@@ -35,13 +36,22 @@ class GeneralSpectrum::AtSpeed {
     }
 
     [[nodiscard]] const ZeroModes &zeros() const { return _zeros; }
-    [[nodiscard]] double elastic_shift() const { return _elastic_shift; }
+    [[nodiscard]] double elastic_shift() const { return 0.3 * _elastic_scale; }
+    /// Nothing found yet.
+    [[nodiscard]] Spectrum empty() const {
+        Spectrum out;
+        out.speed = _speed;
+        out.relaxation = _relaxation;
+        return out;
+    }
 
     [[nodiscard]] linalg::QuadraticOptions options(int wanted) const {
         linalg::QuadraticOptions out;
         out.zeros = _zeros.eigenvalues;
         out.wanted = std::min(static_cast<int>(_M.rows()), wanted + (_zeros.eigenvalues + 1) / 2);
-        out.shift = _zeros.eigenvalues > 0 ? _elastic_shift : 0;
+        out.shift = _zeros.eigenvalues > 0 ? elastic_shift() : 0;
+        if (relaxes_within(wanted))
+            out.shift = _relaxation.shift();
         return out;
     }
 
@@ -55,7 +65,16 @@ class GeneralSpectrum::AtSpeed {
 
   private:
     Eigen::SparseMatrix<double> _M, _D, _K;
-    double _elastic_shift; ///< 1/s
+    double _speed;
+    Relaxation _relaxation;
+    double _elastic_scale; ///< 1/s
+
+    /// The rate at which the shaft's motions come to rest is not far beyond the modes wanted: two a
+    /// bending shape, whose frequencies grow with the square of its number.
+    [[nodiscard]] bool relaxes_within(int wanted) const {
+        const double shapes = wanted / 2.0 + 1;
+        return _relaxation.rate < shapes * shapes * _elastic_scale;
+    }
     ZeroModes _zeros;
     std::map<double, std::unique_ptr<linalg::QuadraticSolver>> _solvers; ///< by their shifts
 };
@@ -78,7 +97,7 @@ Spectrum GeneralSpectrum::solve(AtSpeed &problem, int wanted, Errors errors) con
     }
     std::sort(found.pairs.begin(), found.pairs.end(),
               [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
-    Spectrum out;
+    Spectrum out = problem.empty();
     out.complete_radius = std::max(0.0, found.complete_radius - options.shift);
     out.modes = zeros.modes;
     int skip = zeros.eigenvalues;

@@ -292,13 +292,15 @@ WhirlMode RotatingSpectrum::in_fixed_frame(const linalg::ComplexPair &pair, doub
 
 Spectrum RotatingSpectrum::modes_of(const Eigenvalues &found, double speed) const {
     Spectrum out;
+    out.relaxation = Relaxation::of(_discretization.rotor().shaft);
     out.complete_radius = std::max(0.0, found.complete_radius - std::abs(speed));
     std::vector<linalg::ComplexPair> real;
     const auto take = [&](const linalg::ComplexPair &pair, bool stands_for_motion) {
         WhirlMode mode = in_fixed_frame(pair, speed);
         // At rest balls roll freely: a double zero, which rounding moves off the real axis or not.
         const bool zero = mode.residual + mode.rounding >= 1;
-        if (zero || mode.eigenvalue.imag() <= real_axis * std::abs(mode.eigenvalue)) {
+        if (zero || mode.eigenvalue.imag() <= real_axis * std::abs(mode.eigenvalue) ||
+            out.relaxation.stands(mode.eigenvalue, speed)) {
             out.add_without_whirl(mode.eigenvalue.real(),
                                   (pair.residual + pair.rounding) * std::abs(pair.value));
         } else if (stands_for_motion) {

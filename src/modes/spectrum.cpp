@@ -232,20 +232,17 @@ void SpectrumSolver::classify(Spectrum &spectrum) const {
 Spectrum SpectrumSolver::at(double speed, int wanted, Errors errors) const {
     try {
         const results::Form form = _data->form;
+        const int all = wanted + _data->most_zero_modes(speed);
         Spectrum spectrum = results::in_rotating_axes(form) ? rotating(speed, wanted, errors)
                             : form == results::Form::general || form == results::Form::planar_damped
-                                ? damped(speed, wanted, errors)
-                                : symmetric(speed, wanted);
+                                ? damped(speed, all, errors)
+                                : symmetric(speed, all);
         spectrum.speed = speed;
         for (WhirlMode &mode : spectrum.modes)
             mode.eigenvalue = determined_value(mode);
-        std::stable_sort(spectrum.modes.begin(), spectrum.modes.end(),
-                         [](const WhirlMode &a, const WhirlMode &b) {
-                             return a.eigenvalue.imag() < b.eigenvalue.imag();
-                         });
-        // No more than asked for: what follows modes to other speeds asks for as many there.
-        if (static_cast<int>(spectrum.modes.size()) > wanted)
-            spectrum.modes.resize(static_cast<std::size_t>(wanted));
+        // No more than asked for, whatever the way they were found: what follows modes to other
+        // speeds asks for as many there.
+        spectrum.keep_lowest(wanted);
         classify(spectrum);
         return spectrum;
     } catch (const linalg::SolverError &) {

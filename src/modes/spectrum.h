@@ -33,7 +33,8 @@ class SpectrumSolver {
     SpectrumSolver(SpectrumSolver &&) = delete;
     SpectrumSolver &operator=(SpectrumSolver &&) = delete;
 
-    /// The `wanted` whirl modes with the lowest frequencies (all, where there are fewer).
+    /// The `wanted` whirl modes with the lowest frequencies (all, where there are fewer), and those
+    /// of zero frequency, of free rigid motions, beside them.
     /// @throws model::AnalysisFailure where they cannot be found.
     [[nodiscard]] Spectrum at(double speed, int wanted,
                               Errors errors = Errors::with_left_vectors) const;

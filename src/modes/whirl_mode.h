@@ -1,11 +1,13 @@
 #pragma once
 
+#include "model/shaft.h"
 #include "results/whirl.h"
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <complex>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -22,6 +24,44 @@ inline constexpr double real_axis = 0.02;
 inline constexpr double overdamped_ratio = 0.99979998;
 static_assert(overdamped_ratio * overdamped_ratio + real_axis * real_axis > 1 - 1e-8 &&
               overdamped_ratio * overdamped_ratio + real_axis * real_axis < 1 + 1e-8);
+
+/// How the damping of a shaft's material, stress E (strain + tau strain rate), lets motions die
+/// out: at the rate 1/tau it holds nothing, and the fast motions of the shaft, infinitely many of
+/// them, come to rest there, internal damping (`internal_damping`) in the rotor, what does not turn
+/// (`beta`) in the fixed axes, both together in axes between. Seen from these axes the motion is
+/// overdamped; where they turn it has an imaginary part in the fixed ones, and is no whirl.
+struct Relaxation {
+    double rate = std::numeric_limits<double>::infinity(); ///< 1/tau, 1/s
+    double turning = 0; ///< of the spin speed, how fast the axes turn in which it comes to rest
+
+    [[nodiscard]] static Relaxation of(const model::Shaft &shaft) {
+        const double tau = shaft.rigid ? 0 : shaft.internal_damping + shaft.beta;
+        return tau > 0 ? Relaxation{1 / tau, shaft.internal_damping / tau} : Relaxation{};
+    }
+    /// A real shift from which whirl up to three times the rate is nearer than what comes to rest:
+    /// |shift - i w| < shift + rate.
+    [[nodiscard]] double shift() const { return 4 * rate; }
+    /// An eigenvalue as seen from these axes, Im >= 0.
+    [[nodiscard]] std::complex<double> seen(std::complex<double> l, double speed) const {
+        return {l.real(), std::abs(std::abs(l.imag()) - turning * std::abs(speed))};
+    }
+    /// The shaft's damping, where it turns, may bring it to rest: beyond half the rate, as seen
+    /// from there the pair of eigenvalues of a motion of the shaft alone becomes real at -1/tau to
+    /// -2/tau. (A whirl that crosses the spin speed, and is real in the rotor for that moment, dies
+    /// out far less fast.)
+    [[nodiscard]] bool relaxes(std::complex<double> l) const {
+        constexpr double beyond = 0.5;
+        return turning > 0 && -l.real() > beyond * rate;
+    }
+    /// It does not whirl as seen from there: the damping ratio is above 0.995, it dies out by a
+    /// factor of e^60 within one turn. (Among infinitely many such motions those that are hardly
+    /// coupled to the supports have ratios of 0.9998 and more at any speed, the slowest not.)
+    [[nodiscard]] bool stands(std::complex<double> l, double speed) const {
+        constexpr double hardly = 0.1;
+        const std::complex<double> there = seen(l, speed);
+        return relaxes(l) && there.imag() <= hardly * std::abs(there);
+    }
+};
 
 /// Whether errors are judged by the left vectors too, a factorisation each: for those that are
 /// handed on, not for beginnings, names and what is followed.
@@ -60,9 +100,32 @@ struct Spectrum {
     /// Of a solver ascending by frequency, no more than wanted; of a form by itself in any order,
     /// and there may be more.
     std::vector<WhirlMode> modes;
-    std::vector<double> overdamped; ///< real eigenvalues met on the way, 1/s
+    std::vector<double> overdamped; ///< real eigenvalues met on the way, and standing ones, 1/s
     std::vector<double> growing;    ///< those of them above zero by more than their error
     double complete_radius = 0;     ///< all eigenvalues of smaller modulus are known, 1/s
+    Relaxation relaxation{};        ///< what stands in its axes is no whirl
+
+    /// Whether each of the modes is among the `count` of lowest frequency. Zero ones (free rigid
+    /// motions) are, beside these.
+    [[nodiscard]] std::vector<char> lowest(int count) const {
+        std::vector<std::pair<double, std::size_t>> moving;
+        for (std::size_t i = 0; i < modes.size(); ++i)
+            if (modes[i].eigenvalue != 0.0)
+                moving.emplace_back(modes[i].eigenvalue.imag(), i);
+        std::ranges::sort(moving);
+        std::vector<char> out(modes.size(), 1);
+        for (auto k = static_cast<std::size_t>(count); k < moving.size(); ++k)
+            out[moving[k].second] = 0;
+        return out;
+    }
+    /// Drops all but these, and orders them by frequency.
+    void keep_lowest(int count) {
+        std::ranges::stable_sort(modes, {},
+                                 [](const WhirlMode &mode) { return mode.eigenvalue.imag(); });
+        const std::vector<char> low = lowest(count);
+        std::size_t next = 0;
+        std::erase_if(modes, [&](const WhirlMode &) { return low[next++] == 0; });
+    }
 
     /// Takes the real part of motion without whirl.
     /// @param error  of it that its residual and rounding explain, 1/s
@@ -75,7 +138,8 @@ struct Spectrum {
     /// @param value  of the mode, with the sign of its whirl where the form has one
     void add(std::complex<double> value, WhirlMode mode) {
         const double size = std::abs(value);
-        if (std::abs(value.imag()) > std::max(real_axis, 10 * mode.residual) * size)
+        if (std::abs(value.imag()) > std::max(real_axis, 10 * mode.residual) * size &&
+            !relaxation.stands(value, speed))
             modes.push_back(std::move(mode));
         else
             add_without_whirl(value.real(), (mode.residual + mode.rounding) * size);

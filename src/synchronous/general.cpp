@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace whirl::synchronous {
 
@@ -49,7 +50,11 @@ bool present(const std::vector<modes::WhirlMode> &modes, const modes::WhirlMode 
     Eigen::VectorXcd rest = at.cwiseProduct(mode.shape).normalized();
     std::vector<Eigen::VectorXcd> basis;
     for (const modes::WhirlMode &other : modes) {
-        if (std::abs(other.eigenvalue - mode.eigenvalue) >= 1e-7 * std::abs(mode.eigenvalue))
+        // What rounding can move either apart is no difference: of a stiff shaft on soft bearings
+        // one pair may be found twice.
+        const double blur =
+            1e-7 + 10 * (mode.residual + mode.rounding + other.residual + other.rounding);
+        if (std::abs(other.eigenvalue - mode.eigenvalue) >= blur * std::abs(mode.eigenvalue))
             continue;
         Eigen::VectorXcd direction = at.cwiseProduct(other.shape).normalized();
         for (const Eigen::VectorXcd &known : basis)
@@ -105,19 +110,50 @@ SynchronousModes GeneralSynchronous::fixed(double bearing_speed, int wanted, dou
     options.zeros = 2 * zeros.eigenvalues;
     if (zeros.eigenvalues > 0)
         options.shift = 0.3 * assembly::elastic_scale(_d);
+    // Backward motions turn at twice the spin speed through the internal damping of the rotor: they
+    // come to rest in it at half its rate.
+    const model::Shaft &shaft = _d.rotor().shaft;
+    const double tau = shaft.rigid ? 0 : 2 * shaft.internal_damping + shaft.beta;
+    const double shapes = wanted / 2.0 + 1; // as in GeneralSpectrum
+    if (tau > 0 && 1 < tau * std::max(top, shapes * shapes * assembly::elastic_scale(_d)))
+        options.shift = modes::Relaxation{1 / tau}.shift();
+    const auto solver_at = [&](double shift) {
+        return std::make_unique<linalg::QuadraticSolver>(
+            Eigen::SparseMatrix<double>(M.view()), Eigen::SparseMatrix<double>(D.view()),
+            Eigen::SparseMatrix<double>(K.view()), shift);
+    };
+    std::unique_ptr<linalg::QuadraticSolver> solver;
     SynchronousModes out;
     // Each mode of the complex problem brings a conjugate partner into the doubled one.
     for (int ask = std::max(_ask, 5 * wanted / 2 + 6 + 2 * zeros.eigenvalues);; ask = ask * 7 / 5) {
         options.wanted = std::min(ask, M.size());
         linalg::QuadraticResult found;
+        const auto solve = [&] {
+            if (!solver)
+                solver = solver_at(options.shift);
+            return solver->solve(options);
+        };
         try {
-            found = linalg::solve_quadratic(M, D, K, options);
+            found = solve();
         } catch (const linalg::SolverError &) {
-            // As in GeneralSpectrum: creeping motions against strong dampers want a shift.
-            if (options.shift != 0)
-                throw;
-            options.shift = 0.3 * assembly::elastic_scale(_d);
-            found = linalg::solve_quadratic(M, D, K, options);
+            if (out.complete_to > top)
+                return out; // no more can be resolved beside these
+            // As in GeneralSpectrum: creeping motions against strong dampers want a shift. The near
+            // ones are known where those far above, as of a shaft without mass, drown in rounding.
+            if (options.shift == 0) {
+                options.shift = 0.3 * assembly::elastic_scale(_d);
+                solver.reset();
+            } else {
+                options.fewest = 1;
+            }
+            try {
+                found = solve();
+            } catch (const linalg::SolverError &) {
+                if (options.fewest == 1)
+                    throw;
+                options.fewest = 1;
+                found = solve();
+            }
         }
         out.modes.clear();
         for (const linalg::ComplexPair &pair : found.pairs) {
@@ -135,7 +171,9 @@ SynchronousModes GeneralSynchronous::fixed(double bearing_speed, int wanted, dou
         }
         out.complete_to = height_within(found.complete_radius, options.shift, steepness);
         _ask = std::min(ask, M.size());
-        if (enough(out, wanted, top) || options.wanted == M.size())
+        const bool no_more =
+            options.fewest > 0 && static_cast<int>(found.pairs.size()) < options.wanted;
+        if (enough(out, wanted, top) || options.wanted == M.size() || no_more)
             break;
     }
     return out;

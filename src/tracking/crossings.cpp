@@ -11,6 +11,7 @@
 #include "tracking/crossing_search.h"
 #include "tracking/crossing_step.h"
 #include "tracking/followed_crossings.h"
+#include "tracking/followed_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -303,6 +304,17 @@ template <class List, class Key> void sort_from(List &list, std::ptrdiff_t first
 }
 
 } // namespace
+
+std::vector<char> lines_drawn(const std::vector<Line> &lines,
+                              const std::vector<modes::Spectrum> &spectra, int modes,
+                              const Crossings &crossed) {
+    std::vector<char> out = among_lowest(lines, spectra, modes);
+    for (const results::Crossing &crossing : crossed.found)
+        out[static_cast<std::size_t>(crossing.mode)] = 1;
+    for (const Locked &band : crossed.locked)
+        out[static_cast<std::size_t>(band.mode)] = 1;
+    return out;
+}
 
 Crossings crossings(const modes::SpectrumSolver &solver, const Tracking &tracking,
                     const std::vector<modes::Spectrum> &spectra,

@@ -18,6 +18,12 @@ struct Crossings {
     std::vector<double> unconfirmed{};
 };
 
+/// Of each line whether it is drawn: among the `modes` lowest at some of these speeds, or crossing
+/// a multiple, or staying on one.
+[[nodiscard]] std::vector<char> lines_drawn(const std::vector<Line> &lines,
+                                            const std::vector<modes::Spectrum> &spectra, int modes,
+                                            const Crossings &crossed);
+
 /// Spin speeds at which a line's frequency equals a multiple of the spin speed: roots, verified
 /// with the model itself (relative 1e-11). Steps are split at the rows of bearing tables, and where
 /// a line turns back within a step. Where a line stays on a multiple (motions that stand still in

@@ -7,6 +7,8 @@
 #include "tracking/spectra.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace whirl::tracking {
 
@@ -14,12 +16,13 @@ namespace {
 
 /// Whether a line that is among the `modes` lowest at some speed has left the computed part of the
 /// spectrum, by speeds: there more modes find it again.
-std::vector<char> left_spectrum(const std::vector<Line> &lines, std::size_t speeds, int modes) {
-    std::vector<char> out(speeds, 0);
-    for (const Line &line : lines)
-        if (among_lowest(line, modes))
-            for (std::size_t k = 0; k < speeds; ++k)
-                out[k] = out[k] != 0 || line.absence[k] == Absence::beyond;
+std::vector<char> left_spectrum(const FollowedLines &found, int modes) {
+    const std::vector<Line> &lines = found.tracking.lines;
+    const std::vector<char> low = among_lowest(lines, found.spectra, modes);
+    std::vector<char> out(found.spectra.size(), 0);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        for (std::size_t k = 0; k < out.size(); ++k)
+            out[k] = out[k] != 0 || (low[i] != 0 && lines[i].absence[k] == Absence::beyond);
     return out;
 }
 
@@ -43,9 +46,16 @@ void solve_again(const modes::SpectrumSolver &solver, const std::vector<double> 
 
 } // namespace
 
-bool among_lowest(const Line &line, int modes) {
-    return std::ranges::any_of(
-        line.place, [modes](int place) { return place != Line::absent && place < modes; });
+std::vector<char> among_lowest(const std::vector<Line> &lines,
+                               const std::vector<modes::Spectrum> &spectra, int modes) {
+    std::vector<char> out(lines.size(), 0);
+    for (std::size_t k = 0; k < spectra.size(); ++k) {
+        const std::vector<char> low = spectra[k].lowest(modes);
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            if (const int place = lines[i].place[k]; place != Line::absent)
+                out[i] = out[i] != 0 || low[static_cast<std::size_t>(place)] != 0;
+    }
+    return out;
 }
 
 int modes_to_follow(const model::Rotor &rotor, int modes) {
@@ -57,7 +67,7 @@ int modes_to_follow(const model::Rotor &rotor, int modes) {
 }
 
 FollowedLines followed_lines(const modes::SpectrumSolver &solver, const std::vector<double> &speeds,
-                             int modes, bool follow) {
+                             int modes, bool follow, const std::vector<double> &nodes) {
     const int more_modes = std::max(4, modes / 2);
     int computed = modes_to_follow(solver.discretization().rotor(), modes);
     constexpr int attempts = 4;
@@ -66,13 +76,26 @@ FollowedLines followed_lines(const modes::SpectrumSolver &solver, const std::vec
     for (int attempt = 1;; ++attempt) {
         solve_again(solver, speeds, again, computed, follow, out.spectra);
         if (process::process_rank() == 0) {
-            out.tracking = track(solver, out.spectra, modes);
-            again = left_spectrum(out.tracking.lines, speeds.size(), modes);
+            out.tracking = track(solver, out.spectra, modes, std::nullopt, nodes);
+            again = left_spectrum(out, modes);
         }
         process::broadcast(again);
         if (attempt == attempts || std::ranges::count(again, 0) == std::ssize(again))
             return out;
         computed += more_modes;
+    }
+}
+
+int modes_below(const modes::SpectrumSolver &solver, double speed, double multiple, int modes) {
+    const double frequency = multiple * std::abs(speed);
+    const int most = 3 * modes;
+    for (int ask = modes;; ask = std::min(most, 2 * ask)) {
+        const modes::Spectrum spectrum = solver.at(speed, ask, modes::Errors::of_right_vectors);
+        const auto below = std::ranges::count_if(spectrum.modes, [&](const modes::WhirlMode &mode) {
+            return mode.eigenvalue != 0.0 && mode.eigenvalue.imag() < frequency;
+        });
+        if (below < ask || ask == most)
+            return std::max(modes, static_cast<int>(below));
     }
 }
 

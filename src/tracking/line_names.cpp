@@ -113,20 +113,31 @@ std::vector<double> naming_speeds(const model::SpeedRange &range) {
 std::vector<LineName> line_names(const std::vector<Line> &lines,
                                  const std::vector<modes::Spectrum> &spectra,
                                  const std::vector<std::size_t> &naming, int modes) {
+    const std::vector<char> anywhere = among_lowest(lines, spectra, modes);
+    std::vector<modes::Spectrum> at_naming;
+    std::vector<Line> naming_lines(lines.size());
+    for (const std::size_t k : naming) {
+        at_naming.push_back(spectra[k]);
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            naming_lines[i].place.push_back(lines[i].place[k]);
+    }
+    const std::vector<char> at_some = among_lowest(naming_lines, at_naming, modes);
     Places first; // all that are there, so that more modes change no number
     Places late;  // only those of the lowest: how many more are computed is not the same everywhere
     Places higher; // of the lowest between the naming speeds alone
     Places others; // that are there between them alone
+    Places more;   // followed beside these
     Places unsure;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const bool low = std::ranges::any_of(
-            naming, [&](std::size_t k) { return there(lines[i], k) && lines[i].place[k] < modes; });
+        const bool low = at_some[i] != 0;
         if (there(lines[i], naming.front()))
             first.push_back(i);
         else if (low)
             late.push_back(i);
-        else if (among_lowest(lines[i], modes))
+        else if (anywhere[i] != 0)
             (beginning(lines[i], naming) ? higher : others).push_back(i);
+        else
+            more.push_back(i);
         if (!low)
             unsure.push_back(i);
     }
@@ -138,6 +149,7 @@ std::vector<LineName> line_names(const std::vector<Line> &lines,
     Places all(spectra.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     later.name(others, all, names);
+    later.name(more, all, names);
     for (const std::size_t i : unsure)
         names[i].sure = false;
     return names;

@@ -187,6 +187,11 @@ Matching match_by_vectors(const Snapshot &a, const Snapshot &b, int important) {
     if (const std::optional<Matching> plain = continued(a, b))
         return *plain;
     const Eigen::MatrixXd overlap = overlaps_of(a, b);
+    const std::vector<char> low_a = a.spectrum.lowest(important);
+    const std::vector<char> low_b = b.spectrum.lowest(important);
+    const auto is_low = [](const std::vector<char> &low, auto place) {
+        return low[static_cast<std::size_t>(place)] != 0;
+    };
     Matching out = nothing_matched(a, b);
     Candidates candidates;
     for (Eigen::Index i = 0; i < overlap.rows(); ++i)
@@ -196,12 +201,13 @@ Matching match_by_vectors(const Snapshot &a, const Snapshot &b, int important) {
     take_best(std::move(candidates), out);
     for (Eigen::Index i = 0; i < overlap.rows(); ++i) {
         const int j = out.to[static_cast<std::size_t>(i)];
-        if ((i < important || (j != Matching::none && j < important)) &&
+        if ((is_low(low_a, i) || (j != Matching::none && is_low(low_b, j))) &&
             (j == Matching::none ? !stands_at_rest(a, i, b) : !is_sure(overlap, i, j)))
             out.ambiguous = true;
     }
-    for (Eigen::Index j = 0; j < std::min<Eigen::Index>(important, overlap.cols()); ++j)
-        out.ambiguous = out.ambiguous || (out.from[static_cast<std::size_t>(j)] == Matching::none &&
+    for (Eigen::Index j = 0; j < overlap.cols(); ++j)
+        out.ambiguous = out.ambiguous || (is_low(low_b, j) &&
+                                          out.from[static_cast<std::size_t>(j)] == Matching::none &&
                                           !stands_at_rest(b, j, a));
     return out;
 }
@@ -211,18 +217,53 @@ bool may_veer(const Snapshot &a, const Snapshot &b, const Matching &matching, in
     // Of a veering as wide as a hundredth of a step this much is left at the ends of the step.
     constexpr double hardly = 1e-4;
     const auto &modes = a.spectrum.modes;
+    const std::vector<char> low_a = a.spectrum.lowest(important);
+    const std::vector<char> low_b = b.spectrum.lowest(important);
     const auto next = [&](std::size_t i) { return static_cast<std::size_t>(matching.to[i]); };
     const auto mixed = [&](std::size_t i, std::size_t j) {
         return std::abs(modes::overlap(a.basis, b.basis, static_cast<Eigen::Index>(i),
                                        static_cast<Eigen::Index>(j))) > hardly;
     };
     for (std::size_t k = 1; k < modes.size(); ++k)
-        for (std::size_t i = 0; i < k && static_cast<int>(i) < important; ++i)
-            if (matching.to[i] > matching.to[k] && matching.to[k] != Matching::none &&
-                matching.to[k] < important && modes[i].rotating_vector.size() == 0 &&
+        for (std::size_t i = 0; i < k; ++i)
+            if (low_a[i] != 0 && matching.to[i] > matching.to[k] &&
+                matching.to[k] != Matching::none && low_b[next(k)] != 0 &&
+                modes[i].rotating_vector.size() == 0 &&
                 !(planar && modes[i].whirl != modes[k].whirl) &&
                 (mixed(i, next(k)) || mixed(k, next(i))))
                 return true;
+    return false;
+}
+
+bool may_turn_real(const Snapshot &a, const Snapshot &b, const Matching &matching) {
+    constexpr double heavily = 0.3; // |Re| over Im at both ends
+    constexpr int parts = 16;
+    const double step = b.spectrum.speed - a.spectrum.speed;
+    for (std::size_t i = 0; i < matching.to.size(); ++i) {
+        const int j = matching.to[i];
+        if (j == Matching::none)
+            continue;
+        const auto place = static_cast<Eigen::Index>(i);
+        const std::complex<double> from = value(a.spectrum, place);
+        const std::complex<double> to = value(b.spectrum, j);
+        const double rate_a = (step > 0 ? a.basis.rate_above : a.basis.rate_below)(place).imag();
+        const double rate_b = (step > 0 ? b.basis.rate_below : b.basis.rate_above)(j).imag();
+        if (!(-from.real() > heavily * from.imag() && -to.real() > heavily * to.imag()) ||
+            !std::isfinite(rate_a) || !std::isfinite(rate_b))
+            continue;
+        const double d0 = from.imag() * from.imag();
+        const double d1 = to.imag() * to.imag();
+        const double s0 = 2 * from.imag() * rate_a * step;
+        const double s1 = 2 * to.imag() * rate_b * step;
+        const double least =
+            std::pow(modes::real_axis, 2) * std::min(std::norm(from), std::norm(to));
+        for (int part = 1; part < parts; ++part) {
+            const double u = static_cast<double>(part) / parts;
+            const double v = 1 - u;
+            if (v * v * ((1 + 2 * u) * d0 + u * s0) + u * u * ((3 - 2 * u) * d1 - v * s1) < least)
+                return true;
+        }
+    }
     return false;
 }
 
@@ -287,7 +328,9 @@ void keep_larger_parts(const Snapshot &a, const Snapshot &b, std::vector<int> &t
 
 Absence fate(const modes::Spectrum &here, int place, const modes::Spectrum &there) {
     const modes::WhirlMode &mode = here.modes[static_cast<std::size_t>(place)];
-    const std::complex<double> l = mode.eigenvalue;
+    const bool relaxes = here.relaxation.relaxes(mode.eigenvalue);
+    const std::complex<double> l =
+        relaxes ? here.relaxation.seen(mode.eigenvalue, here.speed) : mode.eigenvalue;
     const double size = std::abs(l);
     // Two complex eigenvalues that meet on the real axis part along it as fast as they came.
     const double window = std::max(3 * l.imag(), 0.1 * size);
@@ -308,7 +351,8 @@ Absence fate(const modes::Spectrum &here, int place, const modes::Spectrum &ther
     double highest = 0;
     for (const modes::WhirlMode &other : there.modes)
         highest = std::max(highest, other.eigenvalue.imag());
-    if (size >= 0.9 * there.complete_radius || l.imag() >= 0.9 * highest)
+    if (std::abs(mode.eigenvalue) >= 0.9 * there.complete_radius ||
+        mode.eigenvalue.imag() >= 0.9 * highest)
         return Absence::beyond;
     return Absence::lost;
 }

@@ -40,6 +40,11 @@ struct Matching {
 [[nodiscard]] bool may_veer(const Snapshot &a, const Snapshot &b, const Matching &matching,
                             int important, bool planar);
 
+/// Whether a heavily damped mode may turn real between the speeds and whirl again, or another one
+/// in its place: (Im l)^2, which goes through zero there as a smooth function, comes down to it by
+/// its values and slopes.
+[[nodiscard]] bool may_turn_real(const Snapshot &a, const Snapshot &b, const Matching &matching);
+
 /// What is left unsure is settled within groups of modes that span one space at both speeds (modes
 /// that come close mix): by continuity of eigenvalues and their slopes.
 [[nodiscard]] Matching match_by_groups(const Snapshot &a, const Snapshot &b);

@@ -74,7 +74,7 @@ ModeNames::ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRang
     std::optional<int> left = wanted.most_more;
     for (int attempt = 0; attempt < 4; ++attempt) {
         _spectra = spectra_alone(solver, _speeds, computed, follow);
-        tracking = track(solver, _spectra, modes, left);
+        tracking = track(solver, _spectra, modes, left, named_at);
         if (left && attempt > 0)
             *left -= static_cast<int>(_speeds.size());
         if (tracking.cut_short || left.value_or(0) < 0)

@@ -22,7 +22,7 @@ template <class Spectrum, class Value, class List>
 void each_part(Spectrum &spectrum, const Value &value, const List &list) {
     const auto values = [&value](auto &...of) { (value(of), ...); };
     const auto lists = [&list](auto &...of) { (list(of), ...); };
-    values(spectrum.speed, spectrum.complete_radius);
+    values(spectrum.speed, spectrum.complete_radius, spectrum.relaxation);
     lists(spectrum.overdamped, spectrum.growing);
     for (auto &mode : spectrum.modes) {
         values(mode.eigenvalue, mode.whirl, mode.forward_fraction, mode.residual, mode.rounding,

@@ -38,9 +38,14 @@ struct Tracking {
 
 /// Lines through all spectra, by the left and right vectors of their modes. The number of speeds
 /// solved in between is bounded by a multiple of the speeds given.
-/// @param most_between  another bound on it
+/// @param spectra       ascending by speed
+/// @param most_between  another bound on that number
+/// @param nodes         ascending; lines are followed from each of these speeds to the next, and
+///                      others taken on the lines that pass there, so that these do not depend on
+///                      which others there are. Empty: all are nodes; the first and the last always
 [[nodiscard]] Tracking track(const modes::SpectrumSolver &solver,
                              const std::vector<modes::Spectrum> &spectra, int important,
-                             std::optional<int> most_between = std::nullopt);
+                             std::optional<int> most_between = std::nullopt,
+                             const std::vector<double> &nodes = {});
 
 } // namespace whirl::tracking

@@ -19,6 +19,9 @@ using Sparse = Eigen::SparseMatrix<double>;
 /// TOAR of SLEPc 3.18 fails in LAPACK on small systems of which a large part is wanted.
 bool prefers_dense(int unknowns, int wanted) { return unknowns <= 24 || 5 * wanted >= unknowns; }
 
+/// All eigenvalues of more unknowns take a minute and more.
+constexpr int largest_dense = 600;
+
 /// A pair is accepted with a residual below this, which is reported with it; a usual one has
 /// 1e-13, only matrices of very many tiny elements come near.
 constexpr double acceptable_residual = 1e-6;
@@ -182,22 +185,32 @@ QuadraticResult solve_dense(QuadraticProblem &problem, const QuadraticOptions &o
 
 /// Where not enough are resolved, by another decomposition too, and the better of both.
 QuadraticResult solve_dense(QuadraticProblem &problem, const QuadraticOptions &options) {
-    QuadraticResult result = solve_dense(problem, options, false);
-    if (result.complete_radius >= options.enough)
-        return result;
-    QuadraticResult other = solve_dense(problem, options, true);
-    if (other.complete_radius > result.complete_radius)
-        result = std::move(other);
+    QuadraticResult result;
+    result.complete_radius = -1;
+    for (const bool otherwise : {false, true}) {
+        try {
+            QuadraticResult next = solve_dense(problem, options, otherwise);
+            if (next.complete_radius > result.complete_radius)
+                result = std::move(next);
+        } catch (const SolverError &) { // it did not converge: the other one decides
+        }
+        if (result.complete_radius >= options.enough ||
+            (options.fewest == 0 && static_cast<int>(result.pairs.size()) >= options.wanted))
+            return result;
+    }
     if (result.complete_radius < 0)
         throw SolverError("the eigenvalues differ by too many orders of magnitude");
     return result;
 }
 
+/// @param too_many  what TOAR did not find of this problem before, nor will it find more
 QuadraticResult solve_problem(QuadraticProblem &problem, const Sparse &M, const Sparse &D,
-                              const Sparse &K, const QuadraticOptions &options) {
+                              const Sparse &K, const QuadraticOptions &options, int &too_many) {
+    const bool rather_dense =
+        options.method == QuadraticMethod::dense || (options.method == QuadraticMethod::automatic &&
+                                                     prefers_dense(problem.size(), options.wanted));
     const bool try_toar =
-        options.method == QuadraticMethod::toar || (options.method == QuadraticMethod::automatic &&
-                                                    !prefers_dense(problem.size(), options.wanted));
+        options.method == QuadraticMethod::toar || (!rather_dense && options.wanted < too_many);
     QuadraticResult result;
     Operators operators;
     if (try_toar)
@@ -224,7 +237,10 @@ QuadraticResult solve_problem(QuadraticProblem &problem, const Sparse &M, const 
         if (problem.size() <= 200)
             break; // dense is cheaper than another try
     }
-    if (try_toar && (options.method == QuadraticMethod::toar || problem.size() > 600))
+    if (try_toar)
+        too_many = std::min(too_many, options.wanted);
+    if (options.method == QuadraticMethod::toar ||
+        (!rather_dense && problem.size() > largest_dense))
         throw SolverError("the quadratic eigensolver did not converge");
     return solve_dense(problem, options);
 }
@@ -252,6 +268,7 @@ QuadraticResult solve_quadratic(const Matrix &M, const Matrix &D, const Matrix &
 struct QuadraticSolver::Data {
     Scaled scaled;
     QuadraticProblem problem;
+    int too_many = std::numeric_limits<int>::max(); ///< for TOAR
 
     Data(const Sparse &M, const Sparse &D, const Sparse &K, double shift)
         : scaled(M, D, K, shift), problem(scaled.M, scaled.D, scaled.K, shift) {}
@@ -264,7 +281,8 @@ QuadraticSolver::~QuadraticSolver() = default;
 
 QuadraticResult QuadraticSolver::solve(const QuadraticOptions &options) {
     const Scaled &scaled = _data->scaled;
-    QuadraticResult result = solve_problem(_data->problem, scaled.M, scaled.D, scaled.K, options);
+    QuadraticResult result =
+        solve_problem(_data->problem, scaled.M, scaled.D, scaled.K, options, _data->too_many);
     if (options.condition)
         _data->problem.assess_condition(result.pairs);
     for (ComplexPair &pair : result.pairs) {

@@ -81,7 +81,10 @@ std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const
         if ((out = refined(found, speed, wanted)))
             out->radius = std::min(found.radius, out->radius);
     }
-    if (!out || out->radius == 0 || out->within(out->radius) < wanted)
+    // Motions that come to rest in the shaft's damping are not followed, and lie without end there.
+    constexpr double clear = 0.9;
+    if (!out || out->radius == 0 || out->within(out->radius) < wanted ||
+        out->radius > clear * _problem.relaxation().rate)
         return std::nullopt;
     out->counted = true;
     return out;

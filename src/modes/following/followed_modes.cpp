@@ -54,6 +54,8 @@ void set_planar_whirl(WhirlMode &mode, std::complex<double> value, bool positive
 
 Spectrum modes_of(const SymmetricProblem &problem, const FollowedSpeed &followed) {
     Spectrum out;
+    out.speed = followed.speed;
+    out.relaxation = problem.relaxation();
     out.complete_radius = followed.radius;
     out.modes.reserve(followed.pairs.size());
     for (std::size_t i = 0; i < followed.pairs.size(); ++i)

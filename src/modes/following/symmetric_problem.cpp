@@ -33,7 +33,8 @@ std::unique_ptr<SymmetricProblem> SymmetricProblem::of(const assembly::Discretiz
     if (matrices.empty() || !positive_definite(matrices[stiffness]) ||
         !positive_definite(matrices[mass]))
         return nullptr;
-    return std::unique_ptr<SymmetricProblem>(new SymmetricProblem(matrices, form));
+    return std::unique_ptr<SymmetricProblem>(
+        new SymmetricProblem(matrices, form, Relaxation::of(d.rotor().shaft)));
 }
 
 std::unique_ptr<SymmetricProblem>
@@ -42,12 +43,14 @@ SymmetricProblem::with_bearings_at(double speed, const assembly::Discretization 
     const std::vector<RealSparse> matrices = parts_of(d, form, speed);
     if (matrices.empty() || !positive_definite(matrices[stiffness]))
         return nullptr;
-    return std::unique_ptr<SymmetricProblem>(new SymmetricProblem(matrices, form));
+    return std::unique_ptr<SymmetricProblem>(
+        new SymmetricProblem(matrices, form, Relaxation::of(d.rotor().shaft)));
 }
 
-SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form)
-    : _size(static_cast<int>(matrices[mass].rows())), _form(form), _parts(parts),
-      _scales(matrices[stiffness].diagonal().cwiseSqrt().cwiseInverse()),
+SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form,
+                                   const Relaxation &relaxation)
+    : _size(static_cast<int>(matrices[mass].rows())), _form(form), _relaxation(relaxation),
+      _parts(parts), _scales(matrices[stiffness].diagonal().cwiseSqrt().cwiseInverse()),
       _inverse_scales(_scales.cwiseInverse()) {
     Sparse all(_size, _size);
     all.setIdentity();

@@ -2,6 +2,7 @@
 
 #include "assembly/discretization.h"
 #include "linalg/lanes/symmetric_factors.h"
+#include "modes/whirl_mode.h"
 #include "results/formulation.h"
 
 #include <Eigen/Core>
@@ -49,6 +50,7 @@ class SymmetricProblem {
     [[nodiscard]] int size() const { return _size; }
     [[nodiscard]] bool has(Part part) const { return !_parts[part].value.empty(); }
     [[nodiscard]] results::Form form() const { return _form; }
+    [[nodiscard]] const Relaxation &relaxation() const { return _relaxation; }
     /// With an eigenvalue its conjugate is one: the general form.
     [[nodiscard]] bool conjugates() const { return _form == results::Form::general; }
 
@@ -115,6 +117,7 @@ class SymmetricProblem {
     };
     int _size = 0;
     results::Form _form = results::Form::general;
+    Relaxation _relaxation;
     std::vector<Rows> _parts;
     std::vector<std::array<double, parts>> _absolute_sums; ///< over the rows of |A|
     Eigen::VectorXd _scales; ///< unknowns of the form over those of this problem
@@ -128,7 +131,8 @@ class SymmetricProblem {
     using Exponents = std::array<int, linalg::lanes>;
     mutable std::map<Exponents, linalg::RealEnergies> _energies; ///< by the exponents of two
 
-    SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form);
+    SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form,
+                     const Relaxation &relaxation);
     /// In the order of parts; none where the form is another one, or not symmetric so.
     [[nodiscard]] static std::vector<Sparse> parts_of(const assembly::Discretization &d,
                                                       results::Form form, double bearing_speed);

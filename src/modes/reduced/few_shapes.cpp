@@ -34,10 +34,7 @@ FewShapes::FewShapes(const assembly::Discretization &d, reduction::PlanarShapes 
 
 Spectrum FewShapes::modes(double speed, int wanted) const {
     Spectrum out = _spectrum.modes(speed, wanted, Errors::of_right_vectors);
-    std::stable_sort(out.modes.begin(), out.modes.end(), [](const auto &a, const auto &b) {
-        return a.eigenvalue.imag() < b.eigenvalue.imag();
-    });
-    out.modes.resize(std::min(out.modes.size(), static_cast<std::size_t>(wanted)));
+    out.keep_lowest(wanted);
     const Eigen::MatrixXd &V = _shapes.matrix();
     for (WhirlMode &mode : out.modes) {
         const assembly::Planes planes(mode.shape);

@@ -15,6 +15,7 @@
 #include "modes/symmetric_spectrum.h"
 #include "modes/turning/few_turning.h"
 #include "modes/turning/turning_pencil.h"
+#include "modes/zero_modes.h"
 #include "results/formulation.h"
 
 #include <algorithm>
@@ -79,6 +80,18 @@ struct SpectrumSolver::Data {
         return made(known, d, planar..., tables ? speed : 0.0);
     }
 
+    /// Modes of zero frequency that free rigid motions can have at a speed; in the fixed frame.
+    int most_zero_modes(double speed) {
+        if (results::in_rotating_axes(form))
+            return 0;
+        if (!_zero_modes || tables)
+            _zero_modes = static_cast<int>(
+                zero_modes(d, form == results::Form::planar_damped ? results::Form::general : form,
+                           speed, 0)
+                    .modes.size());
+        return *_zero_modes;
+    }
+
     /// Form rotating: from now on by few shapes, where they do.
     void take_turning(FewTurning::Range range) {
         if (form != results::Form::rotating || tables ||
@@ -108,6 +121,7 @@ struct SpectrumSolver::Data {
     }
 
   private:
+    std::optional<int> _zero_modes;
     std::unique_ptr<FormMatrices> _matrices;
     std::optional<std::unique_ptr<SymmetricProblem>> _symmetric_problem;
 };

@@ -22,6 +22,20 @@ Speeds with(const Speeds &some, const Speeds &others) {
     return out;
 }
 
+constexpr int parts = 200;    ///< of the range, by speeds that are searched whatever is asked for
+constexpr double same = 1e-6; ///< of a part
+
+/// Those of the speeds that are not the choice of whoever asked.
+Speeds evenly_spread(const Speeds &all) {
+    const double width = (all.back() - all.front()) / parts;
+    Speeds out;
+    for (const double speed : all)
+        if (const double place = (speed - all.front()) / width;
+            std::abs(place - std::round(place)) <= same)
+            out.push_back(speed);
+    return out;
+}
+
 /// With others, evenly spread over the range, so closely that few bands open and close between two
 /// of them. There are none where no motion comes near a multiple on which bands are so wide, or
 /// near one of those asked for, nor where the matrix does not tell the modes.
@@ -30,8 +44,6 @@ Speeds with_search_speeds(const Speeds &own, const modes::SpectrumSolver &few, i
     constexpr double slow_multiple = 4; // at slow speeds all motions are above that
     const double largest = multiples.empty() ? 0 : *std::ranges::max_element(multiples);
     const double slow = largest <= slow_multiple ? few.slow() : 0;
-    constexpr int parts = 200;
-    constexpr double same = 1e-6; // of a part
     const double width = (own.back() - own.front()) / parts;
     Speeds out;
     for (int i = 0; width > 0 && i <= parts; ++i) {
@@ -53,13 +65,16 @@ std::optional<Crossings> completed(const modes::SpectrumSolver &solver,
     const double high = found.spectra.back().speed;
     Crossings crossed = crossings(few, found.tracking, found.spectra, multiples);
     rotors.improve(crossed, low, high);
+    const std::vector<char> drawn_lines =
+        lines_drawn(found.tracking.lines, found.spectra, modes, crossed);
     for (std::size_t k = 0; k < found.spectra.size(); ++k) {
         if (!std::binary_search(speeds.begin(), speeds.end(), found.spectra[k].speed))
             continue;
         std::vector<int> drawn;
-        for (const Line &line : found.tracking.lines)
-            if (line.place[k] != Line::absent && among_lowest(line, modes))
-                drawn.push_back(line.place[k]);
+        for (std::size_t i = 0; i < drawn_lines.size(); ++i)
+            if (const int place = found.tracking.lines[i].place[k];
+                place != Line::absent && drawn_lines[i] != 0)
+                drawn.push_back(place);
         const bool slow = std::abs(found.spectra[k].speed) <= few.slow();
         // Near rest copies of all motions lie so close that the one meant may not be found.
         if (!rotors.improve(found.spectra[k], drawn, !slow) && !slow)
@@ -80,7 +95,7 @@ std::optional<PeriodicDiagram> periodic_diagram(const modes::SpectrumSolver &sol
     const std::unique_ptr<modes::SpectrumSolver> few =
         solver.by_monodromy(own.front(), own.back(), wanted);
     const Speeds all = with_search_speeds(own, *few, wanted, multiples);
-    PeriodicDiagram out{followed_lines(*few, all, modes, false), {}};
+    PeriodicDiagram out{followed_lines(*few, all, modes, false, evenly_spread(all)), {}};
     std::vector<char> good(1, 1);
     if (process::process_rank() == 0) {
         std::optional<Crossings> crossed =
