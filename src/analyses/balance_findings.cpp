@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace whirl::analyses {
 
@@ -40,7 +41,7 @@ void joint_ends(const results::BalanceResult &result, std::vector<std::string> &
                             "agrees to {:.0e})",
                             where, std::abs(*end.pinned / end.speed - 1) + 1e-16);
         if (rigid_says_on(result.joint.bands, end.speed) && !end.rigid)
-            text += result.model.formulation.form == results::Form::planar
+            text += result.model.formulation.form != results::Form::general
                         ? "; the rigid form knows no such end: the shaft bends between the planes"
                         : "; the rigid form, with isotropic bearings, knows no such end";
         out.push_back(text + ".");
@@ -70,6 +71,21 @@ void plane_ends(const results::BalanceResult &result, std::vector<std::string> &
     }
 }
 
+/// Of a rotor that is not axisymmetric: which imbalances a band waits for.
+void directions(const results::BalanceResult &result, std::vector<std::string> &out) {
+    for (std::size_t i = 0; i < result.planes.size(); ++i) {
+        std::string text;
+        for (const results::BandEnd &end : result.planes[i].bands.ends)
+            if (!end.upper && end.direction)
+                text += fmt::format("{}at {} those at {:.3g}°", text.empty() ? "" : ", ",
+                                    speed_text(end.speed), *end.direction * 180 / std::numbers::pi);
+        if (!text.empty())
+            out.push_back(fmt::format("{}: bands begin where the imbalances of the last direction "
+                                      "in the rotor are balanced too, {}.",
+                                      plane_text(result.planes[i], i), text));
+    }
+}
+
 /// More planes than rigid motions: the form of a flexible rotor is indefinite by a little.
 void excess_planes(const results::BalanceResult &result, bool rigid,
                    std::vector<std::string> &out) {
@@ -87,7 +103,8 @@ void excess_planes(const results::BalanceResult &result, bool rigid,
     std::vector<const results::SignaturePoint *>
         points; // where the rigid form is definite, this one not
     for (const results::SignaturePoint &point : result.joint.signature)
-        if (rigid_says_on(result.joint.bands, point.speed) && point.negative < count) {
+        if (rigid_says_on(result.joint.bands, point.speed) &&
+            point.negative < static_cast<int>(point.eigenvalues.size())) {
             points.push_back(&point);
             sizes.push_back(std::abs(point.relative));
         }
@@ -102,18 +119,20 @@ void excess_planes(const results::BalanceResult &result, bool rigid,
         "eigenvalues are negative and the largest is {:+.3g}/kg. Over that range it is {:.1e} to "
         "{:.1e} of the largest modulus: imbalances ({}) that make little resultant force and bend "
         "the shaft.",
-        count, speed_text(middle.speed), middle.negative, count, middle.eigenvalues.back(),
-        std::ranges::min(sizes), std::ranges::max(sizes), shape));
+        count, speed_text(middle.speed), middle.negative, middle.eigenvalues.size(),
+        middle.eigenvalues.back(), std::ranges::min(sizes), std::ranges::max(sizes), shape));
 }
 
 void without_bands(const results::BalanceResult &result, std::vector<std::string> &out) {
     if (!result.joint.bands.bands.empty() || result.planes.size() < 2)
         return;
     if (result.rigid && result.rigid->type != "long")
-        out.push_back(fmt::format("No joint band: the rotor is {} (A = {:.4g}, C = {:.4g} kg m2), "
-                                  "and several planes cannot balance it dynamically.",
-                                  result.rigid->type, result.rigid->diametral,
-                                  result.rigid->polar));
+        out.push_back(fmt::format(
+            "No joint band: the rotor is {} (A = {:.4g}{}, C = {:.4g} kg m2), "
+            "and several planes cannot balance it dynamically.",
+            result.rigid->type, result.rigid->diametral,
+            result.rigid->anisotropy > 0 ? fmt::format(" ∓ {:.4g}", result.rigid->anisotropy) : "",
+            result.rigid->polar));
     else if (!result.joint.bands.rigid_bands || result.joint.bands.rigid_bands->empty())
         out.emplace_back("No joint band in this range of speeds.");
 }
@@ -256,6 +275,7 @@ std::vector<std::string> balance_findings(const results::BalanceResult &result,
     without_bands(result, out);
     excess_planes(result, scene.rotor.shaft.rigid, out);
     plane_ends(result, out);
+    directions(result, out);
     real_balancers(result, scene.rotor.damped(), out);
     motions_in_time(result, scene.simulate.time, out);
     pendulums(result, out);

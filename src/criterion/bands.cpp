@@ -280,10 +280,12 @@ void judge(const BalanceScene &scene, const std::string &which, const Judged &cr
 
 void judge_band_ends(const BalanceScene &scene, BalanceForm &form, results::BalanceResult &result) {
     const bool rigid = scene.rotor.shaft.rigid;
-    const assembly::Discretization d(scene.rotor,
-                                     rigid ? scene.order : mesh_error::finer_order(scene.order));
-    BalanceForm finer(d, scene.formulation.form, deflections_at(d, scene.planes),
-                      scene.plane_positions());
+    const bool exact = rigid && scene.harmonics == 0;
+    BalanceScene finer_scene = scene;
+    finer_scene.order = rigid ? scene.order : mesh_error::finer_order(scene.order);
+    finer_scene.harmonics *= 2;
+    const assembly::Discretization d(scene.rotor, finer_scene.order);
+    BalanceForm finer = finer_scene.form_at_planes(d);
     std::vector<std::string> &notes = result.model.notes;
     const std::vector<results::BalanceBands *> each = bands_of_each(result);
     const std::size_t planes = scene.planes.size();
@@ -294,11 +296,12 @@ void judge_band_ends(const BalanceScene &scene, BalanceForm &form, results::Bala
         const Judged given{[&](double speed) { return form.value(i, speed); },
                            [&](double speed) { return form.rounding(i, speed); }};
         const SpeedFunction fine = [&](double speed) { return finer.value(i, speed); };
-        judge(scene, name(i), given, rigid ? nullptr : &fine, *each[i], notes);
+        judge(scene, name(i), given, exact ? nullptr : &fine, *each[i], notes);
     }
-    if (rigid)
+    if (exact)
         return;
-    const BalanceBreakpoints points = balance_breakpoints(scene, d, finer.receptance().undamped());
+    const BalanceBreakpoints points =
+        balance_breakpoints(finer_scene, d, finer.receptance().undamped());
     for (std::size_t i = 0; i < each.size() && points.sharp; ++i) {
         const SpeedFunction fine = [&](double speed) { return finer.value(i, speed); };
         const std::size_t there =

@@ -5,7 +5,9 @@
 #include "model/case.h"
 #include "model/errors.h"
 #include "model/variants.h"
+#include "modes/formulation.h"
 #include "process/parallel.h"
+#include "rigid/inertia.h"
 #include "synchronous/parts.h"
 
 #include <fmt/format.h>
@@ -79,10 +81,24 @@ std::vector<double> reading_speeds(const BalanceScene &scene) {
     return speeds;
 }
 
+/// Of a rotor whose bearings may have become isotropic by what was left out of them.
+results::Form undamped_form(const model::Rotor &undamped, results::Form form) {
+    const bool isotropic = undamped.bearings_isotropic();
+    if (results::in_rotating_axes(form))
+        return isotropic ? results::Form::rotating : results::Form::hill;
+    return isotropic ? results::Form::planar : results::Form::general;
+}
+
+/// Of the series in twice the spin speed.
+int terms_of(results::Form form, const BalanceScene &scene) {
+    return form == results::Form::hill ? scene.harmonics : 0;
+}
+
 /// Resonances of the undamped forms of a damped rotor, or of one with bearing tables. One with
 /// the bearings of one row counts as far as the neighbouring rows.
 std::vector<double> hints_of(const BalanceScene &scene) {
     const model::Rotor undamped = model::with_conservative_supports(scene.rotor);
+    const results::Form form = undamped_form(undamped, scene.formulation.form);
     const assembly::Discretization d(undamped, scene.order);
     const std::vector<double> speeds = reading_speeds(scene);
     const std::vector<assembly::Combination> places = deflections_at(d, scene.planes);
@@ -92,7 +108,7 @@ std::vector<double> hints_of(const BalanceScene &scene) {
     for (std::size_t k = 0; k < speeds.size(); ++k) {
         const double from = k == 0 ? scene.from : speeds[k - 1];
         const double to = k + 1 < speeds.size() ? speeds[k + 1] : scene.to;
-        const UndampedRotor at_speed(d, undamped.bearings_isotropic(), speeds[k]);
+        const UndampedRotor at_speed(d, form, speeds[k], terms_of(form, scene));
         append(hints, at_speed.critical_speeds(from, to));
         append(hints, at_speed.pinned_critical_speeds(places, from, to));
         for (const assembly::Combination &place : places)
@@ -102,6 +118,50 @@ std::vector<double> hints_of(const BalanceScene &scene) {
     }
     std::ranges::sort(hints);
     return hints;
+}
+
+/// The series in twice the spin speed has settled where more terms change the criterion by less
+/// than this share of itself. Looked at over the whole range, and on the median: beside a
+/// resonance, which more terms move a little, it changes by more, and the errors of band ends say
+/// how much.
+int settled_harmonics(const BalanceScene &scene) {
+    constexpr double settled = 1e-10;
+    constexpr int looks = 17;
+    constexpr int most = 32;
+    const assembly::Discretization d(scene.rotor, scene.order);
+    const std::vector<assembly::Combination> places = deflections_at(d, scene.planes);
+    std::vector<double> speeds{scene.to};
+    if (scene.has_range())
+        speeds = model::SpeedRange{scene.from, scene.to, looks}.values();
+    const auto forms = [&](int harmonics) {
+        synchronous::ForwardReceptance receptance(d, results::Form::hill, places, harmonics);
+        std::vector<Eigen::MatrixXcd> out;
+        for (const double speed : speeds)
+            out.push_back(synchronous::hermitian_part(receptance.at(speed)));
+        return out;
+    };
+    std::vector<Eigen::MatrixXcd> before = forms(1);
+    for (int harmonics = 2; harmonics <= most; harmonics *= 2) {
+        std::vector<Eigen::MatrixXcd> with = forms(harmonics);
+        std::vector<double> changes;
+        for (std::size_t k = 0; k < with.size(); ++k)
+            changes.push_back((with[k] - before[k]).norm() / with[k].norm());
+        const auto median = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 2);
+        std::nth_element(changes.begin(), median, changes.end());
+        if (*median < settled)
+            return harmonics;
+        before = std::move(with);
+    }
+    throw model::AnalysisFailure("the series in twice the spin speed by which a rotor that is not "
+                                 "axisymmetric moves on bearings that differ between their "
+                                 "directions does not settle at these speeds; raise speeds.from");
+}
+
+/// Of a rotor that is not axisymmetric that of the motions in rotating axes, on bearings that
+/// differ between their directions the series.
+results::Formulation criterion_formulation(const model::Case &bare) {
+    return bare.rotor.rotating_anisotropy() ? modes::choose_formulation(bare)
+                                            : forced::response_formulation(bare);
 }
 
 } // namespace
@@ -114,15 +174,17 @@ BalanceScene::BalanceScene(const model::Case &scene)
     // At rest there is no criterion; this near to it nothing but zero speeds of a free rotor stand.
     from = range.count == 1 ? range.from : std::max(range.from, 1e-6 * range.to);
     rotor.balancers.clear();
-    rotor.anisotropies.clear();
     rotor.planes = planes;
     body = rigid::rigid_body(rotor, from);
+    anisotropy = std::abs(rigid::inertia_of(rotor).a);
     model::Case bare = scene;
     bare.rotor = rotor;
-    formulation = forced::response_formulation(bare);
+    formulation = criterion_formulation(bare);
     // It is judged by frequencies; a rotor that is not axisymmetric has but the one form.
     order = rotor.rotating_anisotropy() ? mesh_error::resolve_order(bare, formulation)
                                         : mesh_error::resolve_order_in_best_form(bare);
+    if (formulation.form == results::Form::hill)
+        harmonics = settled_harmonics(*this);
 }
 
 std::vector<double> BalanceScene::plane_positions() const {
@@ -130,6 +192,10 @@ std::vector<double> BalanceScene::plane_positions() const {
     for (const model::CorrectionPlane &plane : planes)
         z.push_back(plane.z);
     return z;
+}
+
+BalanceForm BalanceScene::form_at_planes(const assembly::Discretization &d) const {
+    return {d, formulation.form, deflections_at(d, planes), plane_positions(), harmonics};
 }
 
 std::vector<results::BalanceBands *> bands_of_each(results::BalanceResult &result) {
@@ -144,7 +210,6 @@ std::vector<results::BalanceBands *> bands_of_each(results::BalanceResult &resul
 BalanceBreakpoints balance_breakpoints(const BalanceScene &scene, const assembly::Discretization &d,
                                        bool undamped) {
     BalanceBreakpoints out;
-    const bool planar = scene.rotor.bearings_isotropic();
     out.sharp =
         undamped && !scene.rotor.bearings_depend_on_speed() && bearings_push_back(scene.rotor);
     out.pinned.resize(scene.planes.size() + 1);
@@ -154,7 +219,8 @@ BalanceBreakpoints balance_breakpoints(const BalanceScene &scene, const assembly
         out.hints = hints_of(scene);
         return out;
     }
-    const UndampedRotor form(d, planar, scene.from);
+    const results::Form kind = undamped_form(scene.rotor, scene.formulation.form);
+    const UndampedRotor form(d, kind, scene.from, terms_of(kind, scene));
     const std::vector<assembly::Combination> places = deflections_at(d, scene.planes);
     out.critical = form.critical_speeds(scene.from, scene.to);
     for (std::size_t i = 0; i < places.size(); ++i)

@@ -97,7 +97,8 @@ const Columns<End> band_end_columns{
     {"error", OnPage("Error (rad/s)", "{:.2g}"), &End::error},
     {"pinned", OnPage("Pinned critical speed (rad/s)", "{:.10g}"), &End::pinned},
     {"rigid", OnPage("Rigid (rad/s)", "{:.10g}"), &End::rigid},
-    {"relative_difference", OnPage("Relative difference", "{:.3g}"), &End::relative_difference}};
+    {"relative_difference", OnPage("Relative difference", "{:.3g}"), &End::relative_difference},
+    {"direction", &End::direction}};
 
 std::vector<End> ends_of(const std::string &planes, const BalanceBands &of) {
     std::vector<End> ends;
@@ -197,15 +198,11 @@ const Columns<SimulatedSpeed> simulated_columns{{"speed", &SimulatedSpeed::speed
                                                 {"growth", &SimulatedSpeed::growth}};
 
 Json rigid_json(const results::RigidEquivalent &of) {
-    return {{"mass", of.mass},
-            {"center_of_mass", of.center},
-            {"Id", of.diametral},
-            {"Ip", of.polar},
-            {"k11", of.k11},
-            {"k14", of.k14},
-            {"k33", of.k33},
-            {"type", of.type},
-            {"critical_speeds", of.critical_speeds}};
+    return {{"mass", of.mass},     {"center_of_mass", of.center},
+            {"Id", of.diametral},  {"Ip", of.polar},
+            {"dI", of.anisotropy}, {"k11", of.k11},
+            {"k14", of.k14},       {"k33", of.k33},
+            {"type", of.type},     {"critical_speeds", of.critical_speeds}};
 }
 
 Json position_json(const BalancedPosition &of) {
