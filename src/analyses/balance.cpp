@@ -71,17 +71,15 @@ void complete(results::BalanceBands &bands, double from, double to,
 
 void fill_bands(const criterion::BalanceScene &s, const criterion::BalanceBreakpoints &points,
                 criterion::BalanceForm &form, results::BalanceResult &result) {
-    std::vector<double> samples;
-    if (!points.sharp)
-        samples = criterion::samples_around(points.hints, s.speeds, s.from, s.to);
     const std::vector<results::BalanceBands *> each = criterion::bands_of_each(result);
     for (std::size_t i = 0; i < each.size(); ++i) {
         const criterion::SpeedFunction of = [&](double speed) { return form.value(i, speed); };
         const std::vector<double> &pinned = points.pinned[i];
         each[i]->pinned = pinned;
-        each[i]->bands = points.sharp
-                             ? criterion::sharp_bands(of, points.critical, pinned, s.from, s.to)
-                             : criterion::sampled_bands(of, samples);
+        each[i]->bands =
+            points.sharp ? criterion::sharp_bands(of, points.critical, pinned, s.from, s.to)
+                         : criterion::bands_between_changes(of, form.sign_changes(i, s.from, s.to),
+                                                            s.from, s.to);
     }
 }
 
@@ -159,9 +157,7 @@ void fill_notes(const model::Case &scene, const criterion::BalanceScene &s,
             2 * s.harmonics + 1));
     else if (s.formulation.form == results::Form::rotating)
         notes.emplace_back(
-            "the criterion is judged for imbalances in every direction of the rotor, "
-            "which is not axisymmetric: a band begins above the critical speeds of "
-            "both directions");
+            "the rotor is not axisymmetric: bands hold for imbalances in every direction of it");
     if (!hill && !rotor.bearings_isotropic())
         notes.emplace_back(
             s.formulation.form == results::Form::rotating

@@ -25,16 +25,12 @@ using SpeedFunction = std::function<double(double)>;
                                                          const std::vector<double> &pinned,
                                                          double from, double to);
 
-/// Bands of any criterion, from its signs at these speeds (ascending, the ends of the range among
-/// them); where it comes near zero between two speeds and turns back, its extremum is sought.
-[[nodiscard]] std::vector<results::Interval> sampled_bands(const SpeedFunction &criterion,
-                                                           const std::vector<double> &speeds);
-
-/// Speeds at which a criterion of a damped rotor is to be looked at: the given ones and more of
-/// them close to each of `hints`, where lightly damped resonances stand, and between the hints.
-[[nodiscard]] std::vector<double> samples_around(const std::vector<double> &hints,
-                                                 const std::vector<double> &given, double from,
-                                                 double to);
+/// Bands of any criterion whose sign changes nowhere but near these speeds (ascending): signs are
+/// looked at between them, and ends found by bracketing. Bands narrower than 1e-8 of the speed are
+/// left out.
+[[nodiscard]] std::vector<results::Interval>
+bands_between_changes(const SpeedFunction &criterion, const std::vector<double> &changes,
+                      double from, double to);
 
 /// Errors of the ends of all bands: each end is found once more on a finer model of the rotor
 /// (finer_order, same mesh, twice the terms of a series), from the end on the given one; the error

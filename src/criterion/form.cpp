@@ -1,5 +1,6 @@
 #include "criterion/form.h"
 
+#include "criterion/sign_changes.h"
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "results/formulation.h"
@@ -104,6 +105,10 @@ std::optional<double> BalanceForm::worst_direction(std::size_t plane, double spe
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(on_range(plane, speed));
     const Eigen::VectorXd s = solver.eigenvectors().rightCols<1>().real();
     return std::atan(s(1) / s(0));
+}
+
+std::vector<double> BalanceForm::sign_changes(std::size_t plane, double from, double to) const {
+    return criterion::sign_changes(_receptance, _ranges[plane], from, to);
 }
 
 results::SignaturePoint BalanceForm::signature(double speed) {

@@ -34,6 +34,10 @@ class BalanceForm {
     /// The imbalance at plane j of the largest eigenvalue: a rotor that is not axisymmetric has one
     /// direction of it, rad from its x towards its y, within a quarter turn to either side.
     [[nodiscard]] std::optional<double> worst_direction(std::size_t plane, double speed);
+    /// Speeds at which eigenvalues of the form change their sign (sign_changes.h), of plane j or of
+    /// all planes.
+    /// @throws linalg::SolverError
+    [[nodiscard]] std::vector<double> sign_changes(std::size_t plane, double from, double to) const;
     /// Eigenvalues of the form; those of imbalances without force are exactly zero.
     [[nodiscard]] results::SignaturePoint signature(double speed);
 

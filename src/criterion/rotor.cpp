@@ -43,14 +43,6 @@ model::SpeedRange checked_range(const model::Case &scene) {
     return range;
 }
 
-/// Dampers that lock make other resonances: those of the rotor held at its damped bearings.
-std::vector<model::Bearing> damped_of(std::vector<model::Bearing> bearings) {
-    std::erase_if(bearings, [](const model::Bearing &bearing) {
-        return std::ranges::all_of(bearing.rows, [](const auto &row) { return row.c.isZero(0); });
-    });
-    return bearings;
-}
-
 /// Every bearing has a symmetric stiffness that pushes back in every direction, and a symmetric
 /// mass; nor does a torque couple x and y; else inertia counts would say nothing.
 bool bearings_push_back(const model::Rotor &rotor) {
@@ -64,64 +56,8 @@ bool bearings_push_back(const model::Rotor &rotor) {
     });
 }
 
-void append(std::vector<double> &list, const std::vector<double> &more) {
-    list.insert(list.end(), more.begin(), more.end());
-}
-
-/// Speeds at which the bearings are read: the start, and with tables their rows and the end.
-std::vector<double> reading_speeds(const BalanceScene &scene) {
-    std::vector<double> speeds{scene.from};
-    if (!scene.rotor.bearings_depend_on_speed())
-        return speeds;
-    for (const double row : synchronous::table_speeds(scene.rotor))
-        if (row > scene.from && row < scene.to)
-            speeds.push_back(row);
-    if (scene.to > scene.from)
-        speeds.push_back(scene.to);
-    return speeds;
-}
-
-/// Of a rotor whose bearings may have become isotropic by what was left out of them.
-results::Form undamped_form(const model::Rotor &undamped, results::Form form) {
-    const bool isotropic = undamped.bearings_isotropic();
-    if (results::in_rotating_axes(form))
-        return isotropic ? results::Form::rotating : results::Form::hill;
-    return isotropic ? results::Form::planar : results::Form::general;
-}
-
-/// Of the series in twice the spin speed.
-int terms_of(results::Form form, const BalanceScene &scene) {
-    return form == results::Form::hill ? scene.harmonics : 0;
-}
-
-/// Resonances of the undamped forms of a damped rotor, or of one with bearing tables. One with
-/// the bearings of one row counts as far as the neighbouring rows.
-std::vector<double> hints_of(const BalanceScene &scene) {
-    const model::Rotor undamped = model::with_conservative_supports(scene.rotor);
-    const results::Form form = undamped_form(undamped, scene.formulation.form);
-    const assembly::Discretization d(undamped, scene.order);
-    const std::vector<double> speeds = reading_speeds(scene);
-    const std::vector<assembly::Combination> places = deflections_at(d, scene.planes);
-    const std::vector<assembly::Combination> locked =
-        deflections_at(d, damped_of(scene.rotor.bearings));
-    std::vector<double> hints;
-    for (std::size_t k = 0; k < speeds.size(); ++k) {
-        const double from = k == 0 ? scene.from : speeds[k - 1];
-        const double to = k + 1 < speeds.size() ? speeds[k + 1] : scene.to;
-        const UndampedRotor at_speed(d, form, speeds[k], terms_of(form, scene));
-        append(hints, at_speed.critical_speeds(from, to));
-        append(hints, at_speed.pinned_critical_speeds(places, from, to));
-        for (const assembly::Combination &place : places)
-            append(hints, at_speed.pinned_critical_speeds({place}, from, to));
-        if (!locked.empty())
-            append(hints, at_speed.pinned_critical_speeds(locked, from, to));
-    }
-    std::ranges::sort(hints);
-    return hints;
-}
-
-/// The series in twice the spin speed has settled where more terms change the criterion by less
-/// than this share of itself. Looked at over the whole range, and on the median: beside a
+/// The series in twice the spin speed has settled where twice the terms change the criterion by
+/// less than this share of itself. Looked at over the whole range, and on the median: beside a
 /// resonance, which more terms move a little, it changes by more, and the errors of band ends say
 /// how much.
 int settled_harmonics(const BalanceScene &scene) {
@@ -141,8 +77,8 @@ int settled_harmonics(const BalanceScene &scene) {
         return out;
     };
     std::vector<Eigen::MatrixXcd> before = forms(1);
-    for (int harmonics = 2; harmonics <= most; harmonics *= 2) {
-        std::vector<Eigen::MatrixXcd> with = forms(harmonics);
+    for (int harmonics = 1; harmonics < most; harmonics *= 2) {
+        std::vector<Eigen::MatrixXcd> with = forms(2 * harmonics);
         std::vector<double> changes;
         for (std::size_t k = 0; k < with.size(); ++k)
             changes.push_back((with[k] - before[k]).norm() / with[k].norm());
@@ -215,12 +151,9 @@ BalanceBreakpoints balance_breakpoints(const BalanceScene &scene, const assembly
     out.pinned.resize(scene.planes.size() + 1);
     if (!scene.has_range())
         return out;
-    if (!out.sharp) {
-        out.hints = hints_of(scene);
+    if (!out.sharp)
         return out;
-    }
-    const results::Form kind = undamped_form(scene.rotor, scene.formulation.form);
-    const UndampedRotor form(d, kind, scene.from, terms_of(kind, scene));
+    const UndampedRotor form(d, scene.formulation.form, scene.from, scene.harmonics);
     const std::vector<assembly::Combination> places = deflections_at(d, scene.planes);
     out.critical = form.critical_speeds(scene.from, scene.to);
     for (std::size_t i = 0; i < places.size(); ++i)

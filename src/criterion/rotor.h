@@ -50,11 +50,10 @@ struct BalanceBreakpoints {
     bool sharp = false; ///< they change nowhere else, and the lists are complete
     std::vector<double> critical;
     std::vector<std::vector<double>> pinned; ///< at each plane alone, then at all of them
-    std::vector<double> hints;               ///< not sharp: resonances of related undamped rotors
 };
 
-/// Critical speeds of the rotor, free and pinned; for damped rotors those of its undamped forms,
-/// with free and with locked dampers.
+/// Critical speeds of the rotor, free and pinned, where signs change nowhere else: without damping,
+/// bearing tables and coupling that is not symmetric.
 [[nodiscard]] BalanceBreakpoints
 balance_breakpoints(const BalanceScene &scene, const assembly::Discretization &d, bool undamped);
 

@@ -43,6 +43,10 @@ linalg::HarmonicTerms ForwardReceptance::system(double bearing_speed) const {
     return turned_system(_rotor, _form == results::Form::planar, bearing_speed);
 }
 
+std::vector<double> ForwardReceptance::table_speeds() const {
+    return synchronous::table_speeds(_rotor.rotor());
+}
+
 Eigen::MatrixXcd ForwardReceptance::motion(double speed, const Eigen::MatrixXcd &forces) {
     if (_rotor.rotor().bearings_depend_on_speed())
         _solver.emplace(system(speed));

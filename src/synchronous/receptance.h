@@ -44,6 +44,13 @@ class ForwardReceptance {
     /// @throws linalg::SolverError at an undamped resonance.
     [[nodiscard]] double rounding(double speed, const Eigen::VectorXcd &s);
 
+    /// What moves under the imbalances, bearings as at a speed (rad/s), and the loads of the
+    /// imbalances by the speed squared, a column each: R = speed^2 B^H Z(speed)^-1 B.
+    [[nodiscard]] linalg::HarmonicTerms system(double bearing_speed) const;
+    [[nodiscard]] const Eigen::MatrixXcd &places() const { return _places; }
+    /// Rows of the bearing tables, between which their coefficients are linear (rad/s).
+    [[nodiscard]] std::vector<double> table_speeds() const;
+
     /// Rows and columns of R.
     [[nodiscard]] Eigen::Index size() const { return _places.cols(); }
     /// Unknowns of the linear system, as real numbers.
@@ -60,7 +67,6 @@ class ForwardReceptance {
     std::optional<linalg::HarmonicSolver> _solver; ///< of the bearings as at the last speed
     Eigen::MatrixXcd _places; ///< a column each; general: (1, -i)/sqrt 2 a place
 
-    [[nodiscard]] linalg::HarmonicTerms system(double bearing_speed) const;
     [[nodiscard]] Eigen::MatrixXcd motion(double speed, const Eigen::MatrixXcd &forces);
 };
 

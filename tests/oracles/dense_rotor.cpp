@@ -162,7 +162,8 @@ BeamMatrices beam_matrices(const Cylinder &cylinder, double axial_force) {
     const double h = cylinder.length;
     const double strain = s.EI / (s.shear * h * h);
     const Eigen::Matrix4d a = cubic(h, strain);
-    BeamMatrices out{Eigen::Matrix4d::Zero(), Eigen::Matrix4d::Zero(), Eigen::Matrix4d::Zero()};
+    BeamMatrices out{Eigen::Matrix4d::Zero(), Eigen::Matrix4d::Zero(), Eigen::Matrix4d::Zero(),
+                     Eigen::Matrix4d::Zero()};
     // Gauss's four points: exact to degree 7, w^2 has degree 6
     const double inner = std::sqrt(3.0 / 7 - 2.0 / 7 * std::sqrt(1.2));
     const double outer = std::sqrt(3.0 / 7 + 2.0 / 7 * std::sqrt(1.2));
@@ -174,6 +175,7 @@ BeamMatrices beam_matrices(const Cylinder &cylinder, double axial_force) {
         const Shapes f = shapes_at((1 + point) / 2, h, a, strain);
         const double dz = share * h / 2;
         add_square(out.stiffness, dz * s.EI, f.curvature);
+        add_square(out.bending, dz * s.EI, f.curvature);
         add_square(out.stiffness, dz * s.shear, f.strain);
         add_square(out.stiffness, dz * axial_force, f.slope);
         add_square(out.mass, dz * cylinder.rho * s.area, f.w);

@@ -14,6 +14,7 @@ namespace whirl::oracles {
 /// 1968, Theory of Matrix Structural Analysis; Nelson 1980, J. Mech. Des. 102, 793).
 struct BeamMatrices {
     Eigen::Matrix4d stiffness;  ///< integral of EI phi'^2 + kappa G A (w' - phi)^2 + N w'^2
+    Eigen::Matrix4d bending;    ///< of EI phi'^2 alone
     Eigen::Matrix4d mass;       ///< of rho A w^2 + rho I phi^2
     Eigen::Matrix4d gyroscopic; ///< of 2 rho I phi^2: a section's polar inertia is twice its other
 };
