@@ -183,16 +183,22 @@ std::vector<double> RotorAxes::sign_changes(double from, double to,
     B[0].block(2 * N, N, P.cols(), N) = P.transpose();
     const Eigen::MatrixXd inverse = B[0].partialPivLu().inverse();
     Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(2 * m, 2 * m);
-    companion.topLeftCorner(m, m) = -(inverse * B[1]);
-    companion.topRightCorner(m, m) = -(inverse * B[2]);
-    companion.bottomLeftCorner(m, m).setIdentity();
-    std::vector<double> out;
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(companion, false);
+    Eigen::EigenSolver<Eigen::MatrixXd> solver;
+    double unit = 1; // of the speed, over `to`
+    for (int tries = 0; tries < 4; ++tries, unit *= 0.7) { // the QR method may not converge
+        companion.topLeftCorner(m, m) = -unit * (inverse * B[1]);
+        companion.topRightCorner(m, m) = -unit * unit * (inverse * B[2]);
+        companion.bottomLeftCorner(m, m).setIdentity();
+        solver.compute(companion, false);
+        if (solver.info() == Eigen::Success)
+            break;
+    }
     if (solver.info() != Eigen::Success)
         throw std::runtime_error("no convergence");
+    std::vector<double> out;
     const Eigen::VectorXcd all = solver.eigenvalues();
     for (const std::complex<double> &mu : all) {
-        const std::complex<double> speed = mu == 0.0 ? 0 : to / mu;
+        const std::complex<double> speed = mu == 0.0 ? 0 : unit * to / mu;
         // A pair that rounding parted by the root of it; a false one changes nothing.
         if (std::abs(speed.imag()) < 1e-5 * std::abs(speed) && speed.real() > from &&
             speed.real() < to)
