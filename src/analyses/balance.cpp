@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <utility>
 
 namespace whirl::analyses {
@@ -32,9 +34,9 @@ std::vector<results::BandEnd> inner_ends(const std::vector<results::Interval> &b
     for (std::size_t i = 0; i < bands.size(); ++i) {
         const auto [of_lower, of_upper] = i < errors.size() ? errors[i] : Errors::value_type();
         if (bands[i].from > from)
-            ends.push_back({bands[i].from, false, {}, {}, of_lower, {}});
+            ends.push_back({bands[i].from, false, {}, {}, of_lower, {}, {}});
         if (bands[i].to < to)
-            ends.push_back({bands[i].to, true, {}, {}, of_upper, {}});
+            ends.push_back({bands[i].to, true, {}, {}, of_upper, {}, {}});
     }
     return ends;
 }
@@ -47,8 +49,12 @@ auto nearest_end(const std::vector<results::BandEnd> &ends, double speed, bool u
 }
 
 /// Ends beside the rigid ones: two belong together where each is the other's nearest.
-void complete(results::BalanceBands &bands, double from, double to) {
+/// @param direction  of an end, BandEnd::direction
+void complete(results::BalanceBands &bands, double from, double to,
+              const std::function<std::optional<double>(const results::BandEnd &)> &direction) {
     bands.ends = inner_ends(bands.bands, bands.errors, from, to);
+    for (results::BandEnd &end : bands.ends)
+        end.direction = direction(end);
     const std::vector<results::BandEnd> rigid =
         inner_ends(bands.rigid_bands.value_or(std::vector<results::Interval>{}), {}, from, to);
     for (results::BandEnd &end : bands.ends) {
@@ -68,22 +74,22 @@ void complete(results::BalanceBands &bands, double from, double to) {
 
 void fill_bands(const criterion::BalanceScene &s, const criterion::BalanceBreakpoints &points,
                 criterion::BalanceForm &form, results::BalanceResult &result) {
-    std::vector<double> samples;
-    if (!points.sharp)
-        samples = criterion::samples_around(points.hints, s.speeds, s.from, s.to);
     const std::vector<results::BalanceBands *> each = criterion::bands_of_each(result);
     for (std::size_t i = 0; i < each.size(); ++i) {
         const criterion::SpeedFunction of = [&](double speed) { return form.value(i, speed); };
         const std::vector<double> &pinned = points.pinned[i];
         each[i]->pinned = pinned;
-        each[i]->bands = points.sharp
-                             ? criterion::sharp_bands(of, points.critical, pinned, s.from, s.to)
-                             : criterion::sampled_bands(of, samples);
+        each[i]->bands =
+            points.sharp ? criterion::sharp_bands(of, points.critical, pinned, s.from, s.to)
+                         : criterion::bands_between_changes(of, form.sign_changes(i, s.from, s.to),
+                                                            s.from, s.to);
     }
 }
 
-void fill_rigid(const criterion::BalanceScene &s, results::BalanceResult &result) {
-    result.rigid = criterion::rigid_equivalent(s.body);
+void fill_rigid(const criterion::BalanceScene &s, criterion::BalanceForm &form,
+                results::BalanceResult &result) {
+    if (s.formulation.form != results::Form::hill)
+        result.rigid = criterion::rigid_equivalent(s.body, s.anisotropy);
     if (result.rigid && s.has_range()) {
         for (results::BalancePlane &plane : result.planes)
             plane.bands.rigid_bands =
@@ -91,8 +97,15 @@ void fill_rigid(const criterion::BalanceScene &s, results::BalanceResult &result
         result.joint.bands.rigid_bands =
             criterion::rigid_joint_bands(*result.rigid, s.plane_positions(), s.from, s.to);
     }
-    for (results::BalanceBands *bands : criterion::bands_of_each(result))
-        complete(*bands, s.from, s.to);
+    const std::vector<results::BalanceBands *> each = criterion::bands_of_each(result);
+    for (std::size_t i = 0; i < each.size(); ++i)
+        complete(*each[i], s.from, s.to, [&](const results::BandEnd &end) {
+            // Outside of the band, near enough for the eigenvalue that changes its sign to be the
+            // largest one.
+            constexpr double beside = 1e-6;
+            const double outside = end.speed * (end.upper ? 1 + beside : 1 - beside);
+            return i < result.planes.size() ? form.worst_direction(i, outside) : std::nullopt;
+        });
     if (result.planes.size() == 1)
         result.joint.bands = result.planes.front().bands;
 }
@@ -101,6 +114,7 @@ void fill_rigid(const criterion::BalanceScene &s, results::BalanceResult &result
 void fill_signature(const criterion::BalanceScene &s, criterion::BalanceForm &form,
                     results::BalanceResult &result) {
     const std::size_t count = s.planes.size();
+    const auto eigenvalues = static_cast<std::ptrdiff_t>(form.receptance().size());
     const auto row = [&](double speed) {
         const results::SignaturePoint point = form.signature(speed);
         std::vector<double> values = point.eigenvalues;
@@ -117,8 +131,8 @@ void fill_signature(const criterion::BalanceScene &s, criterion::BalanceForm &fo
         auto next = rows[k].begin();
         results::SignaturePoint point;
         point.speed = s.speeds[k];
-        point.eigenvalues.assign(next, next + static_cast<std::ptrdiff_t>(count));
-        next += static_cast<std::ptrdiff_t>(count);
+        point.eigenvalues.assign(next, next + eigenvalues);
+        next += eigenvalues;
         point.negative = static_cast<int>(*next++);
         point.relative = *next++;
         for (results::BalancePlane &plane : result.planes)
@@ -136,21 +150,33 @@ void fill_notes(const model::Case &scene, const criterion::BalanceScene &s,
     if (!rotor.balancers.empty())
         notes.emplace_back("the criterion is that of balancers without mass: the rotor is taken "
                            "without their balls and pendulums");
-    if (!rotor.anisotropies.empty())
-        notes.emplace_back("the rotating anisotropies of the case are left out");
-    if (!rotor.bearings_isotropic())
-        notes.emplace_back("bearings differ between x and y: the criterion takes the forward part "
-                           "of the receptance, the rigid closed form the mean stiffness");
-    if (rotor.damped())
+    const bool hill = s.formulation.form == results::Form::hill;
+    if (hill)
+        notes.emplace_back(
+            "neither the rotor nor its bearings are the same from every direction: judged is the "
+            "mean of the work over a turn, for imbalances in every direction of the rotor, with "
+            "motions up to {} times the spin speed; not judged is whether these motions are stable "
+            "(see stability), and there is no rigid closed form",
+            2 * s.harmonics + 1);
+    else if (s.formulation.form == results::Form::rotating)
+        notes.emplace_back(
+            "the rotor is not axisymmetric: bands hold for imbalances in every direction of it");
+    if (!hill && !rotor.bearings_isotropic())
+        notes.emplace_back(
+            s.formulation.form == results::Form::rotating
+                ? "the rigid closed form leaves out what couples x and y in the bearings"
+                : "bearings differ between x and y: the criterion takes the forward part "
+                  "of the receptance, the rigid closed form the mean stiffness");
+    if (rotor.damped() && !hill)
         notes.emplace_back("the rigid closed form has no damping");
     const auto pedestal = [](const model::Bearing &b) {
         return b.pedestal && !b.pedestal->mass.isZero(0);
     };
-    if (std::ranges::any_of(rotor.bearings, pedestal))
+    if (std::ranges::any_of(rotor.bearings, pedestal) && !hill)
         notes.emplace_back("the rigid closed form leaves out the masses of the pedestals");
-    if (rotor.bearings_depend_on_speed())
+    if (rotor.bearings_depend_on_speed() && !hill)
         notes.emplace_back("the rigid closed form takes the bearings as at {}", as::speed(s.from));
-    if (!result.rigid)
+    if (!result.rigid && !hill)
         notes.emplace_back("no rigid closed form: the supports do not hold a rigid rotor");
     if (result.joint.rank < static_cast<int>(s.planes.size()) && !rotor.shaft.rigid)
         notes.emplace_back("correction planes at one place count once");
@@ -162,8 +188,7 @@ results::BalanceResult empirical_criterion(const model::Case &scene,
                                            const criterion::BalanceScene &s,
                                            const assembly::Discretization &d) {
     const process::Stage stage("empirical criterion", 0, 0.1);
-    criterion::BalanceForm form(d, s.formulation.form, criterion::deflections_at(d, s.planes),
-                                s.plane_positions());
+    criterion::BalanceForm form = s.form_at_planes(d);
     results::BalanceResult result;
     result.model.formulation = s.formulation;
     result.model.order = s.order;
@@ -184,7 +209,7 @@ results::BalanceResult empirical_criterion(const model::Case &scene,
     if (s.has_range())
         criterion::judge_band_ends(s, form, result);
     process::report_progress(0.9);
-    fill_rigid(s, result);
+    fill_rigid(s, form, result);
     fill_signature(s, form, result);
     fill_notes(scene, s, result);
     return result;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace whirl::analyses {
 
@@ -40,7 +41,7 @@ void joint_ends(const results::BalanceResult &result, std::vector<results::Sente
                              "agrees to {})",
                              where, as::number(std::abs(*end.pinned / end.speed - 1) + 1e-16, 1));
         if (rigid_says_on(result.joint.bands, end.speed) && !end.rigid)
-            text += result.model.formulation.form == results::Form::planar
+            text += result.model.formulation.form != results::Form::general
                         ? "; the rigid form has no such end: the shaft bends between the planes"
                         : "; the rigid form, with isotropic bearings, has no such end";
         out.emplace_back("{}.", text);
@@ -70,6 +71,21 @@ void plane_ends(const results::BalanceResult &result, std::vector<results::Sente
     }
 }
 
+/// Of a rotor that is not axisymmetric: which imbalances a band waits for.
+void directions(const results::BalanceResult &result, std::vector<results::Sentence> &out) {
+    for (std::size_t i = 0; i < result.planes.size(); ++i) {
+        std::vector<Sentence> where;
+        for (const results::BandEnd &end : result.planes[i].bands.ends)
+            if (!end.upper && end.direction)
+                where.emplace_back("at {} those at {}", as::speed(end.speed),
+                                   as::angle(*end.direction, 3));
+        if (!where.empty())
+            out.emplace_back("{}: bands begin where the imbalances of the last direction in the "
+                             "rotor are balanced too, {}.",
+                             plane_text(result.planes[i], i), joined(where, ", "));
+    }
+}
+
 /// More planes than rigid motions: the form of a flexible rotor is indefinite by a little.
 void excess_planes(const results::BalanceResult &result, bool rigid,
                    std::vector<results::Sentence> &out) {
@@ -87,7 +103,8 @@ void excess_planes(const results::BalanceResult &result, bool rigid,
     std::vector<const results::SignaturePoint *>
         points; // where the rigid form is definite, this one not
     for (const results::SignaturePoint &point : result.joint.signature)
-        if (rigid_says_on(result.joint.bands, point.speed) && point.negative < count) {
+        if (rigid_says_on(result.joint.bands, point.speed) &&
+            point.negative < static_cast<int>(point.eigenvalues.size())) {
             points.push_back(&point);
             sizes.push_back(std::abs(point.relative));
         }
@@ -101,7 +118,7 @@ void excess_planes(const results::BalanceResult &result, bool rigid,
         "With {} planes the form is not definite where the rigid one is: at {} {} of {} "
         "eigenvalues are negative and the largest is {}. Over that range it is {} of the largest "
         "modulus: imbalances ({}) that make little resultant force and bend the shaft.",
-        count, as::speed(middle.speed), middle.negative, count,
+        count, as::speed(middle.speed), middle.negative, middle.eigenvalues.size(),
         as::inverse_mass(middle.eigenvalues.back(), 3).with_sign(),
         as::number.range(std::ranges::min(sizes), std::ranges::max(sizes), 2),
         as::number.list(shape, 2).with_sign());
@@ -111,9 +128,12 @@ void without_bands(const results::BalanceResult &result, std::vector<results::Se
     if (!result.joint.bands.bands.empty() || result.planes.size() < 2)
         return;
     if (result.rigid && result.rigid->type != "long")
-        out.emplace_back("No joint band: the rotor is {} (A = {}, C = {}), and several planes "
+        out.emplace_back("No joint band: the rotor is {} (A = {}{}, C = {}), and several planes "
                          "cannot balance it dynamically.",
                          result.rigid->type, as::inertia(result.rigid->diametral, 4),
+                         result.rigid->anisotropy > 0
+                             ? Sentence(" ∓ {}", as::inertia(result.rigid->anisotropy, 4))
+                             : Sentence(),
                          as::inertia(result.rigid->polar, 4));
     else if (!result.joint.bands.rigid_bands || result.joint.bands.rigid_bands->empty())
         out.emplace_back("No joint band in this range of speeds.");
@@ -255,6 +275,7 @@ std::vector<results::Sentence> balance_findings(const results::BalanceResult &re
     without_bands(result, out);
     excess_planes(result, scene.rotor.shaft.rigid, out);
     plane_ends(result, out);
+    directions(result, out);
     real_balancers(result, scene.rotor.damped(), out);
     motions_in_time(result, scene.simulate.time, out);
     pendulums(result, out);

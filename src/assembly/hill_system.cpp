@@ -19,19 +19,22 @@ struct Component {
 
 class HillEntries {
   public:
-    HillEntries(int size, int harmonics) : _size(size), _harmonics(harmonics) {}
+    /// @param weight  of the rows of cosines and sines
+    HillEntries(int size, int harmonics, double weight = 1)
+        : _size(size), _harmonics(harmonics), _weight(weight) {}
 
     void add(Component row, Component column, double factor, const linalg::Matrix &block) {
         const bool vanishes = row.harmonic == 0 && row.sine;
         if (factor == 0 || vanishes || row.harmonic > _harmonics)
             return;
+        const double weighted = row.harmonic == 0 ? factor : _weight * factor;
         const linalg::SparseView view = block.view();
         for (int i = 0; i < _size; ++i)
             for (linalg::SparseView::InnerIterator it(view, i); it; ++it)
                 if (it.value() != 0)
                     _entries.emplace_back(row.block() * _size + static_cast<int>(it.row()),
                                           column.block() * _size + static_cast<int>(it.col()),
-                                          factor * it.value());
+                                          weighted * it.value());
     }
 
     /// The pair (cosine, sine) of matrices times the component `source` of a series whose
@@ -58,6 +61,7 @@ class HillEntries {
   private:
     int _size;
     int _harmonics;
+    double _weight;
     std::vector<Eigen::Triplet<double>> _entries;
 };
 
@@ -97,6 +101,33 @@ SystemAtSpeed hill_system(const RotatingSystem &system, const TurningSupports &s
         }
     }
     return {into_M.matrix(), into_D.matrix(), into_K.matrix()};
+}
+
+PeriodicStiffness periodic_stiffness(const RotatingSystem &system, const TurningSupports &supports,
+                                     int harmonics) {
+    const int n = system.K.size();
+    HillEntries into_K(n, harmonics, 0.5);
+    HillEntries into_Ks(n, harmonics, 0.5);
+    HillEntries into_Kss(n, harmonics, 0.5);
+    for (int k = 0; k <= harmonics; ++k)
+        for (const bool sine : {false, true}) {
+            if (k == 0 && sine)
+                continue;
+            const Component self{k, sine};
+            const Component other{k, !sine};
+            const double across = sine ? 2 * k : -2 * k; // rates over the speed, as above
+            into_K.add(self, self, 1, system.K);
+            into_K.add_product(supports.K, self, self, 1);
+            into_Ks.add(self, self, 1, system.Ks);
+            into_Ks.add(other, self, across, system.C);
+            into_Ks.add_product(supports.Ks, self, self, 1);
+            if (k > 0)
+                into_Ks.add_product(supports.C, other, self, across);
+            into_Kss.add(self, self, 1, system.Kss);
+            into_Kss.add(self, self, -4.0 * k * k, system.M);
+            into_Kss.add(other, self, across, system.Cs);
+        }
+    return {into_K.matrix(), into_Ks.matrix(), into_Kss.matrix()};
 }
 
 Eigen::MatrixXcd hill_terms(const Eigen::VectorXcd &vector, Eigen::Index size) {

@@ -22,6 +22,15 @@ struct SystemAtSpeed {
                                         const TurningSupports &supports, double speed,
                                         int harmonics);
 
+/// What is left of it for motions that repeat with the supports (l = 0), by powers of the speed:
+/// (K + speed Ks + speed^2 Kss) (q_0, a_1, b_1, ...) = f. Rows of cosines and sines are halved (the
+/// mean of cos^2, Galerkin's weights), so that matrices of symmetric terms are symmetric.
+struct PeriodicStiffness {
+    linalg::Matrix K, Ks, Kss;
+};
+[[nodiscard]] PeriodicStiffness periodic_stiffness(const RotatingSystem &system,
+                                                   const TurningSupports &supports, int harmonics);
+
 /// A vector of the same over `size` unknowns as terms exp(2 i k speed t), a column each, from
 /// k = -harmonics on.
 [[nodiscard]] Eigen::MatrixXcd hill_terms(const Eigen::VectorXcd &vector, Eigen::Index size);

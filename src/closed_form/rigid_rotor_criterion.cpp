@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace whirl::closed_form {
 
@@ -22,9 +23,38 @@ void add_band(std::vector<Band> &bands, double from, std::optional<double> to) {
     bands.push_back({from, to});
 }
 
-} // namespace
+/// The rotors that stand for the two principal planes; one where they are the same.
+std::vector<TwoSupportRotor> principal_planes(const TwoSupportRotor &rotor) {
+    std::vector<TwoSupportRotor> planes{rotor};
+    if (rotor.anisotropy != 0)
+        planes.push_back(rotor);
+    planes.front().diametral_inertia -= rotor.anisotropy;
+    planes.back().diametral_inertia += planes.size() > 1 ? rotor.anisotropy : 0;
+    return planes;
+}
 
-std::vector<double> resonances(const TwoSupportRotor &rotor) {
+/// Speeds that lie in bands of both lists, which ascend.
+std::vector<Band> common(const std::vector<Band> &a, const std::vector<Band> &b) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::vector<Band> bands;
+    for (const Band &x : a)
+        for (const Band &y : b) {
+            const double from = std::max(x.from, y.from);
+            const double to = std::min(x.to.value_or(infinity), y.to.value_or(infinity));
+            if (from < to)
+                add_band(bands, from, to < infinity ? std::optional(to) : std::nullopt);
+        }
+    return bands;
+}
+
+/// Bands of every principal plane.
+template <class Bands> std::vector<Band> in_both_planes(const TwoSupportRotor &rotor, Bands bands) {
+    const std::vector<TwoSupportRotor> planes = principal_planes(rotor);
+    std::vector<Band> out = bands(planes.front());
+    return planes.size() > 1 ? common(out, bands(planes.back())) : out;
+}
+
+std::vector<double> plane_resonances(const TwoSupportRotor &rotor) {
     const double slenderness = rotor.diametral_inertia - rotor.polar_inertia;
     const double determinant = rotor.k11 * rotor.k33 - rotor.k14 * rotor.k14;
     const RotorType type = type_of(rotor);
@@ -45,6 +75,33 @@ std::vector<double> resonances(const TwoSupportRotor &rotor) {
     return {std::sqrt(x)};
 }
 
+std::vector<Band> static_bands_of_plane(const TwoSupportRotor &rotor, double z) {
+    const std::vector<double> speeds = plane_resonances(rotor);
+    std::vector<Band> bands;
+    add_band(bands, speeds.front(), additional_speed(rotor, z));
+    if (type_of(rotor) == RotorType::long_rotor)
+        bands.push_back({speeds.back(), std::nullopt});
+    return bands;
+}
+
+std::vector<Band> dynamic_bands_of_plane(const TwoSupportRotor &rotor) {
+    if (type_of(rotor) != RotorType::long_rotor)
+        return {};
+    return {{plane_resonances(rotor).back(), std::nullopt}};
+}
+
+} // namespace
+
+std::vector<double> resonances(const TwoSupportRotor &rotor) {
+    std::vector<double> all;
+    for (const TwoSupportRotor &plane : principal_planes(rotor)) {
+        const std::vector<double> speeds = plane_resonances(plane);
+        all.insert(all.end(), speeds.begin(), speeds.end());
+    }
+    std::ranges::sort(all);
+    return all;
+}
+
 std::optional<double> additional_speed(const TwoSupportRotor &rotor, double z) {
     const double inertia = rotor.diametral_inertia + rotor.mass * z * z - rotor.polar_inertia;
     if (inertia <= equal_within * rotor.diametral_inertia)
@@ -53,18 +110,12 @@ std::optional<double> additional_speed(const TwoSupportRotor &rotor, double z) {
 }
 
 std::vector<Band> static_balancing_bands(const TwoSupportRotor &rotor, double z) {
-    const std::vector<double> speeds = resonances(rotor);
-    std::vector<Band> bands;
-    add_band(bands, speeds.front(), additional_speed(rotor, z));
-    if (type_of(rotor) == RotorType::long_rotor)
-        bands.push_back({speeds.back(), std::nullopt});
-    return bands;
+    return in_both_planes(
+        rotor, [z](const TwoSupportRotor &plane) { return static_bands_of_plane(plane, z); });
 }
 
 std::vector<Band> dynamic_balancing_bands(const TwoSupportRotor &rotor) {
-    if (type_of(rotor) != RotorType::long_rotor)
-        return {};
-    return {{resonances(rotor).back(), std::nullopt}};
+    return in_both_planes(rotor, dynamic_bands_of_plane);
 }
 
 } // namespace whirl::closed_form

@@ -22,26 +22,21 @@ constexpr double one_speed = 1e-8;
 
 /// A speed where the sign of a criterion may change; several that are one speed.
 struct Breakpoint {
+    enum class Kind { change, pinned, critical }; ///< ascending: of several the last one counts
     double speed = 0;
-    bool critical = false;
+    Kind kind = Kind::change;
 };
 
-std::vector<Breakpoint> breakpoints(const std::vector<double> &critical,
-                                    const std::vector<double> &pinned) {
-    std::vector<Breakpoint> all;
-    for (const double speed : critical)
-        all.push_back({speed, true});
-    for (const double speed : pinned)
-        all.push_back({speed, false});
+std::vector<Breakpoint> merged(std::vector<Breakpoint> all) {
     std::ranges::sort(all, {}, &Breakpoint::speed);
-    std::vector<Breakpoint> merged;
+    std::vector<Breakpoint> out;
     for (const Breakpoint &point : all) {
-        if (!merged.empty() && point.speed - merged.back().speed < one_speed * point.speed)
-            merged.back().critical |= point.critical;
+        if (!out.empty() && point.speed - out.back().speed < one_speed * point.speed)
+            out.back().kind = std::max(out.back().kind, point.kind);
         else
-            merged.push_back(point);
+            out.push_back(point);
     }
-    return merged;
+    return out;
 }
 
 /// The zero at a pinned critical speed, between two speeds with signs of their own.
@@ -56,37 +51,14 @@ double zero_at(const SpeedFunction &criterion, double pinned, double below, doub
     return linalg::root_between(criterion, below, criterion(below), above, criterion(above));
 }
 
-/// The least |f| between a and b is looked for until the sign changes or the gain is small: the
-/// speed with the other sign, if there is one.
-std::optional<double> turning_sign(const SpeedFunction &f, double a, double b, double between) {
-    std::optional<double> turned;
-    const auto size = [&](double speed) {
-        const double value = f(speed);
-        if ((value < 0) != (between < 0))
-            turned = speed;
-        return std::abs(value);
-    };
-    int step = 0;
-    double last = std::abs(between);
-    (void)linalg::least_between(size, a, b, [&](double, double, double least) {
-        const bool look = step++ % 6 == 5;
-        const bool stalls = look && least > 0.9 * last;
-        if (look)
-            last = least;
-        return turned || stalls || step > 40;
-    });
-    return turned;
-}
-
-} // namespace
-
-std::vector<results::Interval> sharp_bands(const SpeedFunction &criterion,
-                                           const std::vector<double> &critical,
-                                           const std::vector<double> &pinned, double from,
-                                           double to) {
-    std::vector<Breakpoint> points = breakpoints(critical, pinned);
-    points.insert(points.begin(), {from, true}); // the range begins there, as at a critical speed
-    points.push_back({to, true});
+/// From the signs between these speeds.
+std::vector<results::Interval> bands_between(const SpeedFunction &criterion,
+                                             std::vector<Breakpoint> points, double from,
+                                             double to) {
+    using Kind = Breakpoint::Kind;
+    points = merged(std::move(points));
+    points.insert(points.begin(), {from, Kind::critical}); // the range begins there
+    points.push_back({to, Kind::critical});
     std::vector<results::Interval> bands;
     bool before = false;
     double middle_before = from;
@@ -95,10 +67,11 @@ std::vector<results::Interval> sharp_bands(const SpeedFunction &criterion,
         const bool balanced = criterion(middle) < 0;
         if (balanced != before) {
             double end = points[i].speed;
-            if (!points[i].critical) {
-                // With a pole close beside the zero the counted root is the surer one.
+            if (points[i].kind != Kind::critical) {
                 const double zero = zero_at(criterion, end, middle_before, middle);
-                end = std::abs(zero - end) < 1e-9 * end ? zero : end;
+                // With a pole close beside the zero a counted root is the surer one.
+                const bool sure = points[i].kind == Kind::pinned;
+                end = sure && std::abs(zero - end) >= 1e-9 * end ? end : zero;
             }
             if (balanced)
                 bands.push_back({end, to});
@@ -111,65 +84,27 @@ std::vector<results::Interval> sharp_bands(const SpeedFunction &criterion,
     return bands;
 }
 
-std::vector<results::Interval> sampled_bands(const SpeedFunction &criterion,
-                                             const std::vector<double> &speeds) {
-    std::vector<std::pair<double, double>> points; // speed, value
-    for (const double speed : speeds)
-        points.emplace_back(speed, criterion(speed));
-    std::vector<double> turns;
-    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-        const double f = points[i].second;
-        const auto same = [&](std::size_t k) { return (points[k].second < 0) == (f < 0); };
-        const double size = std::abs(f);
-        if (same(i - 1) && same(i + 1) && size < std::abs(points[i - 1].second) &&
-            size <= std::abs(points[i + 1].second))
-            if (const auto turn =
-                    turning_sign(criterion, points[i - 1].first, points[i + 1].first, f))
-                turns.push_back(*turn);
-    }
-    for (const double speed : turns)
-        points.emplace_back(speed, criterion(speed));
-    std::ranges::sort(points);
-    std::vector<results::Interval> bands;
-    const double last = points.back().first;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const bool balanced = points[i].second < 0;
-        const bool before = i > 0 && points[i - 1].second < 0;
-        if (balanced == before)
-            continue;
-        const double end =
-            i == 0 ? points[i].first
-                   : linalg::root_between(criterion, points[i - 1].first, points[i - 1].second,
-                                          points[i].first, points[i].second);
-        if (balanced)
-            bands.push_back({end, last});
-        else
-            bands.back().to = end;
-    }
-    return bands;
+} // namespace
+
+std::vector<results::Interval> sharp_bands(const SpeedFunction &criterion,
+                                           const std::vector<double> &critical,
+                                           const std::vector<double> &pinned, double from,
+                                           double to) {
+    std::vector<Breakpoint> points;
+    for (const double speed : critical)
+        points.push_back({speed, Breakpoint::Kind::critical});
+    for (const double speed : pinned)
+        points.push_back({speed, Breakpoint::Kind::pinned});
+    return bands_between(criterion, std::move(points), from, to);
 }
 
-std::vector<double> samples_around(const std::vector<double> &hints,
-                                   const std::vector<double> &given, double from, double to) {
-    std::vector<double> edges = hints;
-    edges.insert(edges.end(), {from, to});
-    std::ranges::sort(edges);
-    std::vector<double> samples = given;
-    samples.insert(samples.end(), {from, to});
-    for (std::size_t i = 0; i + 1 < edges.size(); ++i)
-        for (const double share : {0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98})
-            samples.push_back(edges[i] + share * (edges[i + 1] - edges[i]));
-    for (const double hint : hints)
-        for (const double distance : {1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 4e-3, 1e-2, 3e-2}) {
-            samples.push_back(hint * (1 - distance));
-            samples.push_back(hint * (1 + distance));
-        }
-    std::ranges::sort(samples);
-    std::vector<double> out;
-    for (const double speed : samples)
-        if (speed >= from && speed <= to && (out.empty() || speed - out.back() > 1e-12 * to))
-            out.push_back(speed);
-    return out;
+std::vector<results::Interval> bands_between_changes(const SpeedFunction &criterion,
+                                                     const std::vector<double> &changes,
+                                                     double from, double to) {
+    std::vector<Breakpoint> points;
+    for (const double speed : changes)
+        points.push_back({speed, Breakpoint::Kind::change});
+    return bands_between(criterion, std::move(points), from, to);
 }
 
 namespace {
@@ -284,10 +219,12 @@ void judge(const BalanceScene &scene, const std::string &which, const Judged &cr
 
 void judge_band_ends(const BalanceScene &scene, BalanceForm &form, results::BalanceResult &result) {
     const bool rigid = scene.rotor.shaft.rigid;
-    const assembly::Discretization d(scene.rotor,
-                                     rigid ? scene.order : mesh_error::finer_order(scene.order));
-    BalanceForm finer(d, scene.formulation.form, deflections_at(d, scene.planes),
-                      scene.plane_positions());
+    const bool exact = rigid && scene.harmonics == 0;
+    BalanceScene finer_scene = scene;
+    finer_scene.order = rigid ? scene.order : mesh_error::finer_order(scene.order);
+    finer_scene.harmonics *= 2;
+    const assembly::Discretization d(scene.rotor, finer_scene.order);
+    BalanceForm finer = finer_scene.form_at_planes(d);
     std::vector<results::Sentence> &notes = result.model.notes;
     const std::vector<results::BalanceBands *> each = bands_of_each(result);
     const std::size_t planes = scene.planes.size();
@@ -298,11 +235,12 @@ void judge_band_ends(const BalanceScene &scene, BalanceForm &form, results::Bala
         const Judged given{[&](double speed) { return form.value(i, speed); },
                            [&](double speed) { return form.rounding(i, speed); }};
         const SpeedFunction fine = [&](double speed) { return finer.value(i, speed); };
-        judge(scene, name(i), given, rigid ? nullptr : &fine, *each[i], notes);
+        judge(scene, name(i), given, exact ? nullptr : &fine, *each[i], notes);
     }
-    if (rigid)
+    if (exact)
         return;
-    const BalanceBreakpoints points = balance_breakpoints(scene, d, finer.receptance().undamped());
+    const BalanceBreakpoints points =
+        balance_breakpoints(finer_scene, d, finer.receptance().undamped());
     for (std::size_t i = 0; i < each.size() && points.sharp; ++i) {
         const SpeedFunction fine = [&](double speed) { return finer.value(i, speed); };
         const std::size_t there =

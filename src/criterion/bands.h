@@ -14,9 +14,10 @@ using SpeedFunction = std::function<double(double)>;
 
 /// Bands of a criterion of an undamped rotor, whose sign changes nowhere but at the critical speeds
 /// (a pole) and at those of the rotor pinned at the planes (a zero): signs are looked at between
-/// them, so that no band is missed. Lower ends are critical speeds; upper ends are refined as zeros
-/// of the criterion itself, beside the pinned critical speed. Bands narrower than 1e-8 of the speed
-/// are left out.
+/// them, so that no band is missed. A band begins at a critical speed, with two bending stiffnesses
+/// at the highest of those near each other. Lower ends are critical speeds; upper ends are refined
+/// as zeros of the criterion itself, beside the pinned critical speed. Bands narrower than 1e-8 of
+/// the speed are left out.
 ///
 /// @param critical,pinned  in (from, to), ascending
 [[nodiscard]] std::vector<results::Interval> sharp_bands(const SpeedFunction &criterion,
@@ -24,22 +25,18 @@ using SpeedFunction = std::function<double(double)>;
                                                          const std::vector<double> &pinned,
                                                          double from, double to);
 
-/// Bands of any criterion, from its signs at these speeds (ascending, the ends of the range among
-/// them); where it comes near zero between two speeds and turns back, its extremum is sought.
-[[nodiscard]] std::vector<results::Interval> sampled_bands(const SpeedFunction &criterion,
-                                                           const std::vector<double> &speeds);
-
-/// Speeds at which a criterion of a damped rotor is to be looked at: the given ones and more of
-/// them close to each of `hints`, where lightly damped resonances stand, and between the hints.
-[[nodiscard]] std::vector<double> samples_around(const std::vector<double> &hints,
-                                                 const std::vector<double> &given, double from,
-                                                 double to);
+/// Bands of any criterion whose sign changes nowhere but near these speeds (ascending): signs are
+/// looked at between them, and ends found by bracketing. Bands narrower than 1e-8 of the speed are
+/// left out.
+[[nodiscard]] std::vector<results::Interval>
+bands_between_changes(const SpeedFunction &criterion, const std::vector<double> &changes,
+                      double from, double to);
 
 /// Errors of the ends of all bands: each end is found once more on a finer model of the rotor
-/// (finer_order, same mesh), from the end on the given one; the error is estimate_safety times
-/// the difference, and what finding it again on the given model changes (rounding). Zero for an end
-/// of the range of speeds, none where the finer model has no such end. Bands that only one of the
-/// two models has get a note.
+/// (finer_order, same mesh, twice the terms of a series), from the end on the given one; the error
+/// is estimate_safety times the difference, and what finding it again on the given model changes
+/// (rounding). Zero for an end of the range of speeds, none where the finer model has no such end.
+/// Bands that only one of the two models has get a note.
 /// @throws linalg::SolverError, model::AnalysisFailure
 void judge_band_ends(const BalanceScene &scene, BalanceForm &form, results::BalanceResult &result);
 

@@ -1,5 +1,6 @@
 #include "criterion/form.h"
 
+#include "criterion/sign_changes.h"
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "results/formulation.h"
@@ -39,13 +40,29 @@ Eigen::MatrixXd range_of_planes(const std::vector<double> &z, double length, boo
     return svd.matrixU().leftCols(rank);
 }
 
+/// The same imbalances along both axes of the rotor.
+Eigen::MatrixXd along_both_axes(const Eigen::MatrixXd &range) {
+    Eigen::MatrixXd out = Eigen::MatrixXd::Zero(2 * range.rows(), 2 * range.cols());
+    for (Eigen::Index i = 0; i < range.rows(); ++i)
+        for (Eigen::Index j = 0; j < range.cols(); ++j)
+            out(2 * i, 2 * j) = out(2 * i + 1, 2 * j + 1) = range(i, j);
+    return out;
+}
+
 } // namespace
 
 BalanceForm::BalanceForm(const assembly::Discretization &rotor, results::Form form,
                          const std::vector<assembly::Combination> &places,
-                         const std::vector<double> &z)
-    : _receptance(rotor, form, places),
-      _range(range_of_planes(z, rotor.rotor().shaft.length(), rotor.rigid())) {}
+                         const std::vector<double> &z, int harmonics)
+    : _receptance(rotor, form, places, harmonics), _a_place(synchronous::imbalances_a_place(form)) {
+    const auto planes = static_cast<Eigen::Index>(z.size());
+    for (Eigen::Index j = 0; j < planes; ++j)
+        _ranges.emplace_back(Eigen::MatrixXd::Identity(planes, planes).middleCols(j, 1));
+    _ranges.push_back(range_of_planes(z, rotor.rotor().shaft.length(), rotor.rigid()));
+    if (_a_place == 2)
+        for (Eigen::MatrixXd &range : _ranges)
+            range = along_both_axes(range);
+}
 
 const Eigen::MatrixXcd &BalanceForm::at(double speed) {
     const auto found = _known.find(speed);
@@ -62,17 +79,14 @@ const Eigen::MatrixXcd &BalanceForm::at(double speed) {
         "no steady motion at or near {}: the rotor is free to move", model::as::speed(speed)));
 }
 
-Eigen::MatrixXcd BalanceForm::on_range(double speed) {
-    const Eigen::MatrixXcd range = _range.cast<std::complex<double>>();
+Eigen::MatrixXcd BalanceForm::on_range(std::size_t plane, double speed) {
+    const Eigen::MatrixXcd range = _ranges[plane].cast<std::complex<double>>();
     const Eigen::MatrixXcd of_range = at(speed) * range;
     return range.adjoint() * of_range;
 }
 
 double BalanceForm::value(std::size_t plane, double speed) {
-    const auto j = static_cast<Eigen::Index>(plane);
-    if (j < _range.rows())
-        return at(speed)(j, j).real();
-    const Eigen::MatrixXcd form = on_range(speed);
+    const Eigen::MatrixXcd form = on_range(plane, speed);
     if (form.rows() == 1)
         return form(0, 0).real();
     return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(form, Eigen::EigenvaluesOnly)
@@ -81,15 +95,25 @@ double BalanceForm::value(std::size_t plane, double speed) {
 }
 
 double BalanceForm::rounding(std::size_t plane, double speed) {
-    const auto j = static_cast<Eigen::Index>(plane);
-    if (j < _range.rows())
-        return _receptance.rounding(speed, Eigen::VectorXcd::Unit(_range.rows(), j));
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(on_range(speed));
-    return _receptance.rounding(speed, _range * solver.eigenvectors().rightCols<1>());
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(on_range(plane, speed));
+    return _receptance.rounding(speed, _ranges[plane] * solver.eigenvectors().rightCols<1>());
+}
+
+std::optional<double> BalanceForm::worst_direction(std::size_t plane, double speed) {
+    if (_a_place == 1)
+        return std::nullopt;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(on_range(plane, speed));
+    const Eigen::VectorXd s = solver.eigenvectors().rightCols<1>().real();
+    return std::atan(s(1) / s(0));
+}
+
+std::vector<double> BalanceForm::sign_changes(std::size_t plane, double from, double to) const {
+    return criterion::sign_changes(_receptance, _ranges[plane], from, to);
 }
 
 results::SignaturePoint BalanceForm::signature(double speed) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(on_range(speed));
+    const std::size_t all = _ranges.size() - 1;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(on_range(all, speed));
     const Eigen::VectorXd &values = solver.eigenvalues();
     results::SignaturePoint point;
     point.speed = speed;
@@ -97,13 +121,22 @@ results::SignaturePoint BalanceForm::signature(double speed) {
     point.negative = static_cast<int>((values.array() < 0).count());
     const double size = values.cwiseAbs().maxCoeff();
     point.relative = size > 0 ? values(values.size() - 1) / size : 0;
-    Eigen::VectorXcd worst = _range * solver.eigenvectors().rightCols<1>();
+    Eigen::VectorXcd worst = _ranges[all] * solver.eigenvectors().rightCols<1>();
+    if (_a_place == 2) { // real: x and y
+        const Eigen::VectorXd s = worst.real();
+        worst = s(Eigen::seqN(0, s.size() / 2, 2)).cast<std::complex<double>>();
+        worst.imag() = s(Eigen::seqN(1, s.size() / 2, 2));
+    }
     Eigen::Index largest = 0;
     worst.cwiseAbs().maxCoeff(&largest);
-    if (std::abs(worst(largest)) > 0) // the largest imbalance at phase zero
+    // The largest imbalance at phase zero; where the phase is a direction in the rotor, within a
+    // quarter turn of it.
+    if (_a_place == 2)
+        worst *= worst(largest).real() < 0 ? -1 : 1;
+    else if (std::abs(worst(largest)) > 0)
         worst *= std::conj(worst(largest)) / std::abs(worst(largest));
     point.worst.assign(worst.data(), worst.data() + worst.size());
-    point.eigenvalues.resize(static_cast<std::size_t>(_range.rows()), 0.0);
+    point.eigenvalues.resize(static_cast<std::size_t>(_ranges[all].rows()), 0.0);
     std::ranges::sort(point.eigenvalues);
     return point;
 }

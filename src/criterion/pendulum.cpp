@@ -240,6 +240,9 @@ std::vector<results::PendulumBalance> pendulum_balance(const model::Case &scene,
         throw model::AnalysisFailure("the efficiency of pendulums is computed for a shaft without "
                                      "axial torque, which couples x and y; leave out "
                                      "shaft.axial_torque");
+    if (shared.rotor.rotating_anisotropy())
+        notes.emplace_back("the pendulum part takes the mean of the rotor's inertias and bending "
+                           "stiffnesses about its two axes");
     PendulumShaft shaft(model::with_mean_bearings(shared.rotor), shared.order, pendulums,
                         drive_of(scene, pendulums, notes));
     if (!scene.rotor.bearings_isotropic())

@@ -3,7 +3,10 @@
 #include "process/parallel.h"
 #include "process/progress.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace whirl::criterion {
@@ -36,15 +39,44 @@ std::vector<double> packed(const Eigen::MatrixXcd &form, double factor) {
 
 std::size_t place_of(std::size_t i, std::size_t j) { return 2 * (j * (j + 1) / 2 + i); }
 
-/// Largest eigenvalue of the form of places i < j; one place twice: never below zero.
-double pair_value(const std::vector<double> &form, std::size_t i, std::size_t j) {
-    const double a = form[place_of(i, i)];
-    const double b = form[place_of(j, j)];
-    if (i == j)
-        return std::max(0.0, 2 * a);
-    const double c = std::hypot(form[place_of(i, j)], form[place_of(i, j) + 1]);
-    return (a + b) / 2 + std::hypot((a - b) / 2, c);
-}
+/// A form, packed, and how many of its rows belong to a place.
+struct FormOfPlaces {
+    const std::vector<double> &packed;
+    std::size_t a_place;
+
+    /// Largest eigenvalue for one plane.
+    [[nodiscard]] double single(std::size_t place) const {
+        const std::size_t row = a_place * place;
+        return a_place == 1 ? packed[place_of(row, row)] : of_two(row, row + 1);
+    }
+    /// For two; one place twice: never below zero.
+    [[nodiscard]] double pair(std::size_t i, std::size_t j) const {
+        if (i == j)
+            return std::max(0.0, 2 * single(i));
+        return a_place == 1 ? of_two(i, j) : of_two_pairs(2 * i, 2 * j);
+    }
+
+  private:
+    /// Of the rows i < j.
+    [[nodiscard]] double of_two(std::size_t i, std::size_t j) const {
+        const double a = packed[place_of(i, i)];
+        const double b = packed[place_of(j, j)];
+        const double c = std::hypot(packed[place_of(i, j)], packed[place_of(i, j) + 1]);
+        return (a + b) / 2 + std::hypot((a - b) / 2, c);
+    }
+    /// Of the rows i, i + 1 < j, j + 1, real.
+    [[nodiscard]] double of_two_pairs(std::size_t i, std::size_t j) const {
+        const std::array<std::size_t, 4> rows{i, i + 1, j, j + 1};
+        Eigen::Matrix4d form;
+        for (Eigen::Index column = 0; column < 4; ++column)
+            for (Eigen::Index row = 0; row <= column; ++row)
+                form(column, row) = packed[place_of(rows[static_cast<std::size_t>(row)],
+                                                    rows[static_cast<std::size_t>(column)])];
+        return Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(form, Eigen::EigenvaluesOnly)
+            .eigenvalues()
+            .maxCoeff();
+    }
+};
 
 /// Share of an interval of speeds in which the criterion is negative, from its values at the ends:
 /// it jumps at a critical speed and passes zero on a straight line elsewhere.
@@ -52,9 +84,12 @@ class NegativeShare {
   public:
     NegativeShare(const std::vector<double> &speeds, const std::vector<double> &critical) {
         for (std::size_t k = 0; k + 1 < speeds.size(); ++k) {
-            const auto found = std::upper_bound(critical.begin(), critical.end(), speeds[k]);
-            const bool inside = found != critical.end() && *found <= speeds[k + 1];
-            _jump.push_back(inside ? (*found - speeds[k]) / (speeds[k + 1] - speeds[k]) : -1);
+            // Of several the last one: those of two bending stiffnesses stand close together, and
+            // the criterion is negative above both.
+            const auto beyond = std::upper_bound(critical.begin(), critical.end(), speeds[k + 1]);
+            const bool inside = beyond != critical.begin() && *(beyond - 1) > speeds[k];
+            _jump.push_back(inside ? (*(beyond - 1) - speeds[k]) / (speeds[k + 1] - speeds[k])
+                                   : -1);
         }
     }
     /// Of interval k.
@@ -101,31 +136,34 @@ results::BestPlace judged(std::vector<double> z, const NegativeShare &share, std
     return place;
 }
 
-void fill(results::Placement &out, const std::vector<std::vector<double>> &forms,
-          const std::vector<double> &critical) {
+/// @param packed  the form at every speed
+void fill(results::Placement &out, const std::vector<std::vector<double>> &packed,
+          std::size_t a_place, const std::vector<double> &critical) {
+    std::vector<FormOfPlaces> forms;
+    for (const std::vector<double> &form : packed)
+        forms.push_back({form, a_place});
     const NegativeShare share(out.speeds, critical);
     std::vector<results::BestPlace> single;
     std::vector<results::BestPlace> pairs;
     for (std::size_t j = 0; j < out.z.size(); ++j) {
         single.push_back(judged({out.z[j]}, share, forms.size(),
-                                [&](std::size_t k) { return forms[k][place_of(j, j)]; }));
+                                [&](std::size_t k) { return forms[k].single(j); }));
         out.share.push_back(single.back().share);
         for (std::size_t i = 0; i < j; ++i)
             pairs.push_back(judged({out.z[i], out.z[j]}, share, forms.size(),
-                                   [&](std::size_t k) { return pair_value(forms[k], i, j); }));
+                                   [&](std::size_t k) { return forms[k].pair(i, j); }));
     }
     out.best = best_of(single);
     out.best_pair = best_of(pairs);
-    for (const std::vector<double> &form : forms) {
+    for (const FormOfPlaces &form : forms) {
         out.criterion.emplace_back();
         for (std::size_t j = 0; j < out.z.size(); ++j)
-            out.criterion.back().push_back(form[place_of(j, j)]);
+            out.criterion.back().push_back(form.single(j));
     }
     for (std::size_t i = 0; i < out.z.size(); ++i) {
         out.pair_value.emplace_back();
         for (std::size_t j = 0; j < out.z.size(); ++j)
-            out.pair_value.back().push_back(
-                pair_value(forms.back(), std::min(i, j), std::max(i, j)));
+            out.pair_value.back().push_back(forms.back().pair(std::min(i, j), std::max(i, j)));
     }
 }
 
@@ -147,7 +185,7 @@ results::Placement placement(const BalanceScene &scene, const assembly::Discreti
         const int count = std::max(fewest_speeds, static_cast<int>(scene.speeds.size()));
         out.speeds = model::SpeedRange{scene.from, scene.to, count}.values();
     }
-    BalanceForm form(d, scene.formulation.form, places, out.z);
+    BalanceForm form(d, scene.formulation.form, places, out.z, scene.harmonics);
     const double mass = scene.body.mass;
     double done = 0;
     const auto forms = process::rows_at(out.speeds, [&](double speed) {
@@ -155,7 +193,9 @@ results::Placement placement(const BalanceScene &scene, const assembly::Discreti
         return packed(form.at(speed), mass);
     });
     if (!forms.empty())
-        fill(out, forms, critical);
+        fill(out, forms,
+             static_cast<std::size_t>(synchronous::imbalances_a_place(scene.formulation.form)),
+             critical);
     return out;
 }
 

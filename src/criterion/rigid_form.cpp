@@ -11,7 +11,8 @@ namespace whirl::criterion {
 namespace {
 
 closed_form::TwoSupportRotor closed_form_rotor(const results::RigidEquivalent &rigid) {
-    return {rigid.mass, rigid.diametral, rigid.polar, rigid.k11, rigid.k14, rigid.k33};
+    return {rigid.mass, rigid.diametral, rigid.polar,     rigid.k11,
+            rigid.k14,  rigid.k33,       rigid.anisotropy};
 }
 
 std::vector<results::Interval> cut(const std::vector<closed_form::Band> &bands, double from,
@@ -28,14 +29,18 @@ std::vector<results::Interval> cut(const std::vector<closed_form::Band> &bands, 
 
 } // namespace
 
-std::optional<results::RigidEquivalent> rigid_equivalent(const rigid::RigidRotor &body) {
+std::optional<results::RigidEquivalent> rigid_equivalent(const rigid::RigidRotor &body,
+                                                         double anisotropy) {
     results::RigidEquivalent out;
+    out.anisotropy = anisotropy;
     out.mass = body.mass;
     out.center = body.center;
     out.diametral = body.A;
     out.polar = body.C;
     out.type = rigid::rigid_type(out.diametral, out.polar);
-    if (out.type == "spherical")
+    if (std::abs(out.polar - out.diametral) < out.anisotropy)
+        out.type = "long about one axis, short about the other";
+    else if (out.type == "spherical")
         out.polar = out.diametral;
     out.k11 = body.supports.c_x;
     out.k14 = body.supports.c_y;

@@ -10,9 +10,10 @@
 namespace whirl::criterion {
 
 /// The rotor as a rigid body on its supports, and its critical speeds.
+/// @param anisotropy  half the difference of its diametral inertias, kg m2
 /// @returns none where the supports do not hold it.
 [[nodiscard]] std::optional<results::RigidEquivalent>
-rigid_equivalent(const rigid::RigidRotor &body);
+rigid_equivalent(const rigid::RigidRotor &body, double anisotropy);
 
 /// Closed-form bands of one plane at z (m), cut to [from, to]; theory: rigid_rotor_criterion.h.
 [[nodiscard]] std::vector<results::Interval>

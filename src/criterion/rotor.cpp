@@ -5,7 +5,9 @@
 #include "model/case.h"
 #include "model/errors.h"
 #include "model/variants.h"
+#include "modes/formulation.h"
 #include "process/parallel.h"
+#include "rigid/inertia.h"
 #include "synchronous/parts.h"
 
 #include <fmt/format.h>
@@ -40,14 +42,6 @@ model::SpeedRange checked_range(const model::Case &scene) {
     return range;
 }
 
-/// Dampers that lock make other resonances: those of the rotor held at its damped bearings.
-std::vector<model::Bearing> damped_of(std::vector<model::Bearing> bearings) {
-    std::erase_if(bearings, [](const model::Bearing &bearing) {
-        return std::ranges::all_of(bearing.rows, [](const auto &row) { return row.c.isZero(0); });
-    });
-    return bearings;
-}
-
 /// Every bearing has a symmetric stiffness that pushes back in every direction, and a symmetric
 /// mass; nor does a torque couple x and y; else inertia counts would say nothing.
 bool bearings_push_back(const model::Rotor &rotor) {
@@ -61,46 +55,48 @@ bool bearings_push_back(const model::Rotor &rotor) {
     });
 }
 
-void append(std::vector<double> &list, const std::vector<double> &more) {
-    list.insert(list.end(), more.begin(), more.end());
-}
-
-/// Speeds at which the bearings are read: the start, and with tables their rows and the end.
-std::vector<double> reading_speeds(const BalanceScene &scene) {
-    std::vector<double> speeds{scene.from};
-    if (!scene.rotor.bearings_depend_on_speed())
-        return speeds;
-    for (const double row : synchronous::table_speeds(scene.rotor))
-        if (row > scene.from && row < scene.to)
-            speeds.push_back(row);
-    if (scene.to > scene.from)
-        speeds.push_back(scene.to);
-    return speeds;
-}
-
-/// Resonances of the undamped forms of a damped rotor, or of one with bearing tables. One with
-/// the bearings of one row counts as far as the neighbouring rows.
-std::vector<double> hints_of(const BalanceScene &scene) {
-    const model::Rotor undamped = model::with_conservative_supports(scene.rotor);
-    const assembly::Discretization d(undamped, scene.order);
-    const std::vector<double> speeds = reading_speeds(scene);
+/// The series in twice the spin speed has settled where twice the terms change the criterion by
+/// less than this share of itself. Looked at over the whole range, and on the median: beside a
+/// resonance, which more terms move a little, it changes by more, and the errors of band ends say
+/// how much.
+int settled_harmonics(const BalanceScene &scene) {
+    constexpr double settled = 1e-10;
+    constexpr int looks = 17;
+    constexpr int most = 32;
+    const assembly::Discretization d(scene.rotor, scene.order);
     const std::vector<assembly::Combination> places = deflections_at(d, scene.planes);
-    const std::vector<assembly::Combination> locked =
-        deflections_at(d, damped_of(scene.rotor.bearings));
-    std::vector<double> hints;
-    for (std::size_t k = 0; k < speeds.size(); ++k) {
-        const double from = k == 0 ? scene.from : speeds[k - 1];
-        const double to = k + 1 < speeds.size() ? speeds[k + 1] : scene.to;
-        const UndampedRotor at_speed(d, undamped.bearings_isotropic(), speeds[k]);
-        append(hints, at_speed.critical_speeds(from, to));
-        append(hints, at_speed.pinned_critical_speeds(places, from, to));
-        for (const assembly::Combination &place : places)
-            append(hints, at_speed.pinned_critical_speeds({place}, from, to));
-        if (!locked.empty())
-            append(hints, at_speed.pinned_critical_speeds(locked, from, to));
+    std::vector<double> speeds{scene.to};
+    if (scene.has_range())
+        speeds = model::SpeedRange{scene.from, scene.to, looks}.values();
+    const auto forms = [&](int harmonics) {
+        synchronous::ForwardReceptance receptance(d, results::Form::hill, places, harmonics);
+        std::vector<Eigen::MatrixXcd> out;
+        for (const double speed : speeds)
+            out.push_back(synchronous::hermitian_part(receptance.at(speed)));
+        return out;
+    };
+    std::vector<Eigen::MatrixXcd> before = forms(1);
+    for (int harmonics = 1; harmonics < most; harmonics *= 2) {
+        std::vector<Eigen::MatrixXcd> with = forms(2 * harmonics);
+        std::vector<double> changes;
+        for (std::size_t k = 0; k < with.size(); ++k)
+            changes.push_back((with[k] - before[k]).norm() / with[k].norm());
+        const auto median = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 2);
+        std::nth_element(changes.begin(), median, changes.end());
+        if (*median < settled)
+            return harmonics;
+        before = std::move(with);
     }
-    std::ranges::sort(hints);
-    return hints;
+    throw model::AnalysisFailure("the series in twice the spin speed by which a rotor that is not "
+                                 "axisymmetric moves on bearings that differ between their "
+                                 "directions does not settle at these speeds; raise speeds.from");
+}
+
+/// Of a rotor that is not axisymmetric that of the motions in rotating axes, on bearings that
+/// differ between their directions the series.
+results::Formulation criterion_formulation(const model::Case &bare) {
+    return bare.rotor.rotating_anisotropy() ? modes::choose_formulation(bare)
+                                            : forced::response_formulation(bare);
 }
 
 } // namespace
@@ -113,15 +109,17 @@ BalanceScene::BalanceScene(const model::Case &scene)
     // At rest there is no criterion; this near to it nothing but zero speeds of a free rotor stand.
     from = range.count == 1 ? range.from : std::max(range.from, 1e-6 * range.to);
     rotor.balancers.clear();
-    rotor.anisotropies.clear();
     rotor.planes = planes;
     body = rigid::rigid_body(rotor, from);
+    anisotropy = std::abs(rigid::inertia_of(rotor).a);
     model::Case bare = scene;
     bare.rotor = rotor;
-    formulation = forced::response_formulation(bare);
+    formulation = criterion_formulation(bare);
     // It is judged by frequencies; a rotor that is not axisymmetric has but the one form.
     order = rotor.rotating_anisotropy() ? mesh_error::resolve_order(bare, formulation)
                                         : mesh_error::resolve_order_in_best_form(bare);
+    if (formulation.form == results::Form::hill)
+        harmonics = settled_harmonics(*this);
 }
 
 std::vector<double> BalanceScene::plane_positions() const {
@@ -129,6 +127,10 @@ std::vector<double> BalanceScene::plane_positions() const {
     for (const model::CorrectionPlane &plane : planes)
         z.push_back(plane.z);
     return z;
+}
+
+BalanceForm BalanceScene::form_at_planes(const assembly::Discretization &d) const {
+    return {d, formulation.form, deflections_at(d, planes), plane_positions(), harmonics};
 }
 
 std::vector<results::BalanceBands *> bands_of_each(results::BalanceResult &result) {
@@ -143,17 +145,14 @@ std::vector<results::BalanceBands *> bands_of_each(results::BalanceResult &resul
 BalanceBreakpoints balance_breakpoints(const BalanceScene &scene, const assembly::Discretization &d,
                                        bool undamped) {
     BalanceBreakpoints out;
-    const bool planar = scene.rotor.bearings_isotropic();
     out.sharp =
         undamped && !scene.rotor.bearings_depend_on_speed() && bearings_push_back(scene.rotor);
     out.pinned.resize(scene.planes.size() + 1);
     if (!scene.has_range())
         return out;
-    if (!out.sharp) {
-        out.hints = hints_of(scene);
+    if (!out.sharp)
         return out;
-    }
-    const UndampedRotor form(d, planar, scene.from);
+    const UndampedRotor form(d, scene.formulation.form, scene.from, scene.harmonics);
     const std::vector<assembly::Combination> places = deflections_at(d, scene.planes);
     out.critical = form.critical_speeds(scene.from, scene.to);
     for (std::size_t i = 0; i < places.size(); ++i)

@@ -17,15 +17,19 @@ struct BalanceScene {
     double from = 0;            ///< range of the bands, rad/s; never zero
     double to = 0;
     results::Formulation formulation;
+    int harmonics = 0; ///< form hill: terms of the series in twice the spin speed
     int order = 1;
-    model::Rotor rotor;     ///< without balancers and rotating anisotropies, with all planes
+    model::Rotor rotor;     ///< without balancers, with all planes
     rigid::RigidRotor body; ///< it as a rigid body, bearings as at `from`
+    double anisotropy = 0;  ///< half the difference of its diametral inertias, kg m2
 
     explicit BalanceScene(const model::Case &scene);
 
     [[nodiscard]] bool has_range() const { return to > from; }
     /// z of the planes, m.
     [[nodiscard]] std::vector<double> plane_positions() const;
+    /// The criterion at the planes of `rotor`, discretised.
+    [[nodiscard]] BalanceForm form_at_planes(const assembly::Discretization &d) const;
 };
 
 /// Deflections where some parts of a rotor are.
@@ -46,11 +50,10 @@ struct BalanceBreakpoints {
     bool sharp = false; ///< they change nowhere else, and the lists are complete
     std::vector<double> critical;
     std::vector<std::vector<double>> pinned; ///< at each plane alone, then at all of them
-    std::vector<double> hints;               ///< not sharp: resonances of related undamped rotors
 };
 
-/// Critical speeds of the rotor, free and pinned; for damped rotors those of its undamped forms,
-/// with free and with locked dampers.
+/// Critical speeds of the rotor, free and pinned, where signs change nowhere else: without damping,
+/// bearing tables and coupling that is not symmetric.
 [[nodiscard]] BalanceBreakpoints
 balance_breakpoints(const BalanceScene &scene, const assembly::Discretization &d, bool undamped);
 

@@ -3,6 +3,8 @@
 #include "assembly/constraints.h"
 #include "assembly/system.h"
 #include "linalg/semidefinite_pair.h"
+#include "synchronous/parts.h"
+#include "synchronous/receptance.h"
 
 #include <Eigen/Core>
 
@@ -40,10 +42,15 @@ Sparse imaginary_part(const Sparse &K) {
 
 } // namespace
 
-UndampedRotor::UndampedRotor(const assembly::Discretization &rotor, bool planar,
-                             double bearing_speed)
-    : _planar(planar) {
-    if (planar) {
+UndampedRotor::UndampedRotor(const assembly::Discretization &rotor, results::Form form,
+                             double bearing_speed, int harmonics)
+    : _form(form) {
+    if (results::in_rotating_axes(form)) {
+        const assembly::FixedSystem system =
+            synchronous::steady_in_rotating_axes(rotor, bearing_speed, harmonics);
+        _K = system.K.view();
+        _A = system.M.view();
+    } else if (form == results::Form::planar) {
         const assembly::PlanarSystem system = assembly::assemble_planar(rotor, bearing_speed);
         _K = system.K.view();
         _A = linalg::Matrix::sum(1, system.M, -1, system.G).view();
@@ -80,16 +87,17 @@ std::vector<double> UndampedRotor::critical_speeds(double from, double to) const
 std::vector<double>
 UndampedRotor::pinned_critical_speeds(const std::vector<assembly::Combination> &places, double from,
                                       double to) const {
+    const int a_place = synchronous::imbalances_a_place(_form);
     Eigen::MatrixXd rows =
-        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(places.size()), _K.rows());
+        Eigen::MatrixXd::Zero(a_place * static_cast<Eigen::Index>(places.size()), _K.rows());
     for (std::size_t i = 0; i < places.size(); ++i)
         for (const auto &[unknown, value] : places[i]) {
-            const auto row = static_cast<Eigen::Index>(i);
-            if (_planar) {
+            const auto row = a_place * static_cast<Eigen::Index>(i);
+            if (_form == results::Form::planar) {
                 rows(row, unknown) += value;
-            } else { // forward: (x, i y) alike
+            } else { // general: forward, (x, i y) alike; in rotating axes x and y each
                 rows(row, 2 * unknown) += value;
-                rows(row, 2 * unknown + 1) += value;
+                rows(row + a_place - 1, 2 * unknown + 1) += value;
             }
         }
     const Eigen::VectorXd size =

@@ -18,7 +18,9 @@ CountedPair<Scalar>::CountedPair(const Sparse &K, const Sparse &A) : _K(K), _A(A
 
 template <class Scalar> void CountedPair<Scalar>::factorise(double w) const {
     // A pivot that is exactly zero stops the factorisation; at a neighbouring speed it is not.
-    for (const double nudge : {0.0, 1e-14, -3e-14}) {
+    // Where entries of K are 1e8 times w^2 A or more (short stiff spans), pivots come in steps of
+    // their rounding, and such a one stays zero over as much as 1e-8 of the speed.
+    for (const double nudge : {0.0, 1e-14, -3e-14, 1e-12, -3e-12, 1e-10, -3e-10, 1e-8, -3e-8}) {
         const double at = w * (1 + nudge);
         _factors.factorize(Sparse(_K - at * at * _A));
         if (_factors.info() == Eigen::Success)

@@ -98,7 +98,8 @@ const Columns<End> band_end_columns{
     {"pinned", OnPage("Pinned critical speed", "{:.10g}"), Quantity::speed, &End::pinned},
     {"rigid", OnPage("Rigid", "{:.10g}"), Quantity::speed, &End::rigid},
     {"relative_difference", OnPage("Relative difference", "{:.3g}"), Quantity::number,
-     &End::relative_difference}};
+     &End::relative_difference},
+    {"direction", Quantity::angle, &End::direction}};
 
 std::vector<End> ends_of(const std::string &planes, const BalanceBands &of) {
     std::vector<End> ends;
@@ -204,6 +205,7 @@ Json rigid_json(const results::RigidEquivalent &of, const Units &units) {
             {"center_of_mass", written(units, Quantity::length, of.center)},
             {"Id", written(units, Quantity::inertia, of.diametral)},
             {"Ip", written(units, Quantity::inertia, of.polar)},
+            {"dI", written(units, Quantity::inertia, of.anisotropy)},
             {"k11", written(units, Quantity::stiffness, of.k11)},
             {"k14", written(units, Quantity::coupling_stiffness, of.k14)},
             {"k33", written(units, Quantity::tilt_stiffness, of.k33)},

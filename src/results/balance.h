@@ -20,6 +20,9 @@ struct BandEnd {
     std::optional<double> relative_difference; ///< speed / rigid - 1
     std::optional<double> error;               ///< rad/s; none where it is not known
     std::optional<double> pinned;              ///< the same end as a pinned critical speed, rad/s
+    /// One plane of a rotor that is not axisymmetric: the imbalances that are the last to be
+    /// balanced or the first not to be; rad in the rotor from x towards y, -pi/2 .. pi/2.
+    std::optional<double> direction;
 };
 
 /// Where one plane alone, or all of them together, can balance the rotor.
@@ -36,34 +39,41 @@ struct BalancePlane {
     std::string name;
     double z = 0; ///< m
     BalanceBands bands;
-    std::vector<double> criterion; ///< Re R_jj over the speeds of the result, 1/kg
+    /// Over the speeds of the result, 1/kg: Re R_jj, of a rotor that is not axisymmetric the
+    /// largest eigenvalue over the directions of the imbalance.
+    std::vector<double> criterion;
 };
 
 /// Eigenvalues of the joint form at one speed: mean work of elementary imbalances s, s^H Re(R) s.
 struct SignaturePoint {
-    double speed = 0;                        ///< rad/s
-    std::vector<double> eigenvalues;         ///< ascending, 1/kg
-    int negative = 0;                        ///< how many are
-    double relative = 0;                     ///< the largest over the largest modulus
-    std::vector<std::complex<double>> worst; ///< imbalances of the largest one, length 1
+    double speed = 0; ///< rad/s
+    /// Ascending, 1/kg: one a plane, two of a rotor that is not axisymmetric (axes x and y).
+    std::vector<double> eigenvalues;
+    int negative = 0;    ///< how many are
+    double relative = 0; ///< the largest over the largest modulus
+    /// Imbalances of the largest one, length 1; of a rotor that is not axisymmetric x + i y in its
+    /// axes.
+    std::vector<std::complex<double>> worst;
 };
 
 struct JointBalance {
     BalanceBands bands;
-    int rank = 0; ///< of the form: planes of a rigid rotor make no more than two
+    int rank = 0; ///< independent planes: those of a rigid rotor make no more than two
     std::vector<SignaturePoint> signature;
 };
 
 /// The rotor and its supports as a rigid body, about the centre of mass.
 struct RigidEquivalent {
-    double mass = 0;                     ///< kg
-    double center = 0;                   ///< z of the centre of mass, m
-    double diametral = 0;                ///< A, kg m2
-    double polar = 0;                    ///< C, kg m2
-    double k11 = 0;                      ///< N/m
-    double k14 = 0;                      ///< N
-    double k33 = 0;                      ///< N m
-    std::string type;                    ///< "long", "spherical" or "short"
+    double mass = 0;       ///< kg
+    double center = 0;     ///< z of the centre of mass, m
+    double diametral = 0;  ///< A, kg m2
+    double polar = 0;      ///< C, kg m2
+    double anisotropy = 0; ///< diametral inertias A -+ this, kg m2
+    double k11 = 0;        ///< N/m
+    double k14 = 0;        ///< N
+    double k33 = 0;        ///< N m
+    std::string
+        type; ///< "long", "spherical", "short" or "long about one axis, short about the other"
     std::vector<double> critical_speeds; ///< rad/s
 };
 

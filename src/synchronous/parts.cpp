@@ -1,10 +1,12 @@
 #include "synchronous/parts.h"
 
+#include "assembly/hill_system.h"
 #include "balancers/arrangement.h"
 #include "modes/support_damping.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace whirl::synchronous {
 
@@ -47,6 +49,21 @@ assembly::FixedSystem turned_system(const assembly::Discretization &rotor, bool 
             linalg::Matrix::from_entries(n, modes::planar_support_damping(rotor, bearing_speed)),
             linalg::Matrix::from_entries(n, {}), std::move(system.K),
             linalg::Matrix::from_entries(n, {})};
+}
+
+assembly::FixedSystem steady_in_rotating_axes(const assembly::Discretization &rotor,
+                                              double bearing_speed, int harmonics) {
+    assembly::RotatingSystem system = held_in_rotating_axes(rotor, bearing_speed);
+    if (harmonics > 0) {
+        assembly::PeriodicStiffness series = assembly::periodic_stiffness(
+            system, assembly::turning_supports(rotor, bearing_speed, system.K.size()), harmonics);
+        system.K = std::move(series.K);
+        system.Ks = std::move(series.Ks);
+        system.Kss = std::move(series.Kss);
+    }
+    const int n = system.K.size();
+    return {linalg::Matrix::sum(-1, system.Kss, 0, system.Kss), linalg::Matrix::from_entries(n, {}),
+            linalg::Matrix::from_entries(n, {}), std::move(system.K), std::move(system.Ks)};
 }
 
 Eigen::VectorXd unit_diagonal(const Eigen::VectorXd &diagonal) {

@@ -37,6 +37,14 @@ struct SynchronousModes {
 [[nodiscard]] assembly::FixedSystem turned_system(const assembly::Discretization &rotor,
                                                   bool planar, double bearing_speed);
 
+/// What stands still in axes that turn with the rotor, or repeats there with the bearings, under
+/// forces that stand still there: (K + speed Kc - speed^2 M) q = f over pairs (x, y), real; C and G
+/// are zero. Masses of balancers are held where they are.
+/// @param harmonics  of the series in twice the spin speed (assembly/hill_system.h), the constant
+///                   term before the others; 0: of bearings that are the same from every direction
+[[nodiscard]] assembly::FixedSystem steady_in_rotating_axes(const assembly::Discretization &rotor,
+                                                            double bearing_speed, int harmonics);
+
 /// Powers of two s by which s d s is about 1 for each d >= 0 of a diagonal (1 where d is 0):
 /// deflections and slopes have different units, and pivots must not be chosen by them.
 [[nodiscard]] Eigen::VectorXd unit_diagonal(const Eigen::VectorXd &diagonal);

@@ -16,7 +16,8 @@ struct Segment {
     double outer_end = 0; ///< m
     double inner_end = 0; ///< m
     int elements = 1;
-    double asymmetry = 0; ///< bending stiffnesses EI(1 +- this) of the two directions
+    double asymmetry = 0;       ///< bending stiffnesses EI(1 +- this) of the two directions
+    double asymmetry_angle = 0; ///< of the stiffer one, rad
 };
 
 /// Diametral inertias Id + dI and Id - dI, kg m2.

@@ -42,6 +42,7 @@ Segment segment_of(const toml::table &table, const Materials &materials, double 
     out.inner_end = number(table, "inner_end", out.left.inner);
     out.elements = static_cast<int>(number(table, "elements", elements));
     out.asymmetry = number(table, "asymmetry");
+    out.asymmetry_angle = number(table, "asymmetry_angle");
     return out;
 }
 

@@ -189,7 +189,8 @@ std::vector<std::vector<PlotPoint>> eigenvalue_lines(const BalanceResult &result
                                                      double unit, Sign sign) {
     std::vector<std::vector<PlotPoint>> lines;
     const auto &points = result.joint.signature;
-    for (std::size_t k = 0; k < result.planes.size(); ++k) {
+    const std::size_t count = points.empty() ? 0 : points.front().eigenvalues.size();
+    for (std::size_t k = 0; k < count; ++k) {
         lines.emplace_back();
         for (std::size_t i = 0; i < points.size(); ++i) {
             const bool jump =
