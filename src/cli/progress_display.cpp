@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 
 namespace whirl::cli {
 
@@ -20,7 +21,10 @@ ProgressDisplay::ProgressDisplay(const Style &style) : _style(style) {
         _share = std::max(_share, share);
         _doing = doing;
     });
-    _writer = std::thread([this] { write_until_the_end(); });
+    try {
+        _writer = std::thread([this] { write_until_the_end(); });
+    } catch (const std::system_error &) { // too little memory, too many threads: it goes without
+    }
 }
 
 ProgressDisplay::~ProgressDisplay() {
@@ -30,7 +34,8 @@ ProgressDisplay::~ProgressDisplay() {
         _end = true;
     }
     _ended.notify_all();
-    _writer.join();
+    if (_writer.joinable())
+        _writer.join();
     if (_style.terminal && _written)
         fmt::print(_style.to, "\r\033[K");
 }
