@@ -86,6 +86,8 @@ void SpectrumSolver::expect(std::size_t speeds) const {
 bool SpectrumSolver::carries_over(bool follow) const {
     if (_data->form == results::Form::planar_damped)
         return !_data->tables;
+    if (_data->form == results::Form::rotating) // shapes are of all that has been asked for
+        return follow && !_data->tables;
     return _data->form == results::Form::general && follow && !_data->few &&
            _data->symmetric_matrices() != nullptr;
 }

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Runs on disks of many sizes that are too small, or just large enough: where the program says that it succeeded every
 # file is whole; where it says that it failed nothing has been replaced and nothing is left behind.
-# Usage: full_disks.sh PROGRAM ROOT [RUNS]. Needs a mount namespace of its own: root, or user namespaces; else it is
+# Usage: full_disks.sh PROGRAM ROOT [RUNS] [LIBRARY]. With the library (without_nameless_files.cpp) half of the runs are
+# as on a file system that knows no files without names. Needs a mount namespace of its own: root, or user namespaces; else it is
 # skipped with exit status 77.
-program="$1" root="$2" runs="${3:-20}"
+program="$1" root="$2" runs="${3:-20}" library="${4-}"
 if [[ -z "${WHIRL_MOUNTS-}" ]]; then
   as=(unshare --mount)
   "${as[@]}" true 2> /dev/null || as=(unshare --mount --map-root-user)
@@ -41,7 +42,9 @@ for ((run = 0; run < runs; run++)); do
   if ((old)); then put_old_results "$out" "$work/$name" 2> /dev/null || old=0; fi
   ((old)) || rm -rf "$out"
   status=0
-  "$program" ${arguments[$name]} --quiet --out "$out" 2> "$work/errors" || status=$?
+  preload=""
+  ((run / (2 * ${#commands[@]}) % 2)) && preload="$library"
+  LD_PRELOAD="$preload" "$program" ${arguments[$name]} --quiet --out "$out" 2> "$work/errors" || status=$?
   where="run $run, $name on $size kB"
   case "$status" in
     0)
