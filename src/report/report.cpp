@@ -16,15 +16,17 @@ namespace {
 /// while this one composes the other files.
 class Writer {
   public:
-    Writer(const Report &report, const fs::path &folder) : _report(report), _files(folder) {}
+    Writer(const Report &report, const fs::path &folder)
+        : _report(report), _readers(Units::of_readers(report.scene->units)),
+          _in_files(Units::of_files(report.scene->units)), _files(folder) {}
 
     Files write() {
         start_main();
         if (_report.pictures)
-            for (const Picture &picture : _report.pictures())
+            for (const Picture &picture : _report.pictures(_readers))
                 start_further(picture);
         add(_report.command + ".json", to_json(_report));
-        add(_report.command + ".csv", _report.csv());
+        add(_report.command + ".csv", _report.csv(_in_files));
         if (_report.vtp)
             add(_report.command + ".vtp", _report.vtp());
         write_page();
@@ -53,7 +55,8 @@ class Writer {
     /// starts first; the SVG is announced first. @returns the name of the latter, or nothing
     /// without gnuplot
     std::string start_both(Figure figure, const std::string &name) {
-        figure.script = script_in_written_units(figure.script);
+        if (!figure.in_units)
+            figure.script = script_in_written_units(figure.script);
         const std::string svg = name + ".svg";
         _files.announce(svg);
         return start(figure, PictureFormat::png, name + ".png") &&
@@ -73,7 +76,7 @@ class Writer {
     void start_main() {
         const std::string name = _report.command;
         if (_report.drawing) {
-            const Drawing drawing = _report.drawing();
+            const Drawing drawing = _report.drawing(_readers);
             _still = to_svg(drawing);
             add(name + ".svg", _still);
             _still = picture_element(_still, _report.heading + ": " + title_of(*_report.scene));
@@ -81,7 +84,7 @@ class Writer {
                 _written.notes.emplace_back("gnuplot is not installed: no PNG picture");
             return;
         }
-        _svg = start_both(_report.figure(), name);
+        _svg = start_both(_report.figure(_readers), name);
         if (_svg.empty())
             _written.notes.emplace_back("gnuplot is not installed: no SVG and PNG pictures");
     }
@@ -89,8 +92,8 @@ class Writer {
     void start_further(const Picture &picture) {
         if (const std::string svg = start_both(picture.figure, picture.name); !svg.empty())
             _further.push_back(svg);
-        if (!picture.csv.empty())
-            add(picture.name + ".csv", picture.csv);
+        if (picture.csv)
+            add(picture.name + ".csv", picture.csv(_in_files));
     }
 
     void write_page() {
@@ -108,6 +111,7 @@ class Writer {
     }
 
     const Report &_report;
+    Units _readers, _in_files;
     OutputFiles _files;
     PlotJobs _jobs;
     Files _written;
