@@ -39,9 +39,7 @@ report::ComparedResult computed(const std::string &name, const Command &command,
     const Arguments arguments = arguments_of(name, command.name, overrides);
     const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
     const std::string text = input::case_text(arguments.scene, arguments.overrides);
-    if (!process::same_everywhere(text))
-        throw model::BadInput(fmt::format(
-            "{}: expected the same case on every process, this one reads another text", name));
+    check_same_case(arguments, scene, text);
     report::ComparedResult result{name, {}};
     const Run work{arguments, scene, [&](report::Report report) {
                        if (process::process_rank() != 0) // the first has all of it

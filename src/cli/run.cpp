@@ -2,6 +2,7 @@
 #include "cli/messages.h"
 #include "cli/progress_display.h"
 #include "input/case_file.h"
+#include "input/table_texts.h"
 #include "linalg/session.h"
 #include "model/errors.h"
 #include "model/rpm.h"
@@ -136,6 +137,17 @@ const Command *command_named(const std::string &name) {
 
 std::filesystem::path Run::folder() const {
     return arguments.out.value_or(std::filesystem::path("out") / scene.name / arguments.command);
+}
+
+void check_same_case(const Arguments &arguments, const model::Case &scene,
+                     const std::string &text) {
+    if (process::process_count() == 1 ||
+        process::same_everywhere(arguments.command + '\n' + text + '\n' +
+                                 input::table_texts(text, scene.file)))
+        return;
+    throw model::BadInput(fmt::format("{}: expected the same case on every process, with the same "
+                                      "tables; this one reads another text",
+                                      scene.file.generic_string()));
 }
 
 void run(const Arguments &arguments) {

@@ -287,6 +287,15 @@ TEST_F(Ranks, OneThatReadsAnotherCaseEndsAll) {
     expect_one_message(apart(), 2, "expected the same case on every process");
 }
 
+TEST_F(Ranks, OneThatReadsAnotherTableEndsAll) {
+    for (const std::string table : {"shaft.csv", "bearing_2.csv"}) {
+        const std::string text = content_of("b/" + table);
+        write("b/" + table, text + "# another text\n");
+        expect_one_message(apart(), 2, "expected the same case on every process");
+        write("b/" + table, text);
+    }
+}
+
 /// The numbers are those of one process to the last digit, whoever computed them: with motions that
 /// are followed from speed to speed, on few shapes of a range of speeds, on modes at rest.
 TEST_F(Ranks, AnyNumberGivesTheSameToTheLastDigit) {
