@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "model/errors.h"
+#include "process/signals.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 
 int main(int argc, char **argv) {
     using namespace whirl;
+    process::end_in_order_on_signals(cli::first_process());
     try {
         const cli::Parsed parsed = cli::parse_arguments(argc, argv);
         if (parsed.arguments)
@@ -22,9 +24,11 @@ int main(int argc, char **argv) {
         cli::complain(fmt::format("whirl: {}", error.what()));
         return cli::status_here(cli::exit_failed);
     } catch (const std::bad_alloc &) {
-        cli::complain("whirl: not enough memory");
+        // Of several processes the others do not know of this (process::together would have told
+        // them): this one speaks for itself, and its status ends them.
+        cli::complain_here("whirl: not enough memory");
     } catch (const std::exception &error) {
-        cli::complain(fmt::format("whirl: {}", error.what()));
+        cli::complain_here(fmt::format("whirl: {}", error.what()));
     }
     return cli::exit_failed;
 }

@@ -184,7 +184,8 @@ std::string command_list() { return fmt::format("{}", fmt::join(command_names(),
 Parsed parse_arguments(int argc, const char *const *argv) {
     CLI::App app("Whirl: how flexible rotors vibrate", "whirl");
     app.set_version_flag("--version", "whirl " + report::program_version());
-    app.footer("Exit status: 0 done, 1 the analysis failed, 2 bad case or arguments.\n"
+    app.footer("Exit status: 0 done, 1 the analysis failed, 2 bad case or arguments,\n"
+               "128 + the signal that ended it.\n"
                "mpirun -n N whirl ... shares the work among N processes.");
     app.add_flag_callback(
            "--man", [&app] { throw CLI::CallForVersion(manual_of_program(app), 0); },

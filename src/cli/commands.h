@@ -70,6 +70,11 @@ Command stability_command();
 /// Null where there is none of that name.
 [[nodiscard]] const Command *command_named(const std::string &name);
 
+/// Of several processes, which ought to have read the same. Collective.
+/// @param text  of the case
+/// @throws model::BadInput on those that have read another case or table than process 0
+void check_same_case(const Arguments &arguments, const model::Case &scene, const std::string &text);
+
 /// Reads the case, runs the analysis on all processes and delivers the result from the first:
 /// files, and text or JSON on standard output. Collective under mpirun.
 /// @throws model::BadInput, model::AnalysisFailure, std::exception; nothing is written then.

@@ -1,7 +1,6 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "input/case_file.h"
-#include "linalg/session.h"
 #include "model/errors.h"
 #include "process/processes.h"
 #include "report/common/files.h"
@@ -39,12 +38,13 @@ report::ComparedResult computed(const std::string &name, const Command &command,
                                 const std::vector<std::string> &overrides) {
     const Arguments arguments = arguments_of(name, command.name, overrides);
     const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
+    const std::string text = input::case_text(arguments.scene, arguments.overrides);
+    check_same_case(arguments, scene, text);
     report::ComparedResult result{name, {}};
     const Run work{arguments, scene, [&](report::Report report) {
                        if (process::process_rank() != 0) // the first has all of it
                            return;
-                       report.provenance.case_text =
-                           input::case_text(arguments.scene, arguments.overrides);
+                       report.provenance.case_text = text;
                        result.json = report::Json::parse(report::to_si_json(report));
                    }};
     command.run(work);
@@ -84,7 +84,6 @@ model::OutputUnits units_of(const std::vector<std::string> &overrides) {
 } // namespace
 
 void compare_results(const Arguments &arguments) {
-    const linalg::Session session;
     const std::filesystem::path folder =
         arguments.out.value_or(std::filesystem::path("out") / "compare");
     const bool writes = !arguments.json || arguments.out;

@@ -60,7 +60,7 @@ std::string options_of(const CLI::App &app) {
 }
 
 const std::string exit_status = ".SH EXIT STATUS\n0: done; 1: the analysis failed; 2: bad case or "
-                                "arguments.\n";
+                                "arguments; 128 + the signal that ended it.\n";
 
 } // namespace
 

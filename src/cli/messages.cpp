@@ -1,5 +1,6 @@
 #include "cli/messages.h"
 
+#include "process/signals.h"
 #include "report/common/text_width.h"
 
 #include <cerrno>
@@ -19,8 +20,11 @@ bool first_process() {
 }
 
 void complain(std::string_view message) {
-    if (!first_process())
-        return;
+    if (first_process())
+        complain_here(message);
+}
+
+void complain_here(std::string_view message) {
     const bool ended = !message.empty() && message.back() == '\n';
     // One write for the whole message, so that it stays in one piece; if standard error is
     // closed there is nobody to tell.
@@ -35,6 +39,7 @@ void say(std::string_view text) {
     if (std::fwrite(whole.data(), 1, whole.size(), stdout) != whole.size() ||
         std::fflush(stdout) != 0)
         throw std::system_error(errno, std::generic_category(), "cannot write to standard output");
+    process::results_written();
 }
 
 } // namespace whirl::cli

@@ -20,6 +20,8 @@ inline constexpr int exit_bad_input = 2; ///< the case or the arguments are wron
 /// Writes one message to standard error, with a line end where it has none; names in it cannot
 /// command the terminal. Only the first process speaks.
 void complain(std::string_view message);
+/// The same from any process.
+void complain_here(std::string_view message);
 
 /// Writes to standard output, likewise. @throws std::system_error where that is not possible.
 void say(std::string_view text);

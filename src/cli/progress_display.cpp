@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 #include <utility>
 
 namespace whirl::cli {
@@ -21,7 +22,10 @@ ProgressDisplay::ProgressDisplay(const Style &style, report::Units units)
         _share = std::max(_share, share);
         _doing = doing;
     });
-    _writer = std::thread([this] { write_until_the_end(); });
+    try {
+        _writer = std::thread([this] { write_until_the_end(); });
+    } catch (const std::system_error &) { // too little memory, too many threads: it goes without
+    }
 }
 
 ProgressDisplay::~ProgressDisplay() {
@@ -31,7 +35,8 @@ ProgressDisplay::~ProgressDisplay() {
         _end = true;
     }
     _ended.notify_all();
-    _writer.join();
+    if (_writer.joinable())
+        _writer.join();
     if (_style.terminal && _written)
         fmt::print(_style.to, "\r\033[K");
 }

@@ -2,6 +2,7 @@
 #include "cli/messages.h"
 #include "cli/progress_display.h"
 #include "input/case_file.h"
+#include "input/table_texts.h"
 #include "linalg/session.h"
 #include "model/errors.h"
 #include "model/rpm.h"
@@ -90,21 +91,8 @@ void note_plain_speed(const Arguments &arguments, const model::Case &scene) {
                          text, *scene.modes.speed * model::rpm));
 }
 
-} // namespace
-
-const Command *command_named(const std::string &name) {
-    const auto found = std::find_if(commands().begin(), commands().end(),
-                                    [&name](const Command &at) { return at.name == name; });
-    return found == commands().end() ? nullptr : &*found;
-}
-
-std::filesystem::path Run::folder() const {
-    return arguments.out.value_or(std::filesystem::path("out") / scene.name / arguments.command);
-}
-
-void run(const Arguments &arguments) {
-    if (arguments.command == "compare")
-        return comparison()(arguments);
+/// Reads the case, runs the analysis and delivers the result.
+void run_command(const Arguments &arguments) {
     const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
     note_idle_map(arguments);
     note_plain_speed(arguments, scene);
@@ -112,11 +100,12 @@ void run(const Arguments &arguments) {
     if (!arguments.json || arguments.out)
         report::check_folder(checked.folder());
     const report::Provenance provenance = provenance_of(arguments);
+    if (!process::same_everywhere(arguments.command + '\n' + provenance.case_text))
+        throw model::BadInput(
+            fmt::format("{}: expected the same case on every process, this one reads another text",
+                        scene.file.generic_string()));
     report::write_in(scene.units);
     const report::Units units = report::Units::of_readers(scene.units);
-
-    process::use_huge_pages();
-    const linalg::Session session;
     std::optional<ProgressDisplay> display;
     if (!arguments.quiet && process::process_rank() == 0)
         display.emplace(ProgressDisplay::style_for(isatty(STDERR_FILENO) != 0), units);
@@ -137,6 +126,40 @@ void run(const Arguments &arguments) {
             message += "\nnote: " + remark;
         throw model::AnalysisFailure(message);
     }
+}
+
+} // namespace
+
+const Command *command_named(const std::string &name) {
+    const auto found = std::find_if(commands().begin(), commands().end(),
+                                    [&name](const Command &at) { return at.name == name; });
+    return found == commands().end() ? nullptr : &*found;
+}
+
+std::filesystem::path Run::folder() const {
+    return arguments.out.value_or(std::filesystem::path("out") / scene.name / arguments.command);
+}
+
+void check_same_case(const Arguments &arguments, const model::Case &scene,
+                     const std::string &text) {
+    if (process::process_count() == 1 ||
+        process::same_everywhere(arguments.command + '\n' + text + '\n' +
+                                 input::table_texts(text, scene.file)))
+        return;
+    throw model::BadInput(fmt::format("{}: expected the same case on every process, with the same "
+                                      "tables; this one reads another text",
+                                      scene.file.generic_string()));
+}
+
+void run(const Arguments &arguments) {
+    process::use_huge_pages();
+    const linalg::Session session;
+    process::together([&arguments] {
+        if (arguments.command == "compare")
+            comparison()(arguments);
+        else
+            run_command(arguments);
+    });
 }
 
 } // namespace whirl::cli

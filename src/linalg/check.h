@@ -11,7 +11,8 @@ class SolverError : public model::Failure {
     using Failure::Failure;
 };
 
-/// Throws SolverError where a PETSc, SLEPc or MPI call returned an error code. File and line are
+/// Throws SolverError where a PETSc, SLEPc or MPI call returned an error code, std::bad_alloc where
+/// it is for want of memory. File and line are
 /// those of the caller (compiler built-ins, as clang-tidy 14 cannot read std::source_location).
 void check(int code, const char *file = __builtin_FILE(), int line = __builtin_LINE());
 

@@ -97,7 +97,7 @@ struct DefinitePencil::Factors {
     // [-s A, sigma; sigma, 0] with A = U^T L^-1 S L^-T U, one small product instead of solves.
     bool modal = false;
     RepeatedEigensolver solver;
-    int solved = 0;      ///< speeds asked for so far
+    int asked = 0;       ///< speeds asked for so far, or announced
     Eigen::MatrixXd LtU; ///< L^-T U: modes at rest
     Eigen::MatrixXd A;
     Eigen::VectorXd sigma;
@@ -180,6 +180,8 @@ DefinitePencil::DefinitePencil(const Matrix &K, const Matrix &M, const Matrix &S
 
 DefinitePencil::~DefinitePencil() = default;
 
+void DefinitePencil::expect(int values) { _factors->asked += values; }
+
 int DefinitePencil::size() const { return static_cast<int>(_factors->K.rows()); }
 
 int DefinitePencil::count_below(double s, double bound) const {
@@ -247,7 +249,7 @@ bool DefinitePencil::confirmed(double s, std::vector<RealPair> &pairs, int wante
 std::vector<RealPair> DefinitePencil::smallest(double s, int wanted) const {
     // Diagonalising at rest costs as much as some ten speeds of a small problem: it waits until
     // there are that many. Results of both ways differ by rounding only.
-    if (!_factors->modal && size() <= 200 && ++_factors->solved > 8)
+    if (!_factors->modal && size() <= 200 && ++_factors->asked > 8)
         _factors->make_modal();
     const int all = 2 * size();
     // Where a large part of the spectrum is wanted, or the matrix is small, dense is faster and

@@ -4,6 +4,8 @@
 
 #include <slepcsys.h>
 
+#include <petscblaslapack.h> // needs what that brings
+
 #ifdef __linux__
 #include <netinet/in.h>
 #include <netinet/tcp.h>
@@ -12,6 +14,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <new>
 #include <string_view>
 #include <system_error>
 
@@ -76,6 +79,30 @@ void prepare_single_process() {
     setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
 }
 
+/// PETSc reads these whatever it is told, and whoever set them meant another program: they can
+/// overwrite files, write to standard output, start a debugger.
+void leave_out_options() {
+    unsetenv("PETSC_OPTIONS");
+    unsetenv("PETSC_OPTIONS_YAML");
+}
+
+/// OpenBLAS takes one buffer, of 128 MB on x86-64, when it is called first, keeps it, and up to
+/// 0.3.29 asks for it again for ever where there is not so much (its issue 5289). So it is asked
+/// here, after a look whether there is.
+/// @throws std::bad_alloc
+void claim_blas_buffer() {
+    constexpr std::size_t size = 129U << 20U; // with what it adds to align it
+    void *volatile buffer = std::malloc(size);
+    if (buffer == nullptr)
+        throw std::bad_alloc();
+    std::free(buffer);
+    // Products of small matrices do without it, solutions do not.
+    const PetscBLASInt one = 1;
+    const PetscScalar A = 1;
+    PetscScalar x = 1;
+    BLAStrsm_("L", "L", "N", "N", &one, &one, &A, &A, &one, &x, &one);
+}
+
 PetscErrorCode silent_handler(MPI_Comm, int, const char *, const char *, PetscErrorCode code,
                               PetscErrorType, const char *, void *) {
     return code;
@@ -84,16 +111,19 @@ PetscErrorCode silent_handler(MPI_Comm, int, const char *, const char *, PetscEr
 } // namespace
 
 Session::Session() {
+    claim_blas_buffer();
+    leave_out_options();
     if (under_launcher())
         prepare_one_machine();
     else
         prepare_single_process();
-    static int argc = 1;
+    static int argc = 3;
     static char name[] = "whirl";
     static char no_signals[] = "-no_signal_handler";
-    static char *list[] = {name, no_signals, nullptr};
+    static char no_files[] = "-skip_petscrc";
+    static char *list[] = {name, no_signals, no_files, nullptr};
     static char **argv = list;
-    argc = 2;
+    argc = 3; // Initialize changes it
     check(SlepcInitialize(&argc, &argv, nullptr, nullptr));
     check(PetscPushErrorHandler(silent_handler, nullptr));
     if (under_launcher())

@@ -3,9 +3,11 @@
 namespace whirl::linalg {
 
 /// Starts MPI, PETSc and SLEPc and ends them; one lives in main (or in a test program).
-/// PETSc's own option database and its error printing are off: errors arrive as exceptions.
+/// No option of PETSc's or SLEPc's is read from anywhere (petscrc files, PETSC_OPTIONS), and its
+/// error printing is off: errors arrive as exceptions.
 class Session {
   public:
+    /// @throws std::bad_alloc where there is not the memory to start with
     Session();
     ~Session();
     Session(const Session &) = delete;

@@ -66,6 +66,12 @@ template <class Scalar> struct SparseFactor<Scalar>::Data {
                common.status == KLU_OK;
     }
 
+    /// Too little memory is no zero pivot.
+    void check_memory() const {
+        if (common.status == KLU_OUT_OF_MEMORY || common.status == KLU_TOO_LARGE)
+            throw std::bad_alloc();
+    }
+
     void drop() { (real ? klu_free_numeric : klu_z_free_numeric)(&numeric, &common); }
 
     ~Data() {
@@ -87,6 +93,7 @@ template <class Scalar> SparseFactor<Scalar>::~SparseFactor() = default;
 
 template <class Scalar> bool SparseFactor<Scalar>::factorize(const Sparse &A) {
     _data->analyse(A);
+    _data->check_memory();
     if (_data->symbolic == nullptr)
         return false;
     if (_data->refactorize(A))
@@ -95,6 +102,7 @@ template <class Scalar> bool SparseFactor<Scalar>::factorize(const Sparse &A) {
     _data->numeric = (Data::real ? klu_factor : klu_z_factor)(
         _data->columns.data(), _data->rows.data(), reals(A.valuePtr()), _data->symbolic,
         &_data->common);
+    _data->check_memory();
     return _data->numeric != nullptr && _data->common.status == KLU_OK;
 }
 

@@ -77,6 +77,21 @@ Spectrum SpectrumSolver::damped_alone(double speed, int wanted, Errors errors) c
     return _data->at_speed(_data->general, speed).modes(speed, wanted, errors);
 }
 
+void SpectrumSolver::expect(std::size_t speeds) const {
+    const bool planar = _data->form == results::Form::planar;
+    if ((planar || _data->form == results::Form::hyperbolic) && !_data->tables)
+        _data->at_speed(_data->symmetric, 0, planar).expect(static_cast<int>(speeds));
+}
+
+bool SpectrumSolver::carries_over(bool follow) const {
+    if (_data->form == results::Form::planar_damped)
+        return !_data->tables;
+    if (_data->form == results::Form::rotating) // shapes are of all that has been asked for
+        return follow && !_data->tables;
+    return _data->form == results::Form::general && follow && !_data->few &&
+           _data->symmetric_matrices() != nullptr;
+}
+
 bool SpectrumSolver::needs_all_eigenvalues(double speed, int wanted) const {
     return _data->form == results::Form::general && !_data->few &&
            _data->at_speed(_data->general, speed).needs_all(speed, wanted);

@@ -39,6 +39,13 @@ class SpectrumSolver {
     [[nodiscard]] Spectrum at(double speed, int wanted,
                               Errors errors = Errors::with_left_vectors) const;
 
+    /// So many speeds are asked for next, here or by other processes: what is found at one of them
+    /// does not depend on who asks for the others.
+    void expect(std::size_t speeds) const;
+    /// Whether that holds no longer: what was found at one speed helps at the next.
+    /// @param follow  follow() is asked for
+    [[nodiscard]] bool carries_over(bool follow) const;
+
     /// Form general: whether so many modes are found among all eigenvalues alone, which costs the
     /// cube of the unknowns. Known by one attempt that does without them.
     [[nodiscard]] bool needs_all_eigenvalues(double speed, int wanted) const;

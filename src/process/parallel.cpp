@@ -5,6 +5,7 @@
 #include "process/processes.h"
 #include "process/progress.h"
 
+#include <new>
 #include <string>
 
 namespace whirl::process {
@@ -45,6 +46,8 @@ namespace {
 std::string failure_of(const std::function<void()> &work) {
     try {
         work();
+    } catch (const std::bad_alloc &) {
+        return "not enough memory";
     } catch (const std::exception &error) {
         const std::string what = error.what();
         return what.empty() ? "a piece of the work failed" : what;

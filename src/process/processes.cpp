@@ -1,10 +1,14 @@
 #include "process/processes.h"
 
 #include "linalg/check.h"
+#include "model/errors.h"
 
+#include <fmt/format.h>
 #include <mpi.h>
 
+#include <array>
 #include <cstdint>
+#include <new>
 #include <numeric>
 
 namespace whirl::process {
@@ -21,7 +25,94 @@ int process_count() {
     return count;
 }
 
+namespace {
+
+/// Of what kind is a failure that ends the work of all processes.
+enum class Kind : int { none, analysis, input };
+
+struct Ending {
+    Kind kind = Kind::none;
+    std::string message{};
+};
+
+/// Process `root`'s bytes on every process.
+void broadcast_from(int root, std::vector<char> &bytes) {
+    auto size = static_cast<int>(bytes.size());
+    linalg::check(MPI_Bcast(&size, 1, MPI_INT, root, MPI_COMM_WORLD));
+    bytes.resize(static_cast<std::size_t>(size));
+    linalg::check(MPI_Bcast(bytes.data(), size, MPI_BYTE, root, MPI_COMM_WORLD));
+}
+
+std::string alone(int rank, int count) {
+    std::array<char, MPI_MAX_PROCESSOR_NAME> host{};
+    int length = 0;
+    linalg::check(MPI_Get_processor_name(host.data(), &length));
+    return fmt::format("process {} of {}, on {}, fails where process 0 does not: ", rank, count,
+                       host.data());
+}
+
+/// No std::exception, so that nobody takes it for a failure that can be done without.
+struct AnotherEnds {
+    Ending ending;
+};
+
+/// What the first process that cannot go on says, on all of them. Every collective call begins with
+/// this one, so that those who wait meet those who have left.
+Ending agreed(const Ending &mine) {
+    const int rank = process_rank();
+    const int count = process_count();
+    int first = mine.kind == Kind::none ? count : rank;
+    linalg::check(MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD));
+    if (first == count)
+        return {};
+    auto kind = static_cast<int>(mine.kind);
+    linalg::check(MPI_Bcast(&kind, 1, MPI_INT, first, MPI_COMM_WORLD));
+    const std::string of_me = (rank > 0 ? alone(rank, count) : "") + mine.message;
+    std::vector<char> message(of_me.begin(), of_me.end());
+    broadcast_from(first, message);
+    return {static_cast<Kind>(kind), {message.begin(), message.end()}};
+}
+
+void meet() {
+    if (Ending ending = agreed({}); ending.kind != Kind::none)
+        throw AnotherEnds{std::move(ending)};
+}
+
+[[noreturn]] void throw_as(const Ending &ending) {
+    if (ending.kind == Kind::input)
+        throw model::BadInput(ending.message);
+    throw model::AnalysisFailure(ending.message);
+}
+
+} // namespace
+
+void together(const std::function<void()> &work) {
+    if (process_count() == 1)
+        return work();
+    Ending mine;
+    try {
+        work();
+    } catch (const AnotherEnds &other) { // all have met already
+        throw_as(other.ending);
+    } catch (const model::BadInput &error) {
+        mine = {Kind::input, error.what()};
+    } catch (const std::bad_alloc &) {
+        mine = {Kind::analysis, "not enough memory"};
+    } catch (const std::exception &error) {
+        mine = {Kind::analysis, error.what()};
+    }
+    if (const Ending ending = agreed(mine); ending.kind != Kind::none)
+        throw_as(ending);
+}
+
+bool same_everywhere(const std::string &text) {
+    std::vector<char> first(text.begin(), text.end());
+    broadcast(first);
+    return std::string_view(text) == std::string_view(first.data(), first.size());
+}
+
 std::vector<std::vector<char>> gather(const std::vector<char> &bytes) {
+    meet();
     const int count = process_count();
     const int mine = static_cast<int>(bytes.size());
     std::vector<int> sizes(static_cast<std::size_t>(count));
@@ -39,10 +130,8 @@ std::vector<std::vector<char>> gather(const std::vector<char> &bytes) {
 }
 
 void broadcast(std::vector<char> &bytes) {
-    auto size = static_cast<int>(bytes.size());
-    linalg::check(MPI_Bcast(&size, 1, MPI_INT, 0, MPI_COMM_WORLD));
-    bytes.resize(static_cast<std::size_t>(size));
-    linalg::check(MPI_Bcast(bytes.data(), size, MPI_BYTE, 0, MPI_COMM_WORLD));
+    meet();
+    broadcast_from(0, bytes);
 }
 
 /// Memory of process 0 that the others reach by themselves.
@@ -89,6 +178,7 @@ struct SharedCounter::Window {
 SharedCounter::SharedCounter() {
     if (process_count() == 1)
         return;
+    meet();
     _window = std::make_unique<Window>();
     const MPI_Aint size = process_rank() == 0 ? sizeof(std::int64_t) : 0;
     _window->ahead = !_window->in_shared_memory(size);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace whirl::process {
@@ -9,6 +11,17 @@ namespace whirl::process {
 /// Number of this process among `process_count()` started by mpirun.
 [[nodiscard]] int process_rank();
 [[nodiscard]] int process_count();
+
+/// Does the work on every process started by mpirun, and has all of them end it alike: where it
+/// fails on one, the others give up when they next wait for one another (in the collective calls of
+/// this room, and at the end of the work), and every process throws what the first of them threw:
+/// BadInput, or AnalysisFailure for all else. Collective; not within another one. A single process
+/// just does the work.
+/// @throws model::BadInput, model::AnalysisFailure
+void together(const std::function<void()> &work);
+
+/// Whether the text is that of process 0 on every process. Collective.
+[[nodiscard]] bool same_everywhere(const std::string &text);
 
 /// Concatenates the bytes of every process, in order of rank, on process 0 (empty elsewhere).
 [[nodiscard]] std::vector<std::vector<char>> gather(const std::vector<char> &bytes);

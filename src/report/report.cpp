@@ -2,6 +2,7 @@
 
 #include "report/common/files.h"
 #include "report/common/html.h"
+#include "report/common/plot_jobs.h"
 #include "report/common/units.h"
 #include "report/common/words.h"
 
@@ -12,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The files of a report while they come into being. The pictures are drawn by their own processes
-/// while this one writes the other files.
+/// while this one composes the other files.
 class Writer {
   public:
     Writer(const Report &report, const fs::path &folder)
@@ -29,41 +30,47 @@ class Writer {
         if (_report.vtp)
             add(_report.command + ".vtp", _report.vtp());
         write_page();
-        _jobs.finish();
+        take_pictures();
         _written.paths = _files.commit();
         return _written;
     }
 
   private:
     /// A file that the page links to.
-    void add(const std::string &name, const std::string &content) {
-        _files.add(name, content);
+    void add(const std::string &name, std::string content) {
+        _files.add(name, std::move(content));
         _linked.push_back(name);
     }
 
-    /// Forgets the file where gnuplot is missing. @returns whether the picture is on its way.
-    bool start_png(const Figure &figure, const std::string &name) {
-        const bool started = _jobs.start(figure, PictureFormat::png, _files.reserve(name + ".png"));
+    /// @returns whether the picture is on its way: not where gnuplot is missing
+    bool start(const Figure &figure, PictureFormat format, const std::string &name) {
+        _files.announce(name);
+        const bool started = _jobs.start(figure, format, name);
         if (started)
-            _linked.push_back(name + ".png");
-        else
-            _files.drop(name + ".png");
+            _linked.push_back(name);
         return started;
     }
 
     /// Both files of a picture, in the units that were asked for. The PNG takes longest, so it
-    /// starts first; the SVG is announced first. @returns the latter, or nothing without gnuplot
-    fs::path start_both(Figure figure, const std::string &name) {
+    /// starts first; the SVG is announced first. @returns the name of the latter, or nothing
+    /// without gnuplot
+    std::string start_both(Figure figure, const std::string &name) {
         if (!figure.in_units)
             figure.script = script_in_written_units(figure.script);
-        const fs::path svg = _files.reserve(name + ".svg");
-        if (!start_png(figure, name)) {
-            _files.drop(name + ".svg");
-            return {};
+        const std::string svg = name + ".svg";
+        _files.announce(svg);
+        return start(figure, PictureFormat::png, name + ".png") &&
+                       start(figure, PictureFormat::svg, svg)
+                   ? svg
+                   : "";
+    }
+
+    /// Waits for those that were started.
+    void take_pictures() {
+        for (auto &[name, picture] : _jobs.finish()) {
+            _pictures[name] = picture;
+            _files.add(name, std::move(picture));
         }
-        _jobs.start(figure, PictureFormat::svg, svg);
-        _linked.push_back(name + ".svg");
-        return svg;
     }
 
     void start_main() {
@@ -73,7 +80,7 @@ class Writer {
             _still = to_svg(drawing);
             add(name + ".svg", _still);
             _still = picture_element(_still, _report.heading + ": " + title_of(*_report.scene));
-            if (!start_png(to_figure(drawing), name))
+            if (!start(to_figure(drawing), PictureFormat::png, name + ".png"))
                 _written.notes.emplace_back("gnuplot is not installed: no PNG picture");
             return;
         }
@@ -83,7 +90,7 @@ class Writer {
     }
 
     void start_further(const Picture &picture) {
-        if (const fs::path svg = start_both(picture.figure, picture.name); !svg.empty())
+        if (const std::string svg = start_both(picture.figure, picture.name); !svg.empty())
             _further.push_back(svg);
         if (picture.csv)
             add(picture.name + ".csv", picture.csv(_in_files));
@@ -93,13 +100,13 @@ class Writer {
         const bool moves = !plotly_bundle().empty() && !embedded(_report.command + ".js").empty();
         const bool wants_svg = !moves && !_svg.empty();
         if (wants_svg || !_further.empty()) // still pictures in the page: wait for them
-            _jobs.finish();
+            take_pictures();
         if (wants_svg)
-            _still = picture_element(content_of(_svg),
+            _still = picture_element(_pictures.at(_svg),
                                      _report.heading + ": " + title_of(*_report.scene));
         std::string pictures;
-        for (const fs::path &picture : _further)
-            pictures += picture_element(content_of(picture), _report.pictures_heading);
+        for (const std::string &picture : _further)
+            pictures += picture_element(_pictures.at(picture), _report.pictures_heading);
         _files.add("report.html", to_html(_report, _still, pictures, _linked));
     }
 
@@ -108,10 +115,11 @@ class Writer {
     OutputFiles _files;
     PlotJobs _jobs;
     Files _written;
-    fs::path _svg;      ///< where gnuplot draws the main picture
+    std::string _svg;   ///< the main picture, where gnuplot draws it
     std::string _still; ///< the main picture as an element
-    std::vector<fs::path> _further;
-    std::vector<std::string> _linked; ///< names of the files beside the page
+    std::vector<std::string> _further;
+    std::map<std::string, std::string> _pictures; ///< those that are drawn, by their names
+    std::vector<std::string> _linked;             ///< names of the files beside the page
 };
 
 } // namespace

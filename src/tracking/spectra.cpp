@@ -46,20 +46,29 @@ void get(Bytes &bytes, modes::Spectrum &spectrum) {
         [&bytes](auto &list) { bytes.get_list(list); });
 }
 
+/// @param sweep  what is asked for of all processes
+/// @param own    of this one
+std::vector<modes::Spectrum> spectra_of(const modes::SpectrumSolver &solver,
+                                        const std::vector<double> &sweep,
+                                        const std::vector<double> &own, int wanted, bool follow) {
+    solver.expect(sweep.size());
+    if (follow)
+        solver.follow(sweep, wanted);
+    std::vector<modes::Spectrum> spectra;
+    for (const double speed : own) {
+        spectra.push_back(solver.at(speed, wanted));
+        process::report_progress(static_cast<double>(spectra.size()) /
+                                 static_cast<double>(own.size()));
+    }
+    return spectra;
+}
+
 } // namespace
 
 std::vector<modes::Spectrum> spectra_alone(const modes::SpectrumSolver &solver,
                                            const std::vector<double> &speeds, int wanted,
                                            bool follow) {
-    if (follow)
-        solver.follow(speeds, wanted);
-    std::vector<modes::Spectrum> spectra;
-    for (const double speed : speeds) {
-        spectra.push_back(solver.at(speed, wanted));
-        process::report_progress(static_cast<double>(spectra.size()) /
-                                 static_cast<double>(speeds.size()));
-    }
-    return spectra;
+    return spectra_of(solver, speeds, speeds, wanted, follow);
 }
 
 std::vector<modes::Spectrum> spectra_at(const modes::SpectrumSolver &solver,
@@ -68,20 +77,27 @@ std::vector<modes::Spectrum> spectra_at(const modes::SpectrumSolver &solver,
     const auto processes = static_cast<std::size_t>(process::process_count());
     if (processes == 1)
         return spectra_alone(solver, speeds, wanted, follow);
+    const auto rank = static_cast<std::size_t>(process::process_rank());
+    std::vector<modes::Spectrum> spectra;
     Bytes mine;
+    bool shared = true;
     std::string failure;
     try {
+        shared = !solver.carries_over(follow);
         std::vector<double> own;
-        for (auto i = static_cast<std::size_t>(process::process_rank()); i < speeds.size();
-             i += processes)
+        for (std::size_t i = rank; shared && i < speeds.size(); i += processes)
             own.push_back(speeds[i]);
-        for (const modes::Spectrum &spectrum : spectra_alone(solver, own, wanted, follow))
-            put(mine, spectrum);
+        if (shared)
+            for (const modes::Spectrum &spectrum : spectra_of(solver, speeds, own, wanted, follow))
+                put(mine, spectrum);
+        else if (rank == 0)
+            spectra = spectra_alone(solver, speeds, wanted, follow);
     } catch (const model::AnalysisFailure &error) {
         failure = error.what();
     }
     process::agree_on_failure(failure);
-    std::vector<modes::Spectrum> spectra;
+    if (!shared)
+        return spectra;
     std::vector<Bytes> parts = process::gather(mine);
     if (!parts.empty())
         for (std::size_t i = 0; i < speeds.size(); ++i)

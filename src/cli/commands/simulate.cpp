@@ -1,8 +1,10 @@
 #include "cli/commands.h"
 
 #include "analyses/simulate.h"
+#include "cli/messages.h"
 #include "model/errors.h"
 #include "process/interruption.h"
+#include "process/signals.h"
 #include "report/reports.h"
 #include "report/restart_file.h"
 #include "results/simulate.h"
@@ -11,49 +13,48 @@
 
 #include <csignal>
 #include <optional>
+#include <string>
 
 namespace whirl::cli {
 
 namespace {
 
-/// While it lives SIGINT asks the analysis to stop; a second one ends the program as usual.
-class InterruptionBySignal {
-  public:
-    InterruptionBySignal() {
-        struct sigaction action {};
-        action.sa_handler = [](int) { process::request_interruption(); };
-        action.sa_flags = SA_RESETHAND;
-        sigaction(SIGINT, &action, &_before);
-    }
-    ~InterruptionBySignal() { sigaction(SIGINT, &_before, nullptr); }
-    InterruptionBySignal(const InterruptionBySignal &) = delete;
-    InterruptionBySignal &operator=(const InterruptionBySignal &) = delete;
-    InterruptionBySignal(InterruptionBySignal &&) = delete;
-    InterruptionBySignal &operator=(InterruptionBySignal &&) = delete;
-
-  private:
-    struct sigaction _before {};
-};
+/// Ends the program as the SIGINT that the analysis has stopped for would have ended it.
+[[noreturn]] void end_interrupted(const std::string &message) {
+    complain("whirl: " + message);
+    process::end_by(SIGINT);
+}
 
 /// From the restart file that the case names if any. On SIGINT writes a restart file into the
-/// folder for results. @throws model::AnalysisFailure then, with what to do to go on.
+/// folder for results, says how to go on, and ends as any program that is interrupted.
 void simulate_or_leave_restart(const Run &run) {
     std::optional<model::Restart> from;
     if (!run.scene.simulate.restart.empty())
         from = report::read_restart(run.scene.simulate.restart);
-    const InterruptionBySignal interruption;
-    const results::SimulateResult result =
-        run.timed([&] { return analyses::simulate(run.scene, from ? &*from : nullptr); });
-    if (!result.restart) {
-        run.deliver(report::describe(run.scene, result));
-        return;
+    results::SimulateResult result;
+    bool interrupted = false;
+    try {
+        const process::InterruptionBySignal interruption(interrupted);
+        result = run.timed([&] { return analyses::simulate(run.scene, from ? &*from : nullptr); });
+    } catch (const model::AnalysisFailure &failure) {
+        if (interrupted)
+            end_interrupted(failure.what() + std::string("; no results were written"));
+        throw;
     }
-    const auto file = run.folder() / "restart.json";
-    report::write_restart(file, *result.restart);
-    throw model::AnalysisFailure(
-        model::Sentence("interrupted at {} of {}; to go on add --set simulate.restart={}",
-                        model::as::time(result.restart->time),
-                        model::as::time(run.scene.simulate.time), file.string()));
+    if (process::take_interruption()) // came too late for the motion to stop
+        raise(SIGINT);
+    if (result.restart) {
+        const auto file = run.folder() / "restart.json";
+        report::write_restart(file, *result.restart);
+        end_interrupted(
+            model::Sentence("interrupted at {} of {}; to go on add --set simulate.restart={}",
+                            model::as::time(result.restart->time),
+                            model::as::time(run.scene.simulate.time), file.string())
+                .text());
+    }
+    run.deliver(report::describe(run.scene, result));
+    if (interrupted)
+        end_interrupted("interrupted; a note in the results says which motions are missing");
 }
 
 } // namespace

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 namespace whirl::report {
@@ -18,40 +17,30 @@ void check_folder(const std::filesystem::path &folder);
 
 /// A set of output files that appears as a whole or not at all.
 ///
-/// Content goes to temporary names in the output folder; commit() renames all of them. Without
-/// commit() the destructor removes the temporary files and the folders made for them.
+/// What they hold is kept here until commit(): however a run ends before, nothing has been made,
+/// not even the folder.
 class OutputFiles {
   public:
-    /// Makes the folder, with its parents, where it does not exist.
-    /// @throws model::AnalysisFailure where that is not possible.
     explicit OutputFiles(std::filesystem::path folder);
-    ~OutputFiles();
-    OutputFiles(const OutputFiles &) = delete;
-    OutputFiles &operator=(const OutputFiles &) = delete;
 
-    /// Temporary path that commit() will rename to `name`; somebody else writes the content.
-    std::filesystem::path reserve(const std::string &name);
-    /// Writes the content to a temporary name; commit() renames it to `name`.
-    /// @throws model::AnalysisFailure where the file cannot be written.
-    void add(const std::string &name, std::string_view content);
-    /// Forgets and removes a reserved file that will not come.
-    void drop(const std::string &name);
-    /// Gives all files their names and returns their paths in the order they were announced.
+    /// A file of the set, in this order. Where no content follows there is none of that name
+    /// afterwards: one of an earlier run would be beside results that it does not belong to.
+    void announce(const std::string &name);
+    /// The content of a file, announced or not.
+    void add(const std::string &name, std::string content);
+    /// Writes all files and gives them their names; returns the paths of those with content in
+    /// their order. Signals wait meanwhile.
+    /// @throws model::AnalysisFailure where that is not possible: all is as it was before then
     std::vector<std::filesystem::path> commit();
 
   private:
-    struct Entry {
-        std::filesystem::path temporary;
-        std::filesystem::path target;
-    };
     std::filesystem::path _folder;
-    std::vector<std::filesystem::path> _made; ///< folders made here, outermost first
-    std::vector<Entry> _entries;
-    bool _committed = false;
+    std::vector<std::string> _names;
+    std::map<std::string, std::string> _contents;
 };
 
 /// Writes one file so that readers see the old content or the whole new one, never a part.
 /// Makes the folder where needed. @throws model::AnalysisFailure; nothing is left behind then.
-void write_file_atomically(const std::filesystem::path &path, std::string_view content);
+void write_file_atomically(const std::filesystem::path &path, std::string content);
 
 } // namespace whirl::report

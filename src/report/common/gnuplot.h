@@ -1,10 +1,6 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
-#include <vector>
-
-#include <sys/types.h>
 
 namespace whirl::report {
 
@@ -18,32 +14,8 @@ struct Figure {
 
 enum class PictureFormat { svg, png };
 
-/// Runs gnuplot processes side by side with the caller.
-///
-/// start() returns at once; finish() waits. The script goes in as standard input and the picture
-/// comes out of standard output, so no name and no title ever passes through a shell.
-class PlotJobs {
-  public:
-    PlotJobs() = default;
-    ~PlotJobs(); ///< stops what still runs
-    PlotJobs(const PlotJobs &) = delete;
-    PlotJobs &operator=(const PlotJobs &) = delete;
-
-    /// Starts drawing into `file`, which the caller renames when finish() has returned.
-    /// @returns false where gnuplot is not installed.
-    /// @throws model::AnalysisFailure where it cannot be started for another reason.
-    bool start(const Figure &figure, PictureFormat format, const std::filesystem::path &file);
-    /// Waits for all pictures. @throws model::AnalysisFailure with gnuplot's own words.
-    void finish();
-
-  private:
-    struct Job {
-        pid_t process = 0;
-        int errors = -1; ///< descriptor of the file that holds gnuplot's messages
-        std::filesystem::path file;
-    };
-    std::vector<Job> _jobs;
-};
+/// All that gnuplot reads for a figure: its terminal and the script.
+[[nodiscard]] std::string gnuplot_input(const Figure &figure, PictureFormat format);
 
 /// Text as a gnuplot string that is shown letter by letter, markup off: whatever could mean
 /// something to gnuplot stands there by its number. No other strings of a script are in double

@@ -2,6 +2,7 @@
 #include "report/common/csv.h"
 #include "report/common/files.h"
 #include "report/common/html.h"
+#include "report/common/plot_jobs.h"
 #include "report/common/table.h"
 #include "report/common/units.h"
 #include "report/common/words.h"
@@ -158,13 +159,15 @@ std::vector<std::filesystem::path> write_comparison(const Comparison &comparison
     Figure figure = comparison_figure(comparison);
     figure.script = script_in_written_units(figure.script);
     std::string still;
-    const auto svg = files.reserve("compare.svg");
-    if (jobs.start(figure, PictureFormat::svg, svg)) {
-        jobs.start(figure, PictureFormat::png, files.reserve("compare.png"));
-        jobs.finish();
-        still = picture_element(content_of(svg), "Results side by side and their differences");
-    } else {
-        files.drop("compare.svg"); // no gnuplot
+    files.announce("compare.svg");
+    files.announce("compare.png");
+    if (jobs.start(figure, PictureFormat::svg, "compare.svg")) {
+        jobs.start(figure, PictureFormat::png, "compare.png");
+        for (auto &[name, picture] : jobs.finish()) {
+            if (name == "compare.svg")
+                still = picture_element(picture, "Results side by side and their differences");
+            files.add(name, std::move(picture));
+        }
     }
     files.add("compare.json", json_text(comparison_json(comparison, Units::of_json(asked))));
     files.add("compare.csv", csv_table(columns, all_of(comparison), Units::of_files(asked)));

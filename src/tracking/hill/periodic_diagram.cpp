@@ -81,7 +81,7 @@ std::optional<Crossings> completed(const modes::SpectrumSolver &solver,
             return std::nullopt;
     }
     return crossed;
-} catch (const model::AnalysisFailure &) {
+} catch (const model::Failure &) { // of process 0 alone: the others wait for its answer
     return std::nullopt;
 }
 
