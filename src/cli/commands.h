@@ -9,6 +9,10 @@
 #include <string>
 #include <vector>
 
+namespace whirl::input {
+class CaseFile;
+} // namespace whirl::input
+
 namespace whirl::report {
 struct Report;
 } // namespace whirl::report
@@ -18,7 +22,8 @@ namespace whirl::cli {
 /// A command at work: what it is given, and where its report goes.
 struct Run {
     const Arguments &arguments;
-    const model::Case &scene;
+    const input::CaseFile &file;
+    const model::Case &scene; ///< as the arguments ask for it
     std::function<void(report::Report)> deliver;
 
     /// The result of an analysis, with the wall time it took and what is to be said of the case.

@@ -54,12 +54,21 @@ void read_samples(CheckedTable &table, model::Case &scene);
 /// [[simulate.imbalance]], [[simulate.force]], [simulate.base]. The rotor must be there already.
 void read_outside(CheckedTable &simulate, model::Case &scene);
 
-/// Collects a mistake where `path` is no key of `entries`, numbers that may be varied.
+/// Numbers of a case that a path speaks of in the words of --set: one, or those of several items.
+struct NumericEntries {
+    std::vector<std::string> paths; ///< with the index of every item
+    Quantity quantity = Quantity::dimensionless;
+};
+
+/// What the entry `path` of a table of [map] or [samples] names: all that --set can set to a
+/// number, whether the case gives it or leaves it at its default. None, with a mistake, where it is
+/// nothing of that kind.
 /// @param besides  a word that may stand for one: "speed", or empty
-/// @returns quantity of the entry, empty with a mistake
-[[nodiscard]] std::optional<Quantity>
-quantity_of_entry(CheckedTable &table, const std::string &path,
-                  const std::map<std::string, Quantity> &entries, const std::string &besides);
+[[nodiscard]] std::optional<NumericEntries>
+numeric_entries(CheckedTable &table, const std::string &path, const std::string &besides);
+
+/// Reads all of a case, the last [map] and [samples].
+[[nodiscard]] model::Case read_case(CheckedTable &root);
 
 /// Largest number of anything that a case counts.
 inline constexpr int largest_count = 1000000;
