@@ -71,6 +71,10 @@ Command stability_command();
 /// Null where there is none of that name.
 [[nodiscard]] const Command *command_named(const std::string &name);
 
+/// @throws model::BadInput where the command takes more memory for the case than this machine has
+void refuse_too_large(const input::CaseFile &file, const model::Case &scene,
+                      const Arguments &arguments);
+
 /// Reads the case, runs the analysis on all processes and delivers the result from the first:
 /// files, and text or JSON on standard output. Collective under mpirun.
 /// @throws model::BadInput, model::AnalysisFailure, std::exception; nothing is written then.

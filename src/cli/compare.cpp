@@ -40,6 +40,7 @@ report::ComparedResult computed(const std::string &name, const Command &command,
     const Arguments arguments = arguments_of(name, command.name, overrides);
     const input::CaseFile file(arguments.scene);
     const model::Case scene = file.load(arguments.overrides);
+    refuse_too_large(file, scene, arguments);
     report::ComparedResult result{name, {}};
     const Run work{arguments, file, scene, [&](report::Report report) {
                        if (process::process_rank() != 0) // the first has all of it

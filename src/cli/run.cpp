@@ -2,6 +2,7 @@
 #include "cli/messages.h"
 #include "cli/progress_display.h"
 #include "input/case_file.h"
+#include "input/size.h"
 #include "linalg/session.h"
 #include "model/errors.h"
 #include "model/rpm.h"
@@ -98,6 +99,15 @@ const Command *command_named(const std::string &name) {
     return found == commands().end() ? nullptr : &*found;
 }
 
+void refuse_too_large(const input::CaseFile &file, const model::Case &scene,
+                      const Arguments &arguments) {
+    try {
+        input::refuse_too_large(scene, arguments.command, process::memory_of_machine());
+    } catch (const model::BadInput &problem) {
+        throw model::BadInput(file.with_place(problem.what(), arguments.overrides));
+    }
+}
+
 std::filesystem::path Run::folder() const {
     return arguments.out.value_or(std::filesystem::path("out") / scene.name / arguments.command);
 }
@@ -107,6 +117,7 @@ void run(const Arguments &arguments) {
         return comparison()(arguments);
     const input::CaseFile file(arguments.scene);
     const model::Case scene = file.load(arguments.overrides);
+    refuse_too_large(file, scene, arguments);
     note_idle_map(arguments);
     note_plain_speed(arguments, scene);
     const Run checked{arguments, file, scene, {}};

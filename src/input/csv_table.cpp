@@ -8,6 +8,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <functional>
 
 namespace whirl::input {
 namespace {
@@ -150,17 +151,18 @@ const CsvRule *rule_named(const std::string &name, const std::vector<CsvRule> &r
 }
 
 /// The separator with which most cells of the header are columns; of those alike the one with which
-/// there are more.
+/// fewest are none, or where none is a column, the one with most cells.
 char separator_of(std::string_view header, const std::vector<CsvRule> &rules) {
     char best = ',';
-    std::pair<std::size_t, std::size_t> most{0, 1};
+    std::pair<std::ptrdiff_t, std::ptrdiff_t> most{0, 1};
     for (const char separator : {',', ';', '\t'}) {
         const std::vector<std::string> cells = split(header, separator).cells;
         const auto known = std::ranges::count_if(cells, [&](const std::string &cell) {
             const std::string name = heading_of(cell).name;
             return rule_named(name, rules) || rule_of_unit(name, rules);
         });
-        const std::pair score{static_cast<std::size_t>(known), cells.size()};
+        const auto others = std::ranges::count_if(cells, std::not_fn(&std::string::empty)) - known;
+        const std::pair score{known, known > 0 ? -others : std::ssize(cells)};
         if (score > most) {
             best = separator;
             most = score;
@@ -196,17 +198,20 @@ std::string with_plain_blanks(std::string_view text) {
                                                                       {"\u202f", ' '},
                                                                       {"\ufeff", ' '},
                                                                       {"\u2212", '-'}}};
+    const auto in_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
     std::string out;
     out.reserve(text.size());
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto sign = std::ranges::find_if(signs, [&](const auto &at) {
-            return static_cast<unsigned char>(text[i]) >= 0x80 &&
-                   text.substr(i).starts_with(at.first);
-        });
-        out += sign == signs.end() ? text[i] : sign->second;
-        i += sign == signs.end() ? 0 : sign->first.size() - 1;
+    while (true) {
+        const auto other = std::find_if_not(text.begin(), text.end(), in_ascii);
+        out.append(text.begin(), other);
+        text.remove_prefix(static_cast<std::size_t>(other - text.begin()));
+        if (text.empty())
+            return out;
+        const auto sign =
+            std::ranges::find_if(signs, [&](const auto &at) { return text.starts_with(at.first); });
+        out += sign == signs.end() ? text[0] : sign->second;
+        text.remove_prefix(sign == signs.end() ? 1 : sign->first.size());
     }
-    return out;
 }
 
 /// How the digits of a number are written.

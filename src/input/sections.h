@@ -1,6 +1,7 @@
 #pragma once
 
 #include "input/checked_table.h"
+#include "input/size.h"
 #include "model/case.h"
 
 #include <map>
@@ -69,8 +70,5 @@ numeric_entries(CheckedTable &table, const std::string &path, const std::string 
 
 /// Reads all of a case, the last [map] and [samples].
 [[nodiscard]] model::Case read_case(CheckedTable &root);
-
-/// Largest number of anything that a case counts.
-inline constexpr int largest_count = 1000000;
 
 } // namespace whirl::input

@@ -297,7 +297,7 @@ class PartReader {
         }
         // The point of an abbreviation, "in.", is no product.
         if (c == '.' && (_rest.empty() || !is_letter(_rest[0])))
-            return true;
+            return _rest.empty() || !is_digit(_rest[0]);
         add(UnitPart::Kind::times);
         return true;
     }
@@ -429,19 +429,19 @@ std::string two_meanings(const std::vector<UnitPart> &parts, Quantity quantity) 
 }
 
 std::string with_plain_signs(std::string_view text) {
+    const auto in_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
     std::string out;
-    while (!text.empty()) {
+    while (true) {
+        const auto other = std::find_if_not(text.begin(), text.end(), in_ascii);
+        out.append(text.begin(), other);
+        text.remove_prefix(static_cast<std::size_t>(other - text.begin()));
+        if (text.empty())
+            return out;
         const auto sign = std::ranges::find_if(
             plain_signs, [&](const Replacement &at) { return text.starts_with(at.from); });
-        if (static_cast<unsigned char>(text[0]) < 0x80 || sign == plain_signs.end()) {
-            out += text[0];
-            text.remove_prefix(1);
-        } else {
-            out += sign->to;
-            text.remove_prefix(sign->from.size());
-        }
+        out += sign == plain_signs.end() ? text.substr(0, 1) : sign->to;
+        text.remove_prefix(sign == plain_signs.end() ? 1 : sign->from.size());
     }
-    return out;
 }
 
 } // namespace whirl::input

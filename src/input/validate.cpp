@@ -1,5 +1,7 @@
 #include "input/validate.h"
 
+#include "input/size.h"
+
 #include "balancers/kind.h"
 
 #include <fmt/core.h>
@@ -111,6 +113,7 @@ void validate(model::Case &scene, const Check &check) {
     }
     for (std::size_t i = 0; i < rotor.discs.size(); ++i)
         check_disc(rotor.discs[i], fmt::format("disc[{}]", i), check);
+    check_counts(scene, check);
     check_modal_damping(rotor, check);
     check_anisotropies(rotor, check);
     check_ball_positions(rotor, check);
