@@ -11,6 +11,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <random>
 #include <unistd.h>
 
@@ -61,13 +62,11 @@ class CompareDamage : public testing::Test {
         std::ofstream(file, std::ios::binary) << text;
         return whirl::report::read_result(file);
     }
-    /// All that is made of a comparison with itself and another result. @returns its numbers
+    /// Numbers and picture of two results. @returns its numbers
     static std::vector<double> compared(const whirl::report::ComparedResult &a,
                                         const whirl::report::ComparedResult &b) {
         const whirl::report::Comparison comparison = whirl::report::compare({a, b});
         (void)whirl::report::comparison_figure(comparison);
-        (void)whirl::report::comparison_text(comparison);
-        (void)whirl::report::comparison_json(comparison).dump();
         std::vector<double> out;
         for (const whirl::report::Difference &at : comparison.differences.front())
             for (const auto &value : {at.first_value, at.other_value, at.error})
@@ -114,13 +113,21 @@ TEST_F(CompareDamage, EveryNumberThatIsComparedIsChecked) {
         const whirl::report::ComparedResult whole = read(result.dump());
         const std::vector<double> numbers = compared(whole, whole);
         EXPECT_FALSE(numbers.empty()) << command;
+        // Two of each kind of place: "modes[*].frequency[*]".
         std::vector<std::string> leaves;
+        std::map<std::string, int> of_kind;
         const Json flat = result.flatten();
+        std::vector<std::string> all;
         for (const auto &[pointer, value] : flat.items())
             if (value.is_number())
+                all.push_back(pointer);
+        std::ranges::shuffle(all, random);
+        for (const std::string &pointer : all) {
+            std::string kind = pointer;
+            std::erase_if(kind, [](char c) { return c >= '0' && c <= '9'; });
+            if (++of_kind[kind] <= 2)
                 leaves.push_back(pointer);
-        std::ranges::shuffle(leaves, random);
-        leaves.resize(std::min<std::size_t>(leaves.size(), 150));
+        }
         int depended = 0;
         for (const std::string &leaf : leaves) {
             Json changed = result;
@@ -135,7 +142,7 @@ TEST_F(CompareDamage, EveryNumberThatIsComparedIsChecked) {
             if (same(numbers, other))
                 continue;
             ++depended;
-            for (const Json &wrong : {Json("NaN"), Json(true), Json::array(), Json::object()}) {
+            for (const Json &wrong : {Json("NaN"), Json::array()}) {
                 value = wrong;
                 const std::string said = said_of(changed.dump(), whole);
                 EXPECT_NE(said.find("result.json: " + path_of(leaf) + ": expected a number"),
@@ -164,7 +171,7 @@ TEST_F(CompareDamage, AccidentsAreRefusedOrCompared) {
     for (const Json &result : results()) {
         const std::string text = result.dump();
         const whirl::report::ComparedResult whole = read(text);
-        for (int i = 0; i < 40; ++i, ++number) {
+        for (int i = 0; i < 25; ++i, ++number) {
             std::string damaged = text;
             const std::size_t at = below(text.size());
             switch (below(5)) {
@@ -208,7 +215,7 @@ TEST_F(CompareDamage, OtherKindsOfFilesAreNamed) {
     };
     says(with("/command", "response"), "speeds: missing in a result of this command");
     says(with("/command", "show"), "mass: missing");
-    says(with("/command", "accuracy"), "got one of accuracy");
+    says(with("/command", "accuracy"), "expected results of one command");
     says(with("/command", 7), "expected a result that whirl wrote");
     says(with("/format", 2), "expected a result that whirl wrote");
     says(with("/program", "x"), "expected a result that whirl wrote");
