@@ -2,7 +2,7 @@
 #include "cli/messages.h"
 #include "cli/progress_display.h"
 #include "input/case_file.h"
-#include "input/table_texts.h"
+#include "input/size.h"
 #include "linalg/session.h"
 #include "model/errors.h"
 #include "model/rpm.h"
@@ -42,10 +42,10 @@ std::string files_text(const report::Files &files) {
     return text;
 }
 
-/// What the run starts from: the file may change while it is at work.
-report::Provenance provenance_of(const Arguments &arguments) {
+/// What the run starts from.
+report::Provenance provenance_of(const input::CaseFile &file, const Arguments &arguments) {
     return {fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))),
-            input::case_text(arguments.scene, arguments.overrides)};
+            file.text(arguments.overrides)};
 }
 
 /// Files, and text or JSON on standard output, from the first process.
@@ -93,17 +93,16 @@ void note_plain_speed(const Arguments &arguments, const model::Case &scene) {
 
 /// Reads the case, runs the analysis and delivers the result.
 void run_command(const Arguments &arguments) {
-    const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
+    const input::CaseFile file(arguments.scene);
+    const model::Case scene = file.load(arguments.overrides);
+    check_same_case(arguments, file, scene);
+    refuse_too_large(file, scene, arguments);
     note_idle_map(arguments);
     note_plain_speed(arguments, scene);
-    const Run checked{arguments, scene, {}};
+    const Run checked{arguments, file, scene, {}};
     if (!arguments.json || arguments.out)
         report::check_folder(checked.folder());
-    const report::Provenance provenance = provenance_of(arguments);
-    if (!process::same_everywhere(arguments.command + '\n' + provenance.case_text))
-        throw model::BadInput(
-            fmt::format("{}: expected the same case on every process, this one reads another text",
-                        scene.file.generic_string()));
+    const report::Provenance provenance = provenance_of(file, arguments);
     report::write_in(scene.units);
     const report::Units units = report::Units::of_readers(scene.units);
     std::optional<ProgressDisplay> display;
@@ -111,15 +110,14 @@ void run_command(const Arguments &arguments) {
         display.emplace(ProgressDisplay::style_for(isatty(STDERR_FILENO) != 0), units);
     const process::Stage stage(model::Sentence(arguments.command), 0, 1);
     try {
-        const Run work{arguments, scene, [&](report::Report report) {
+        const Run work{arguments, file, scene, [&](report::Report report) {
                            display.reset(); // its line must be gone before others are written
                            report.provenance = provenance;
                            deliver(work, report);
                        }};
         command_named(arguments.command)->run(work);
     } catch (const model::BadInput &problem) { // found late: say where the key stands
-        throw model::BadInput(
-            input::with_place(problem.what(), arguments.scene, arguments.overrides));
+        throw model::BadInput(file.with_place(problem.what(), arguments.overrides));
     } catch (const model::AnalysisFailure &failure) { // what looks like a slip may be why
         std::string message = units.text(failure.sentence());
         for (const std::string &remark : scene.remarks)
@@ -136,15 +134,24 @@ const Command *command_named(const std::string &name) {
     return found == commands().end() ? nullptr : &*found;
 }
 
+void refuse_too_large(const input::CaseFile &file, const model::Case &scene,
+                      const Arguments &arguments) {
+    try {
+        input::refuse_too_large(scene, arguments.command, process::memory_of_machine());
+    } catch (const model::BadInput &problem) {
+        throw model::BadInput(file.with_place(problem.what(), arguments.overrides));
+    }
+}
+
 std::filesystem::path Run::folder() const {
     return arguments.out.value_or(std::filesystem::path("out") / scene.name / arguments.command);
 }
 
-void check_same_case(const Arguments &arguments, const model::Case &scene,
-                     const std::string &text) {
+void check_same_case(const Arguments &arguments, const input::CaseFile &file,
+                     const model::Case &scene) {
     if (process::process_count() == 1 ||
-        process::same_everywhere(arguments.command + '\n' + text + '\n' +
-                                 input::table_texts(text, scene.file)))
+        process::same_everywhere(arguments.command + '\n' + file.text(arguments.overrides) + '\n' +
+                                 file.all_texts()))
         return;
     throw model::BadInput(fmt::format("{}: expected the same case on every process, with the same "
                                       "tables; this one reads another text",
