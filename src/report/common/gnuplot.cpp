@@ -94,8 +94,9 @@ std::string with_points_as_in_png(const std::string &commands) {
 /// A text of plot_text so that gnuplot makes valid SVG of it that says the same: it leaves entities
 /// such as "&#x41;" and "]]>" as they are.
 std::string for_svg(std::string text) {
-    for (const auto &[from, to] : {std::pair("\\046\\043x", "\\046\\043x26;\\043x"),          // &#x
-                                   std::pair("\\135\\135\\076", "\\135\\135\\046\\043x3e;")}) // ]]>
+    for (const auto &[from, to] :
+         {std::pair("\\0046\\0043x", "\\0046\\0043x26;\\0043x"),            // &#x
+          std::pair("\\0135\\0135\\0076", "\\0135\\0135\\0046\\0043x3e;")}) // ]]>
         for (std::size_t at = text.find(from); at != std::string::npos;
              at = text.find(from, at + std::strlen(to)))
             text.replace(at, std::strlen(from), to);
@@ -186,7 +187,7 @@ std::string plot_text(const std::string &text) {
         const auto byte = static_cast<unsigned char>(letter);
         const bool plain =
             byte >= 0x80 || std::isalnum(byte) != 0 || std::strchr(" .,:;()+-=/", byte) != nullptr;
-        quoted += plain ? std::string(1, letter) : fmt::format("\\{:03o}", byte);
+        quoted += plain ? std::string(1, letter) : fmt::format("\\0{:03o}", byte);
     }
     return quoted + "\" noenhanced";
 }
