@@ -168,7 +168,8 @@ std::optional<results::Interval> ends(const std::optional<balancers::PositionInt
 
 /// Everything that depends on the balanced position.
 void add_position(results::BalancerNumbers &numbers, const model::Balancer &balancer,
-                  const Parts &parts, const std::string &label, std::vector<std::string> &notes) {
+                  const Parts &parts, const std::string &label,
+                  std::vector<results::Sentence> &notes) {
     const auto kind = balancers::kind_of(balancer);
     const bool positions = !kind->circled().empty();
     if (!positions) {
@@ -203,8 +204,9 @@ void add_position(results::BalancerNumbers &numbers, const model::Balancer &bala
 
 } // namespace
 
-std::vector<results::BalancerNumbers>
-show_balancers(const model::Rotor &rotor, const Inertia &whole, std::vector<std::string> &notes) {
+std::vector<results::BalancerNumbers> show_balancers(const model::Rotor &rotor,
+                                                     const Inertia &whole,
+                                                     std::vector<results::Sentence> &notes) {
     std::vector<results::BalancerNumbers> all;
     std::string why;
     for (const model::Balancer &balancer : rotor.balancers) {

@@ -242,7 +242,7 @@ Sheet sheet_of(const model::Case &scene) {
 
 } // namespace
 
-Drawing scene_drawing(const model::Case &scene) {
+Drawing scene_drawing(const model::Case &scene, const Units &) {
     const Sheet sheet = sheet_of(scene);
     Drawing drawing = draw_rotor(scene, sheet);
     draw_callouts(drawing, upper_callouts(scene.rotor, sheet), sheet.axis - sheet.radius - 18, -1);
@@ -263,8 +263,9 @@ std::string shaft_mass_text(const results::ShowResult &result) {
 
 } // namespace
 
-Drawing show_drawing(const model::Case &scene, const results::ShowResult &result) {
-    Drawing drawing = scene_drawing(scene);
+Drawing show_drawing(const model::Case &scene, const results::ShowResult &result,
+                     const Units &units) {
+    Drawing drawing = scene_drawing(scene, units);
     const double head = 68;
     for (DrawShape &shape : drawing.shapes)
         for (DrawPoint &point : shape.points)
