@@ -127,10 +127,14 @@ std::string range_of_map(const CriticalMap &map) {
 } // namespace
 
 std::string bearings_text(const model::Case &scene, const std::vector<std::size_t> &bearings) {
+    return bearings_text(scene, Units::of_readers(written_units()), bearings);
+}
+
+std::string bearings_text(const model::Case &scene, const Units &units,
+                          const std::vector<std::size_t> &bearings) {
     return joined(bearings, ", ", [&](std::size_t i) {
         const model::Bearing &bearing = scene.rotor.bearings[i];
-        return bearing.name.empty() ? fmt::format("bearing at {:.6g} {}", bearing.z * metres,
-                                                  unit_name("length", "m"))
+        return bearing.name.empty() ? "bearing at " + units.text(Quantity::length, bearing.z)
                                     : bearing.name;
     });
 }

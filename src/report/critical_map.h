@@ -22,6 +22,8 @@ namespace whirl::report {
                                            const results::CriticalMap &map, const Units &units);
 
 /// "left, right (z = 1.5 m)": the bearings whose stiffness is laid across a map.
+[[nodiscard]] std::string bearings_text(const model::Case &scene, const Units &units,
+                                        const std::vector<std::size_t> &bearings);
 [[nodiscard]] std::string bearings_text(const model::Case &scene,
                                         const std::vector<std::size_t> &bearings);
 /// "kxx" or "kyy", or "k" where both are the same.

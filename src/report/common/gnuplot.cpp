@@ -2,7 +2,6 @@
 
 #include "model/errors.h"
 #include "report/common/text_width.h"
-#include "report/common/words.h"
 
 #include <fmt/format.h>
 
@@ -103,20 +102,17 @@ std::string for_svg(std::string text) {
     return text;
 }
 
-/// The script as it is handed over: powers of ten of its texts (those of plot_text) as they are
-/// written by hand, for the units of the numbers may have been changed before.
+/// The script as it is handed over.
 std::string handed_over(const std::string &script, PictureFormat format) {
-    const bool svg = format == PictureFormat::svg;
+    if (format == PictureFormat::png)
+        return script;
     std::string out;
     bool text = false;
     for (std::size_t from = 0; from <= script.size(); text = !text) {
         const std::size_t to = std::min(script.find('"', from), script.size());
-        std::string piece = script.substr(from, to - from);
-        if (text)
-            piece = with_powers(svg ? for_svg(piece) : piece);
-        else if (svg)
-            piece = with_points_as_in_png(piece);
-        out += piece + (to < script.size() ? "\"" : "");
+        const std::string piece = script.substr(from, to - from);
+        out += text ? for_svg(piece) : with_points_as_in_png(piece);
+        out += to < script.size() ? "\"" : "";
         from = to + 1;
     }
     return out;

@@ -21,11 +21,6 @@ std::string readable(double value, int digits) {
     return std::abs(rounded) < long_number ? fmt::format("{:.0f}", rounded) : text; // 1230
 }
 
-std::string short_speed(double value) {
-    return std::abs(value) < 1000 || std::abs(value) >= 1e6 ? readable(value, 4)
-                                                            : fmt::format("{:.0f}", value);
-}
-
 std::string with_powers(const std::string &text) {
     static const char *const raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     const auto digit = [&](std::size_t i) {
@@ -63,19 +58,6 @@ std::string title_of(const model::Case &scene) {
 std::string place(const std::string &name, double z) {
     const std::string at = fmt::format("z = {:.6g} {}", z * metres, unit_name("length", "m"));
     return name.empty() ? at : fmt::format("{} ({})", name, at);
-}
-
-std::string place_text(const std::string &name, double z) {
-    std::vector<std::string> parts;
-    for (std::size_t from = 0; from < name.size();) {
-        const std::size_t to = std::min(name.find(", ", from), name.size());
-        const std::string part = name.substr(from, to - from);
-        if (std::find(parts.begin(), parts.end(), part) == parts.end())
-            parts.push_back(part);
-        from = to + 2;
-    }
-    parts.push_back(fmt::format("z = {:.4g} {}", z * metres, unit_name("length", "m")));
-    return joined(parts, ", ");
 }
 
 std::string range_text(const std::vector<double> &speeds) {

@@ -168,8 +168,7 @@ std::vector<std::filesystem::path> write_comparison(const Comparison &comparison
                                                     const std::filesystem::path &folder) {
     OutputFiles files(folder);
     PlotJobs jobs;
-    Figure figure = comparison_figure(comparison);
-    figure.script = script_in_written_units(figure.script);
+    const Figure figure = comparison_figure(comparison, Units::of_readers(written_units()));
     std::string still;
     const auto svg = files.reserve("compare.svg");
     if (jobs.start(figure, PictureFormat::svg, svg)) {

@@ -15,7 +15,7 @@ using results::Whirl;
 
 std::optional<double> Panel::value(const CampbellMode &mode, std::size_t i) const {
     const auto value = entry(damping ? mode.log_dec : mode.frequency, i);
-    return value && !damping ? *value * hertz : value;
+    return value && !damping ? std::optional(frequency(*value)) : value;
 }
 
 namespace {
@@ -119,8 +119,8 @@ stretches(const Panel &panel, const CampbellResult &result,
             const auto next = panel.value(mode, i + 1);
             if (here && next && !sprung[i] && belongs(mode, i)) {
                 if (line.empty())
-                    line.push_back({result.speeds[i] * rpm, here});
-                line.push_back({result.speeds[i + 1] * rpm, next});
+                    line.push_back({panel.speed(result.speeds[i]), here});
+                line.push_back({panel.speed(result.speeds[i + 1]), next});
             } else {
                 end_line(line, lines);
             }
@@ -143,16 +143,16 @@ std::vector<std::vector<PlotPoint>> other_frequencies(const Panel &panel,
             if (!value)
                 end_line(line, lines);
             else
-                line.push_back({result.speeds[i] * rpm, *value * hertz});
+                line.push_back({panel.speed(result.speeds[i]), panel.frequency(*value)});
             if (!changes[i])
                 continue;
             // There the frequency that was drawn becomes the other one: the lines meet.
             if (const auto next = entry(mode.frequency, i + 1); value && next)
-                line.push_back({result.speeds[i + 1] * rpm, *next * hertz});
+                line.push_back({panel.speed(result.speeds[i + 1]), panel.frequency(*next)});
             end_line(line, lines);
             if (const auto here = entry(mode.frequency, i);
                 here && entry(mode.other_frequency, i + 1))
-                line.push_back({result.speeds[i] * rpm, *here * hertz});
+                line.push_back({panel.speed(result.speeds[i]), panel.frequency(*here)});
         }
         end_line(line, lines);
     }
@@ -172,7 +172,7 @@ std::vector<PlotPoint> markers(const Panel &panel, const CampbellResult &result,
                 (i == 0 || sprung[i - 1] || !panel.value(mode, i - 1)) &&
                 (i + 1 >= result.speeds.size() || sprung[i] || !panel.value(mode, i + 1));
             if (value && mode.whirl[i] == sense && (lone || (i + m * step / 3) % step == step / 2))
-                points.push_back({result.speeds[i] * rpm, value});
+                points.push_back({panel.speed(result.speeds[i]), value});
         }
     }
     return points;
