@@ -57,10 +57,7 @@ bool exchanged(const CampbellMode &mode, const CampbellResult &result, std::size
     });
 }
 
-/// Which steps between neighbouring speeds are no line of a motion: its frequency springs by far
-/// more than before and after. Of an anisotropic rotor a motion has two frequencies, whirl and
-/// twice the spin speed less whirl, of which the larger share is drawn; and between the given
-/// speeds two motions may have exchanged their places.
+/// sprung_steps() of one mode.
 std::vector<bool> springs(const CampbellMode &mode, const CampbellResult &result, double highest) {
     const std::size_t speeds = result.speeds.size();
     constexpr double seen = 0.04; // of the highest frequency
@@ -96,23 +93,27 @@ void end_line(std::vector<PlotPoint> &line, std::vector<std::vector<PlotPoint>> 
     line.clear();
 }
 
-double highest_frequency(const CampbellResult &result) {
+} // namespace
+
+std::vector<std::vector<bool>> sprung_steps(const CampbellResult &result) {
     double highest = 0;
     for (const CampbellMode &mode : result.modes)
         for (const auto &frequency : mode.frequency)
             highest = std::max(highest, frequency.value_or(0));
-    return highest;
+    std::vector<std::vector<bool>> steps;
+    for (const CampbellMode &mode : result.modes)
+        steps.push_back(springs(mode, result, highest));
+    return steps;
 }
-
-} // namespace
 
 std::vector<std::vector<PlotPoint>>
 stretches(const Panel &panel, const CampbellResult &result,
           const std::function<bool(const CampbellMode &, std::size_t)> &belongs) {
     std::vector<std::vector<PlotPoint>> lines;
-    const double highest = highest_frequency(result);
-    for (const CampbellMode &mode : result.modes) {
-        const std::vector<bool> sprung = springs(mode, result, highest);
+    const std::vector<std::vector<bool>> steps = sprung_steps(result);
+    for (std::size_t m = 0; m < result.modes.size(); ++m) {
+        const CampbellMode &mode = result.modes[m];
+        const std::vector<bool> &sprung = steps[m];
         std::vector<PlotPoint> line;
         for (std::size_t i = 0; i + 1 < result.speeds.size(); ++i) {
             const auto here = panel.value(mode, i);
@@ -161,11 +162,11 @@ std::vector<std::vector<PlotPoint>> other_frequencies(const Panel &panel,
 
 std::vector<PlotPoint> markers(const Panel &panel, const CampbellResult &result, Whirl sense) {
     std::vector<PlotPoint> points;
-    const double highest = highest_frequency(result);
+    const std::vector<std::vector<bool>> steps = sprung_steps(result);
     const std::size_t step = std::max<std::size_t>(1, result.speeds.size() / 10);
     for (std::size_t m = 0; m < result.modes.size(); ++m) {
         const CampbellMode &mode = result.modes[m];
-        const std::vector<bool> sprung = springs(mode, result, highest);
+        const std::vector<bool> &sprung = steps[m];
         for (std::size_t i = 0; i < result.speeds.size() && i < mode.whirl.size(); ++i) {
             const auto value = panel.value(mode, i);
             const bool lone =

@@ -35,6 +35,12 @@ struct Panel {
     [[nodiscard]] double up(double value) const { return (value - y.low) / (y.high - y.low); }
 };
 
+/// Of each mode the steps between neighbouring speeds that are no line of a motion: its frequency
+/// springs by far more than before and after. Of an anisotropic rotor a motion has two frequencies,
+/// whirl and twice the spin speed less whirl, of which the larger share is drawn; and between the
+/// given speeds two motions may have exchanged their places.
+[[nodiscard]] std::vector<std::vector<bool>> sprung_steps(const results::CampbellResult &result);
+
 /// Polylines of the stretches between neighbouring speeds that belong to a class.
 [[nodiscard]] std::vector<std::vector<PlotPoint>>
 stretches(const Panel &panel, const results::CampbellResult &result,

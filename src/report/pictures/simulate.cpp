@@ -56,25 +56,6 @@ std::vector<PlotPoint> relative_speed(const MotionSeries &series,
     return points;
 }
 
-std::vector<NamedCurve> angle_curves(const SimulateResult &result) {
-    const bool lagging = result.outcome == results::Outcome::lagging;
-    std::vector<NamedCurve> curves;
-    std::size_t number = 0;
-    for (std::size_t i = 0; i < result.balancers.size(); ++i)
-        for (std::size_t j = 0; j < result.balancers[i].angles.size(); ++j, ++number) {
-            const std::vector<double> &angles = result.series.angles[number];
-            const results::BalancerMotion &balancer = result.balancers[i];
-            const std::string of =
-                balancer.name.empty() ? "balancer " + std::to_string(i + 1) : balancer.name;
-            const std::string name =
-                balancer.coordinates.at(j) + (result.balancers.size() > 1 ? ", " + of : "");
-            if (curves.size() < most_curves)
-                curves.push_back({name, lagging ? relative_speed(result.series, angles)
-                                                : angles_over(result.series.time, 1, angles)});
-        }
-    return curves;
-}
-
 std::string draw(const std::vector<NamedCurve> &curves, std::size_t solid) {
     Curves drawn;
     for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -105,13 +86,32 @@ std::string logarithmic_axis(const std::vector<NamedCurve> &curves) {
 
 } // namespace
 
+std::vector<NamedCurve> angle_curves(const SimulateResult &result, std::size_t most) {
+    const bool lagging = result.outcome == results::Outcome::lagging;
+    std::vector<NamedCurve> curves;
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < result.balancers.size(); ++i)
+        for (std::size_t j = 0; j < result.balancers[i].angles.size(); ++j, ++number) {
+            const std::vector<double> &angles = result.series.angles[number];
+            const results::BalancerMotion &balancer = result.balancers[i];
+            const std::string of =
+                balancer.name.empty() ? "balancer " + std::to_string(i + 1) : balancer.name;
+            const std::string name =
+                balancer.coordinates.at(j) + (result.balancers.size() > 1 ? ", " + of : "");
+            if (curves.size() < most)
+                curves.push_back({name, lagging ? relative_speed(result.series, angles)
+                                                : angles_over(result.series.time, 1, angles)});
+        }
+    return curves;
+}
+
 Figure simulate_figure(const model::Case &scene, const SimulateResult &result, const Units &units) {
     const std::vector<NamedCurve> amplitude = amplitude_curves(units, result);
     const std::vector<double> &speed = result.series.speed;
     const bool constant = std::all_of(speed.begin(), speed.end(),
                                       [&](double value) { return value == speed.front(); });
     const bool lagging = result.outcome == results::Outcome::lagging;
-    const std::vector<NamedCurve> angles = angle_curves(result);
+    const std::vector<NamedCurve> angles = angle_curves(result, most_curves);
     std::vector<std::string> names;
     for (const std::vector<NamedCurve> *list : {&amplitude, &angles})
         for (const NamedCurve &curve : *list)

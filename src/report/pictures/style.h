@@ -50,6 +50,10 @@ struct PlotPoint {
     double x = 0;
     std::optional<double> y;
 };
+/// For the scripts of pages: [x, y].
+template <class Json> void to_json(Json &json, const PlotPoint &point) {
+    json = Json::array({point.x, point.y});
+}
 /// Named data block; each polyline is set apart from the next by an empty line.
 [[nodiscard]] std::string data_block(const std::string &name,
                                      const std::vector<std::vector<PlotPoint>> &polylines);
@@ -93,6 +97,9 @@ struct NamedCurve {
     std::string name;
     std::vector<PlotPoint> points;
 };
+template <class Json> void to_json(Json &json, const NamedCurve &curve) {
+    json = {{"name", curve.name}, {"points", curve.points}};
+}
 /// "with lines lc rgb '#0072B2' lw 2 dt 1"
 [[nodiscard]] std::string line_look(const LineStyle &style, double width);
 
