@@ -163,7 +163,7 @@ void close_row(results::RigidLimitRow &row, const rigid::RigidTarget &target, st
 results::RigidLimitRow row_of(const rigid::RigidTarget &target, int order) {
     results::RigidLimitRow row;
     row.quantity = target.quantity;
-    row.unit = target.unit;
+    row.of = target.of;
     row.closed_form = target.closed_form;
     row.speed = target.speed();
     row.order = order;
@@ -178,9 +178,9 @@ double rigid_difference(const std::vector<rigid::RigidTarget> &targets, const Va
     for (std::size_t i = 0; i < targets.size(); ++i) {
         const double d = difference(targets[i], rigid[i]);
         if (!(d <= rounding))
-            throw model::AnalysisFailure(
-                fmt::format("{}: the rigid model does not agree with its closed form {:.6g} {}",
-                            targets[i].quantity, targets[i].closed_form, targets[i].unit));
+            throw model::AnalysisFailure(results::Sentence(
+                "{}: the rigid model does not agree with its closed form {}", targets[i].quantity,
+                model::ValueOf{targets[i].of}(targets[i].closed_form)));
         largest = std::max(largest, d);
     }
     return largest;
@@ -208,10 +208,11 @@ void add_inertia_rows(results::RigidLimitResult &result, const rigid::Inertia &e
     std::vector<rigid::Inertia> found;
     for (const model::Rotor &mesh : meshes)
         found.push_back(rigid::model_inertia(mesh, order));
-    const auto add = [&](const char *name, const char *unit, double scale, auto number) {
+    using model::Quantity;
+    const auto add = [&](const char *name, model::Quantity of, double scale, auto number) {
         results::RigidLimitRow row;
         row.quantity = name;
-        row.unit = unit;
+        row.of = of;
         row.closed_form = number(exact);
         row.speed = false;
         row.inertia = true;
@@ -225,13 +226,16 @@ void add_inertia_rows(results::RigidLimitResult &result, const rigid::Inertia &e
         }
         result.rows.push_back(row);
     };
-    add("mass", "kg", exact.mass, [](const rigid::Inertia &r) { return r.mass; });
-    add("centre of mass", "m", length, [](const rigid::Inertia &r) { return r.center(); });
-    add("mean diametral inertia", "kg m2", exact.diametral(),
+    add("mass", Quantity::mass, exact.mass, [](const rigid::Inertia &r) { return r.mass; });
+    add("centre of mass", Quantity::length, length,
+        [](const rigid::Inertia &r) { return r.center(); });
+    add("mean diametral inertia", Quantity::inertia, exact.diametral(),
         [](const rigid::Inertia &r) { return r.diametral(); });
-    add("polar inertia", "kg m2", exact.polar, [](const rigid::Inertia &r) { return r.polar; });
+    add("polar inertia", Quantity::inertia, exact.polar,
+        [](const rigid::Inertia &r) { return r.polar; });
     if (meshes.front().rotating_anisotropy())
-        add("anisotropy", "kg m2", std::abs(exact.a) > 0 ? std::abs(exact.a) : exact.diametral(),
+        add("anisotropy", Quantity::inertia,
+            std::abs(exact.a) > 0 ? std::abs(exact.a) : exact.diametral(),
             [](const rigid::Inertia &r) { return std::abs(r.a); });
 }
 

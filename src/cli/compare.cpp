@@ -94,14 +94,15 @@ void compare_results(const Arguments &arguments) {
     if (process::process_rank() != 0)
         return;
     const report::Comparison comparison = report::compare(std::move(results));
-    report::write_in(units_of(arguments.overrides));
+    const model::OutputUnits asked = units_of(arguments.overrides);
+    report::write_in(asked);
     std::vector<std::filesystem::path> files;
     if (writes)
-        files = report::write_comparison(comparison, folder);
+        files = report::write_comparison(comparison, folder, asked);
     if (arguments.json)
-        say(report::json_text(report::comparison_json(comparison)));
+        say(report::json_text(report::comparison_json(comparison, report::Units::of_json(asked))));
     else if (!arguments.quiet)
-        say(report::comparison_text(comparison) +
+        say(report::comparison_text(comparison, report::Units::of_readers(asked)) +
             (files.front().extension() == ".svg"
                  ? fmt::format("picture: {}\n", files.front().string())
                  : std::string("note: gnuplot is not installed: no picture\n")) +

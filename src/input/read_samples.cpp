@@ -62,7 +62,7 @@ model::UncertainInput read_input(CheckedTable &table,
     if (!quantity || kind == none)
         return input;
     input.path = *path;
-    input.unit = unit_of(*quantity);
+    input.quantity = in_results(*quantity);
     input.distribution = static_cast<model::Distribution>(kind);
     if (input.distribution == model::Distribution::normal)
         read_normal(table, *quantity, input);

@@ -29,6 +29,7 @@ model::MapAxis read_axis(CheckedTable &map, const std::string &key,
     if (!quantity)
         return axis;
     axis.path = *path;
+    axis.quantity = in_results(*quantity);
     axis.from = table->number("from", *quantity);
     axis.to = table->number("to", *quantity);
     if (axis.to <= axis.from)

@@ -114,6 +114,48 @@ std::string describe(Quantity quantity) {
     return info(quantity).name + (unit.empty() ? "" : " in " + unit);
 }
 
+model::Quantity in_results(Quantity quantity) {
+    switch (quantity) {
+    case Quantity::dimensionless:
+        return model::Quantity::number;
+    case Quantity::length:
+        return model::Quantity::length;
+    case Quantity::mass:
+        return model::Quantity::mass;
+    case Quantity::inertia:
+        return model::Quantity::inertia;
+    case Quantity::stiffness:
+        return model::Quantity::stiffness;
+    case Quantity::damping:
+        return model::Quantity::damping;
+    case Quantity::tilt_stiffness:
+        return model::Quantity::tilt_stiffness;
+    case Quantity::tilt_damping:
+        return model::Quantity::tilt_damping;
+    case Quantity::pressure:
+        return model::Quantity::pressure;
+    case Quantity::density:
+        return model::Quantity::density;
+    case Quantity::angle:
+        return model::Quantity::angle;
+    case Quantity::angular_speed:
+        return model::Quantity::speed;
+    case Quantity::time:
+        return model::Quantity::time;
+    case Quantity::force:
+        return model::Quantity::force;
+    case Quantity::imbalance:
+        return model::Quantity::imbalance;
+    case Quantity::torque:
+        return model::Quantity::moment;
+    case Quantity::acceleration:
+        return model::Quantity::acceleration;
+    case Quantity::rate:
+        return model::Quantity::rate;
+    }
+    return model::Quantity::number;
+}
+
 std::string unit_of(Quantity quantity) {
     return quantity == Quantity::dimensionless ? "" : info(quantity).unit;
 }

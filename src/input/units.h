@@ -1,5 +1,7 @@
 #pragma once
 
+#include "model/quantity.h"
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +32,9 @@ enum class Quantity {
 
 /// The quantity with its article and SI unit, for messages: "a stiffness in N/m".
 [[nodiscard]] std::string describe(Quantity quantity);
+
+/// What such a number is in results.
+[[nodiscard]] model::Quantity in_results(Quantity quantity);
 
 /// Its SI unit alone, "N/m"; nothing for a pure number.
 [[nodiscard]] std::string unit_of(Quantity quantity);

@@ -3,6 +3,7 @@
 #include "model/excitation.h"
 #include "model/operation.h"
 #include "model/output_units.h"
+#include "model/quantity.h"
 #include "model/rotor.h"
 #include "model/samples.h"
 
@@ -100,6 +101,7 @@ struct BalanceSettings {
 /// One axis of a map: a numeric entry of the case, or "speed".
 struct MapAxis {
     std::string path;
+    Quantity quantity = Quantity::number; ///< of the entry
     double from = 0;
     double to = 0;
     int count = 1;

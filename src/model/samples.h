@@ -1,5 +1,7 @@
 #pragma once
 
+#include "model/quantity.h"
+
 #include <string>
 #include <vector>
 
@@ -15,7 +17,7 @@ enum class Distribution {
 /// An entry of the case that is not known for certain. Numbers in the SI unit of the entry.
 struct UncertainInput {
     std::string path; ///< as --set takes it
-    std::string unit; ///< SI; empty: a pure number
+    Quantity quantity = Quantity::number;
     Distribution distribution = Distribution::normal;
     double mean = 0;            ///< of normal
     double deviation = 0;       ///< of normal: standard deviation

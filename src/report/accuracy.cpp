@@ -27,32 +27,36 @@ const Columns<AccuracyRow> accuracy_columns{
     {"elements", InCsv("elements"), OnPage("Elements"), InText("elements"), &AccuracyRow::elements},
     {"method", InCsv("method"), OnPage("Method"), InText("method"), &AccuracyRow::method},
     {"unknowns", InCsv("unknowns"), OnPage("Unknowns"), InText("unknowns"), &AccuracyRow::unknowns},
-    {"seconds", InCsv("seconds [s]"), &AccuracyRow::seconds},
-    {OnPage("Wall time (ms)", "{:.4g}"), InText("ms", "{:.3g}"), in(1000, &AccuracyRow::seconds)},
+    {"seconds", InCsv("seconds"), Quantity::time, &AccuracyRow::seconds},
+    {OnPage("Wall time (ms)", "{:.4g}"), InText("ms", "{:.3g}"), Quantity::number,
+     in(1000, &AccuracyRow::seconds)},
     {"error_estimate", InCsv("error_estimate"), OnPage("Estimate", "{:.3g}"),
-     InText("estimate", rough), &AccuracyRow::error_estimate},
+     InText("estimate", rough), Quantity::number, &AccuracyRow::error_estimate},
     {"true_error", InCsv("true_error"), OnPage("True error", "{:.3g}"), InText("true error", rough),
-     &AccuracyRow::true_error}};
+     Quantity::number, &AccuracyRow::true_error}};
 
-Json json_of(const AccuracyResult &result, const Units &) {
+Json json_of(const AccuracyResult &result, const Units &units) {
     return {{"reference", result.reference},
-            {"speed", result.speed},
-            {"reference_frequencies", result.reference_frequencies},
-            {"rows", json_rows(accuracy_columns, result.rows)}};
+            {"speed", written(units, Quantity::speed, result.speed)},
+            {"reference_frequencies",
+             written(units, Quantity::frequency, result.reference_frequencies)},
+            {"rows", json_rows(accuracy_columns, result.rows, units)}};
 }
 
-std::string csv_of(const AccuracyResult &result, const Units &) {
-    return csv_table(accuracy_columns, result.rows);
+std::string csv_of(const AccuracyResult &result, const Units &units) {
+    return csv_table(accuracy_columns, result.rows, units);
 }
 
-std::vector<Section> sections_of(const AccuracyResult &result, const Units &) {
-    return {{"Error against " + result.reference, page_table(accuracy_columns, result.rows)}};
+std::vector<Section> sections_of(const AccuracyResult &result, const Units &units) {
+    return {
+        {"Error against " + result.reference, page_table(accuracy_columns, result.rows, units)}};
 }
 
-std::string text_of(const model::Case &scene, const AccuracyResult &result, const Units &) {
-    return heading(scene, fmt::format("Speed and error at {:.6g} rpm, against {}",
-                                      result.speed * rpm, result.reference)) +
-           text_table(accuracy_columns, result.rows) + model_text(result.model);
+std::string text_of(const model::Case &scene, const AccuracyResult &result, const Units &units) {
+    return heading(scene,
+                   fmt::format("Speed and error at {}, against {}",
+                               units.text(Quantity::speed, result.speed), result.reference)) +
+           text_table(accuracy_columns, result.rows, units) + model_text(result.model, units);
 }
 
 /// Rows that one line joins, by its name: of one method, family and order, in the order of their

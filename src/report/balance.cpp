@@ -28,22 +28,22 @@ namespace {
 
 using Bands = std::vector<results::Interval>;
 
-std::string page_bands(const Bands &bands) {
-    return bands_text(bands, "{:.8g}", " … ", "; ", written_factor("speed").value_or(1));
+std::string page_bands(const Bands &bands, const Units &units) {
+    return bands_text(bands, "{:.8g}", " … ", "; ", units);
 }
-std::string terminal_bands(const Bands &bands, double factor = 1) {
-    return bands_text(bands, "{:.6g}", " to ", ", ", factor);
+std::string terminal_bands(const Bands &bands, const Units &units) {
+    return bands_text(bands, "{:.6g}", " to ", ", ", units);
 }
 
 /// Largest error of an end.
-std::string largest_error(const BalanceBands &of, double factor) {
+std::string largest_error(const BalanceBands &of, const Units &units) {
     double largest = 0;
     for (const auto &[at_from, at_to] : of.errors) {
         if (!at_from || !at_to)
             return "not known";
         largest = std::max({largest, *at_from, *at_to});
     }
-    return of.errors.empty() ? "-" : fmt::format("{:.1e}", largest * factor);
+    return of.errors.empty() ? "-" : fmt::format("{:.1e}", units(Quantity::speed, largest));
 }
 
 /// A plane, all of them together, or the real balancers: where they balance.
@@ -54,23 +54,24 @@ struct Planes {
     const BalanceBands *of;
 };
 
-std::vector<Planes> all_planes(const BalanceResult &result) {
+std::vector<Planes> all_planes(const BalanceResult &result, const Units &units) {
     std::vector<Planes> all;
     for (std::size_t i = 0; i < result.planes.size(); ++i) {
         const BalancePlane &plane = result.planes[i];
         const std::string number = std::to_string(i + 1);
         all.push_back(
-            {fmt::format("{}, z = {:.5g} m", plane.name.empty() ? "plane " + number : plane.name,
-                         plane.z),
-             fmt::format("{} z = {:.4g} m", plane.name.empty() ? number : plane.name, plane.z),
+            {fmt::format("{}, z = {}", plane.name.empty() ? "plane " + number : plane.name,
+                         units.text(Quantity::length, plane.z, 5)),
+             fmt::format("{} z = {}", plane.name.empty() ? number : plane.name,
+                         units.text(Quantity::length, plane.z, 4)),
              number, plane.z, &plane.bands});
     }
     return all;
 }
 
 /// The planes one by one, and together where there are several.
-std::vector<Planes> planes_and_joint(const BalanceResult &result) {
-    std::vector<Planes> all = all_planes(result);
+std::vector<Planes> planes_and_joint(const BalanceResult &result, const Units &units) {
+    std::vector<Planes> all = all_planes(result, units);
     if (all.size() > 1)
         all.push_back({"all together", "all together", "joint", {}, &result.joint.bands});
     return all;
@@ -78,9 +79,10 @@ std::vector<Planes> planes_and_joint(const BalanceResult &result) {
 
 const Columns<Planes> band_columns{
     {OnPage("Planes"), &Planes::on_page},
-    {OnPage("Flexible"), [](const Planes &p) { return page_bands(p.of->bands); }},
-    {OnPage("Rigid closed form"), [](const Planes &p) {
-         return p.of->rigid_bands ? page_bands(*p.of->rigid_bands) : std::string("–");
+    {OnPage("Flexible"), Quantity::speed,
+     [](const Planes &p, const Units &units) { return page_bands(p.of->bands, units); }},
+    {OnPage("Rigid closed form"), Quantity::speed, [](const Planes &p, const Units &units) {
+         return p.of->rigid_bands ? page_bands(*p.of->rigid_bands, units) : std::string("–");
      }}};
 
 /// An end of a band of a plane.
@@ -90,14 +92,13 @@ struct End : BandEnd {
 
 const Columns<End> band_end_columns{
     {OnPage("Planes"), &End::planes},
-    {"speed", &End::speed},
+    {"speed", OnPage("", "{:.8g}").and_si("{:.10g}"), Quantity::speed, &End::speed},
     {"end", OnPage("End"), [](const End &end) { return end.upper ? "upper" : "lower"; }},
-    {OnPage("rad/s", "{:.10g}"), &End::speed},
-    {OnPage("rpm", "{:.8g}"), in(rpm, &End::speed)},
-    {"error", OnPage("Error (rad/s)", "{:.2g}"), &End::error},
-    {"pinned", OnPage("Pinned critical speed (rad/s)", "{:.10g}"), &End::pinned},
-    {"rigid", OnPage("Rigid (rad/s)", "{:.10g}"), &End::rigid},
-    {"relative_difference", OnPage("Relative difference", "{:.3g}"), &End::relative_difference}};
+    {"error", OnPage("Error", "{:.2g}"), Quantity::speed, &End::error},
+    {"pinned", OnPage("Pinned critical speed", "{:.10g}"), Quantity::speed, &End::pinned},
+    {"rigid", OnPage("Rigid", "{:.10g}"), Quantity::speed, &End::rigid},
+    {"relative_difference", OnPage("Relative difference", "{:.3g}"), Quantity::number,
+     &End::relative_difference}};
 
 std::vector<End> ends_of(const std::string &planes, const BalanceBands &of) {
     std::vector<End> ends;
@@ -106,12 +107,12 @@ std::vector<End> ends_of(const std::string &planes, const BalanceBands &of) {
     return ends;
 }
 
-Json bands_json(const BalanceBands &of) {
-    return {{"bands", of.bands},
-            {"band_errors", of.errors},
-            {"rigid_bands", of.rigid_bands},
-            {"pinned_critical_speeds", of.pinned},
-            {"ends", json_rows(band_end_columns, ends_of("", of))}};
+Json bands_json(const BalanceBands &of, const Units &units) {
+    return {{"bands", written(units, Quantity::speed, of.bands)},
+            {"band_errors", written(units, Quantity::speed, of.errors)},
+            {"rigid_bands", written(units, Quantity::speed, of.rigid_bands)},
+            {"pinned_critical_speeds", written(units, Quantity::speed, of.pinned)},
+            {"ends", json_rows(band_end_columns, ends_of("", of), units)}};
 }
 
 /// One value a column that holds something; the line of the file that has several kinds.
@@ -122,12 +123,12 @@ struct CsvLine {
 
 const Columns<CsvLine> line_columns{{InCsv("kind"), &CsvLine::kind},
                                     {InCsv("which"), &CsvLine::which},
-                                    {InCsv("z [m]"), &CsvLine::z},
-                                    {InCsv("speed [rad/s]"), &CsvLine::speed},
-                                    {InCsv("from [rad/s]"), &CsvLine::from},
-                                    {InCsv("to [rad/s]"), &CsvLine::to},
-                                    {InCsv("value [1/kg]"), &CsvLine::value},
-                                    {InCsv("ratio"), &CsvLine::ratio}};
+                                    {InCsv("z"), Quantity::length, &CsvLine::z},
+                                    {InCsv("speed"), Quantity::speed, &CsvLine::speed},
+                                    {InCsv("from"), Quantity::speed, &CsvLine::from},
+                                    {InCsv("to"), Quantity::speed, &CsvLine::to},
+                                    {InCsv("value"), Quantity::inverse_mass, &CsvLine::value},
+                                    {InCsv("ratio"), Quantity::number, &CsvLine::ratio}};
 
 void add_band_lines(std::vector<CsvLine> &lines, const Planes &planes) {
     const auto add = [&](const char *kind, std::optional<double> from, std::optional<double> to) {
@@ -154,9 +155,9 @@ void add_pendulum_lines(std::vector<CsvLine> &lines, const BalanceResult &result
     }
 }
 
-std::string csv_of(const BalanceResult &result, const Units &) {
+std::string csv_of(const BalanceResult &result, const Units &units) {
     std::vector<CsvLine> lines;
-    const std::vector<Planes> planes = all_planes(result);
+    const std::vector<Planes> planes = all_planes(result, units);
     for (const Planes &plane : planes)
         add_band_lines(lines, plane);
     add_band_lines(lines, {"", "", "joint", {}, &result.joint.bands});
@@ -180,179 +181,189 @@ std::string csv_of(const BalanceResult &result, const Units &) {
     for (const SimulatedSpeed &run : result.simulated)
         lines.push_back(
             {.kind = "simulated_" + run.outcome, .speed = run.speed, .ratio = run.residual_ratio});
-    return csv_table(line_columns, lines);
+    return csv_table(line_columns, lines, units);
 }
 
 const Columns<SignaturePoint> signature_columns{
-    {"speed", &SignaturePoint::speed},
-    {"eigenvalues", &SignaturePoint::eigenvalues},
+    {"speed", Quantity::speed, &SignaturePoint::speed},
+    {"eigenvalues", Quantity::inverse_mass, &SignaturePoint::eigenvalues},
     {"negative", &SignaturePoint::negative},
-    {"relative", &SignaturePoint::relative},
-    {"worst_real", [](const auto &point) { return real_parts(point.worst); }},
-    {"worst_imag", [](const auto &point) { return imaginary_parts(point.worst); }}};
+    {"relative", Quantity::number, &SignaturePoint::relative},
+    {"worst_real", Quantity::number, [](const auto &point) { return real_parts(point.worst); }},
+    {"worst_imag", Quantity::number,
+     [](const auto &point) { return imaginary_parts(point.worst); }}};
 
-const Columns<SimulatedSpeed> simulated_columns{{"speed", &SimulatedSpeed::speed},
-                                                {"outcome", &SimulatedSpeed::outcome},
-                                                {"residual_ratio", &SimulatedSpeed::residual_ratio},
-                                                {"growth", &SimulatedSpeed::growth}};
+const Columns<SimulatedSpeed> simulated_columns{
+    {"speed", Quantity::speed, &SimulatedSpeed::speed},
+    {"outcome", &SimulatedSpeed::outcome},
+    {"residual_ratio", Quantity::number, &SimulatedSpeed::residual_ratio},
+    {"growth", Quantity::rate, &SimulatedSpeed::growth}};
 
-Json rigid_json(const results::RigidEquivalent &of) {
-    return {{"mass", of.mass},
-            {"center_of_mass", of.center},
-            {"Id", of.diametral},
-            {"Ip", of.polar},
-            {"k11", of.k11},
-            {"k14", of.k14},
-            {"k33", of.k33},
+Json rigid_json(const results::RigidEquivalent &of, const Units &units) {
+    return {{"mass", written(units, Quantity::mass, of.mass)},
+            {"center_of_mass", written(units, Quantity::length, of.center)},
+            {"Id", written(units, Quantity::inertia, of.diametral)},
+            {"Ip", written(units, Quantity::inertia, of.polar)},
+            {"k11", written(units, Quantity::stiffness, of.k11)},
+            {"k14", written(units, Quantity::coupling_stiffness, of.k14)},
+            {"k33", written(units, Quantity::tilt_stiffness, of.k33)},
             {"type", of.type},
-            {"critical_speeds", of.critical_speeds}};
+            {"critical_speeds", written(units, Quantity::speed, of.critical_speeds)}};
 }
 
-Json position_json(const BalancedPosition &of) {
-    return {{"bands", of.bands},
-            {"band_errors", of.errors},
+Json position_json(const BalancedPosition &of, const Units &units) {
+    return {{"bands", written(units, Quantity::speed, of.bands)},
+            {"band_errors", written(units, Quantity::speed, of.errors)},
             {"arrangements", of.arrangements},
-            {"with_every", of.with_every},
-            {"with_some", of.with_some}};
+            {"with_every", written(units, Quantity::speed, of.with_every)},
+            {"with_some", written(units, Quantity::speed, of.with_some)}};
 }
 
 /// Places for one auto-balancer or two over all speeds of the range.
 struct Best : results::BestPlace {
     std::string balancers;
-    [[nodiscard]] std::string places(const char *format, const char *between) const {
-        return joined(z, between, [&](double at) { return fmt::format(fmt::runtime(format), at); });
-    }
 };
 
 const Columns<Best> best_columns{
     {OnPage("Best"), &Best::balancers},
-    {"z", &Best::z},
-    {OnPage("z (m)"), [](const Best &best) { return best.places("{:.5g}", ", "); }},
-    {OnPage("Share of the speeds (%)", "{:.4g}"),
+    {"z", Quantity::length, &Best::z},
+    {OnPage("z"),
+     [](const Best &best, const Units &units) {
+         return units.text(model::Sentence("{}", model::as::length.list(best.z, 5)));
+     }},
+    {OnPage("Share of the speeds (%)", "{:.4g}"), Quantity::number,
      [](const Best &best) { return 100 * best.share; }},
-    {"share", &Best::share},
-    {"margin", OnPage("Margin", "{:.4g}"), &Best::margin}};
+    {"share", Quantity::number, &Best::share},
+    {"margin", OnPage("Margin", "{:.4g}"), Quantity::number, &Best::margin}};
 
 std::vector<Best> best_places(const results::Placement &map) {
     return {{map.best, "one plane"}, {map.best_pair, "two planes"}};
 }
 
-Json placement_json(const results::Placement &map) {
-    const Json best = json_rows(best_columns, best_places(map));
-    return {{"z", map.z},
-            {"speeds", map.speeds},
+Json placement_json(const results::Placement &map, const Units &units) {
+    const Json best = json_rows(best_columns, best_places(map), units);
+    return {{"z", written(units, Quantity::length, map.z)},
+            {"speeds", written(units, Quantity::speed, map.speeds)},
             {"criterion", map.criterion},
             {"share", map.share},
             {"best", best[0]},
             {"pairs",
-             {{"speed", map.pair_speed},
-              {"z", map.pair_z},
+             {{"speed", written(units, Quantity::speed, map.pair_speed)},
+              {"z", written(units, Quantity::length, map.pair_z)},
               {"largest_eigenvalue", map.pair_value},
               {"best", best[1]}}}};
 }
 
-std::string placement_text(const results::Placement &map) {
+std::string placement_text(const results::Placement &map, const Units &units) {
     std::string text = "\nBest places for all speeds of the range:\n";
     for (const Best &best : best_places(map))
-        text += best.share <= 0
-                    ? fmt::format("  {:<10}: nowhere\n", best.balancers)
-                    : fmt::format("  {:<10}: z = {} m, balances {:.1f} % of the speeds, margin "
-                                  "{:.3f}\n",
-                                  best.balancers, best.places("{:.4g}", " and "), 100 * best.share,
-                                  best.margin);
+        text +=
+            best.share <= 0
+                ? fmt::format("  {:<10}: nowhere\n", best.balancers)
+                : fmt::format("  {:<10}: z = {}, balances {:.1f} % of the speeds, margin "
+                              "{:.3f}\n",
+                              best.balancers,
+                              units.text(model::Sentence("{}", model::as::length.list(best.z, 4))),
+                              100 * best.share, best.margin);
     return text;
 }
 
 Json json_of(const BalanceResult &result, const Units &units) {
-    Json joint = bands_json(result.joint.bands);
+    Json joint = bands_json(result.joint.bands, units);
     joint["rank"] = result.joint.rank;
-    joint["signature"] = json_rows(signature_columns, result.joint.signature);
+    joint["signature"] = json_rows(signature_columns, result.joint.signature, units);
     Json json{
-        {"findings",
-         json_list(result.findings, [&units](const auto &finding) { return units.text(finding); })},
-        {"speeds", result.speeds},
-        {"critical_speeds", result.critical_speeds},
+        {"findings", written(units, result.findings)},
+        {"speeds", written(units, Quantity::speed, result.speeds)},
+        {"critical_speeds", written(units, Quantity::speed, result.critical_speeds)},
         {"sharp", result.sharp},
-        {"planes", json_list(result.planes,
-                             [](const BalancePlane &plane) {
-                                 Json entry{{"name", plane.name}, {"z", plane.z}};
-                                 take_entries(entry, bands_json(plane.bands));
-                                 entry["criterion"] = plane.criterion;
-                                 return entry;
-                             })},
+        {"planes",
+         json_list(
+             result.planes,
+             [&units](const BalancePlane &plane) {
+                 Json entry{{"name", plane.name}, {"z", written(units, Quantity::length, plane.z)}};
+                 take_entries(entry, bands_json(plane.bands, units));
+                 entry["criterion"] = written(units, Quantity::inverse_mass, plane.criterion);
+                 return entry;
+             })},
         {"joint", joint},
-        {"rigid", result.rigid ? rigid_json(*result.rigid) : Json()},
-        {"simulated", json_rows(simulated_columns, result.simulated)},
+        {"rigid", result.rigid ? rigid_json(*result.rigid, units) : Json()},
+        {"simulated", json_rows(simulated_columns, result.simulated, units)},
         {"balanced_position",
-         result.balanced_position ? position_json(*result.balanced_position) : Json()},
-        {"pendulum", json_list(result.pendulum, pendulum_json)}};
+         result.balanced_position ? position_json(*result.balanced_position, units) : Json()},
+        {"pendulum", json_list(result.pendulum,
+                               [&units](const auto &of) { return pendulum_json(of, units); })}};
     if (result.placement)
-        json["placement"] = placement_json(*result.placement);
+        json["placement"] = placement_json(*result.placement, units);
     return json;
 }
 
 std::string findings_html(const std::vector<model::Sentence> &findings, const Units &units) {
     std::string html = findings.empty() ? "<p>Nothing beyond the bands.</p>\n" : "";
     for (const model::Sentence &finding : findings)
-        html += kept_as_written(element("p", units.text(finding)));
+        html += element("p", units.text(finding));
     return html;
 }
 
 std::vector<Section> sections_of(const BalanceResult &result, const Units &units) {
     std::vector<End> ends;
-    for (const Planes &of : planes_and_joint(result))
+    for (const Planes &of : planes_and_joint(result, units))
         for (const End &end : ends_of(of.on_page, *of.of))
             ends.push_back(end);
     std::vector<Section> sections{
         {"What it says", findings_html(result.findings, units)},
-        {fmt::format("Bands of spin speed ({})", unit_name("speed", "rad/s")),
-         page_table(band_columns, planes_and_joint(result))}};
+        {"Bands of spin speed", page_table(band_columns, planes_and_joint(result, units), units)}};
     if (!ends.empty())
-        sections.push_back({"Ends of the bands", page_table(band_end_columns, ends)});
+        sections.push_back({"Ends of the bands", page_table(band_end_columns, ends, units)});
     if (result.placement)
         sections.push_back(
-            {"Best places", page_table(best_columns, best_places(*result.placement)) +
+            {"Best places", page_table(best_columns, best_places(*result.placement), units) +
                                 "<p>Margin: mean over the speeds of the largest eigenvalue, times "
                                 "−1 and the mass of the rotor, each cut to ±1.</p>\n"});
     if (!result.pendulum.empty())
-        sections.push_back({"Four-pendulum balancers", pendulum_page(result.pendulum)});
+        sections.push_back({"Four-pendulum balancers", pendulum_page(result.pendulum, units)});
     return sections;
 }
 
-std::string table_of_bands(const BalanceResult &result) {
-    const double factor = written_factor("speed").value_or(1);
-    const std::string unit = unit_name("speed", "rad/s");
-    Texts table{{"planes", "balanced, " + unit_name("speed", "rpm"), "rad/s", "error, " + unit,
-                 "rigid closed form, " + unit}};
-    for (const Planes &planes : planes_and_joint(result))
-        table.push_back(
-            {planes.on_terminal, terminal_bands(planes.of->bands, rpm),
-             terminal_bands(planes.of->bands), largest_error(*planes.of, factor),
-             planes.of->rigid_bands ? terminal_bands(*planes.of->rigid_bands, factor) : "-"});
+/// The bands of each plane in the unit of readers and, where none was asked for, in SI.
+std::string table_of_bands(const BalanceResult &result, const Units &units) {
+    const Units si;
+    const std::string unit = units.name(Quantity::speed);
+    const bool beside_si = !units.asked(Quantity::speed);
+    Texts table{{"planes", "balanced, " + unit}};
+    if (beside_si)
+        table.front().push_back(si.name(Quantity::speed));
+    table.front().insert(table.front().end(), {"error, " + unit, "rigid closed form, " + unit});
+    const auto add = [&](const std::string &name, const Bands &bands, const std::string &error,
+                         const std::optional<Bands> &rigid) {
+        table.push_back({name, terminal_bands(bands, units)});
+        if (beside_si)
+            table.back().push_back(terminal_bands(bands, si));
+        table.back().insert(table.back().end(),
+                            {error, rigid ? terminal_bands(*rigid, units) : "-"});
+    };
+    for (const Planes &planes : planes_and_joint(result, units))
+        add(planes.on_terminal, planes.of->bands, largest_error(*planes.of, units),
+            planes.of->rigid_bands);
     if (const auto &real = result.balanced_position)
-        table.push_back({"real balancers, stable", terminal_bands(real->bands, rpm),
-                         terminal_bands(real->bands), "-", "-"});
-    for (auto &row : table)
-        if (written_factor("speed"))
-            row.erase(row.begin() + 2); // rad/s
+        add("real balancers, stable", real->bands, "-", std::nullopt);
     return text_table(table);
 }
 
 std::string text_of(const model::Case &scene, const BalanceResult &result, const Units &units) {
-    std::string text =
-        heading(scene, "Auto-balancing, " + range_text(result.speeds)) + table_of_bands(result);
+    std::string text = heading(scene, "Auto-balancing, " + range_text(result.speeds, units)) +
+                       table_of_bands(result, units);
     for (const SimulatedSpeed &run : result.simulated)
         text += fmt::format(
-            "  motion in time at {:.6g} rpm: {}{}\n", run.speed * rpm, run.outcome,
+            "  motion in time at {}: {}{}\n", units.text(Quantity::speed, run.speed), run.outcome,
             run.residual_ratio ? fmt::format(", residual {:.3g}", *run.residual_ratio) : "");
     for (const model::Sentence &finding : result.findings)
-        text += (&finding == &result.findings.front() ? "\n" : "") +
-                kept_as_written(units.text(finding)) + "\n";
+        text += (&finding == &result.findings.front() ? "\n" : "") + units.text(finding) + "\n";
     if (result.placement)
-        text += placement_text(*result.placement);
+        text += placement_text(*result.placement, units);
     for (const auto &pendulum : result.pendulum)
-        text += pendulum_text(pendulum);
-    return text + model_text(result.model);
+        text += pendulum_text(pendulum, units);
+    return text + model_text(result.model, units);
 }
 
 std::vector<Picture> pictures_of(const model::Case &scene, const BalanceResult &result,
@@ -377,6 +388,10 @@ Report describe(const model::Case &scene, const BalanceResult &result) {
     Report report =
         report_of<BalanceResult>("balance", "Auto-balancing", scene, result,
                                  {json_of, csv_of, sections_of, text_of, balance_figure});
+    report.drawn = [&result](const Units &units) { // eigenvalues times this are ratios
+        const double unit = units.factor(Quantity::inverse_mass);
+        return Json{{"body_mass", result.rigid ? result.rigid->mass / unit : 1}};
+    };
     report.pictures = [&](const Units &units) { return pictures_of(scene, result, units); };
     report.pictures_heading = "Pictures";
     return report;

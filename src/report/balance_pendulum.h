@@ -7,8 +7,10 @@ namespace whirl::report {
 
 // Four-pendulum balancers in the report of balance.
 
-[[nodiscard]] Json pendulum_json(const results::PendulumBalance &balancer);
-[[nodiscard]] std::string pendulum_page(const std::vector<results::PendulumBalance> &balancers);
-[[nodiscard]] std::string pendulum_text(const results::PendulumBalance &balancer);
+[[nodiscard]] Json pendulum_json(const results::PendulumBalance &balancer, const Units &units);
+[[nodiscard]] std::string pendulum_page(const std::vector<results::PendulumBalance> &balancers,
+                                        const Units &units);
+[[nodiscard]] std::string pendulum_text(const results::PendulumBalance &balancer,
+                                        const Units &units);
 
 } // namespace whirl::report

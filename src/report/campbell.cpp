@@ -6,6 +6,7 @@
 #include "report/common/error_parts.h"
 #include "report/common/table.h"
 #include "report/common/words.h"
+#include "report/pictures/campbell_panel.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
 
@@ -46,29 +47,29 @@ auto part(double results::ErrorParts::*which) {
 }
 
 /// The frequency, or why there is none.
-Json hertz_or_why(const ModeAt &at) {
-    return at.frequency() ? Json(*at.frequency() * hertz) : Json(at.mode->absent.at(at.index));
+Json frequency_or_why(const ModeAt &at) {
+    return at.frequency() ? Json(*at.frequency()) : Json(at.mode->absent.at(at.index));
 }
 
 const Columns<ModeAt> mode_columns = with_error_parts<ModeAt>(
-    {{InCsv("speed [rad/s]"), &ModeAt::speed},
+    {{InCsv("speed"), Quantity::speed, &ModeAt::speed},
      {InCsv("mode"), OnPage("Mode"), InText("mode"), [](const auto &at) { return at.mode->label; }},
-     {"frequency", InCsv("frequency [rad/s]"), OnPage("Frequency (rad/s)", "{:.10g}"),
-      InText("rad/s", precise), &ModeAt::frequency},
-     {OnPage("Frequency (Hz)", "{:.10g}"), hertz_or_why},
-     {InText("Hz"), in(hertz, &ModeAt::frequency)},
-     {InText("rpm"), in(rpm, &ModeAt::frequency)},
-     {"real", InCsv("real [1/s]"), OnPage("Real part (1/s)"), entry_of(&CampbellMode::real)},
+     {"frequency", InCsv("frequency"), InText("").and_si(precise), Quantity::frequency,
+      &ModeAt::frequency},
+     {OnPage("Frequency", "{:.10g}").and_si("{:.10g}"), Quantity::frequency, frequency_or_why},
+     {InText(""), Quantity::speed, &ModeAt::frequency},
+     {"real", InCsv("real"), OnPage("Real part"), Quantity::rate, entry_of(&CampbellMode::real)},
      {"damping_ratio", InCsv("damping_ratio"), OnPage("Damping ratio"), InText("damping ratio"),
-      entry_of(&CampbellMode::damping_ratio)},
-     {"log_dec", InCsv("log_dec"), entry_of(&CampbellMode::log_dec)},
+      Quantity::number, entry_of(&CampbellMode::damping_ratio)},
+     {"log_dec", InCsv("log_dec"), Quantity::number, entry_of(&CampbellMode::log_dec)},
      {"whirl", InCsv("whirl"), OnPage("Whirl"), InText("whirl"), entry_of(&CampbellMode::whirl)},
      {"forward_share", InCsv("forward_fraction"), OnPage("Forward share", "{:.4g}"),
-      entry_of(&CampbellMode::forward_fraction)},
-     {"forward_fraction", entry_of(&CampbellMode::forward_fraction)}, // its older name
+      Quantity::number, entry_of(&CampbellMode::forward_fraction)},
+     {"forward_fraction", Quantity::number,
+      entry_of(&CampbellMode::forward_fraction)}, // its older name
      {"error", InCsv("error"), OnPage("Relative error", "{:.2g}"), InText("error", rough),
-      entry_of(&CampbellMode::error)},
-     {"residual", InCsv("residual"), entry_of(&CampbellMode::residual)}},
+      Quantity::number, entry_of(&CampbellMode::error)},
+     {"residual", InCsv("residual"), Quantity::number, entry_of(&CampbellMode::residual)}},
     part);
 
 std::vector<ModeAt> over_speeds(const CampbellResult &result, const CampbellMode &mode) {
@@ -107,109 +108,129 @@ Columns<Crossing> crossing_columns(const CampbellResult &result) {
     const auto label = [&result](const Crossing &crossing) {
         return label_of(result, crossing.mode);
     };
-    return {
-        {OnPage("Mode"), label},
-        {"multiple", OnPage("Multiple", "{:.5g}×"), InText("line", "{:.6g}x"), &Crossing::multiple},
-        {OnPage("Spin speed (rpm)", "{:.10g}"), InText("rpm"), in(rpm, &Crossing::speed)},
-        {"speed", OnPage("Spin speed (rad/s)", "{:.10g}"), InText("rad/s", precise),
-         &Crossing::speed},
-        {"frequency", &Crossing::frequency},
-        {OnPage("Whirl frequency (Hz)", "{:.10g}"), in(hertz, &Crossing::frequency)},
-        {InText("Hz"), in(hertz, &Crossing::speed)},
-        {"damping_ratio", OnPage("Damping ratio"), InText("damping ratio"),
-         [](const auto &crossing) { return crossing.damping.ratio; }},
-        {"log_dec", [](const auto &crossing) { return crossing.damping.log_dec; }},
-        {"amplification", OnPage("Amplification factor", "{:.5g}"),
-         InText("amplification", "{:.5g}"),
-         [](const auto &crossing) { return crossing.damping.amplification; }},
-        {OnPage("Damped"), InText("damped"),
-         [](const auto &crossing) { return crossing.damping.heavy() ? "heavily" : ""; }},
-        {"heavily_damped", [](const auto &c) { return c.damping.heavy(); }},
-        {"mode", &Crossing::mode},
-        {InText("mode"), label}};
+    return {{OnPage("Mode"), label},
+            {"multiple", OnPage("Multiple", "{:.5g}×"), InText("line", "{:.6g}x"), Quantity::number,
+             &Crossing::multiple},
+            {"speed", OnPage("Spin speed", "{:.10g}").and_si("{:.10g}"), InText("").and_si(precise),
+             Quantity::speed, &Crossing::speed},
+            {"frequency", OnPage("Whirl frequency", "{:.10g}"), Quantity::frequency,
+             &Crossing::frequency},
+            {InText(""), Quantity::frequency, &Crossing::speed},
+            {"damping_ratio", OnPage("Damping ratio"), InText("damping ratio"), Quantity::number,
+             [](const auto &crossing) { return crossing.damping.ratio; }},
+            {"log_dec", Quantity::number,
+             [](const auto &crossing) { return crossing.damping.log_dec; }},
+            {"amplification", OnPage("Amplification factor", "{:.5g}"),
+             InText("amplification", "{:.5g}"), Quantity::number,
+             [](const auto &crossing) { return crossing.damping.amplification; }},
+            {OnPage("Damped"), InText("damped"),
+             [](const auto &crossing) { return crossing.damping.heavy() ? "heavily" : ""; }},
+            {"heavily_damped", [](const auto &c) { return c.damping.heavy(); }},
+            {"mode", &Crossing::mode},
+            {InText("mode"), label}};
 }
 
 Columns<Locked> locked_columns(const CampbellResult &result) {
     const auto label = [&result](const Locked &locked) { return label_of(result, locked.mode); };
-    return {
-        {OnPage("Mode"), label},
-        {"multiple", OnPage("Multiple", "{:.5g}×"), InText("line", "{:.6g}x"), &Locked::multiple},
-        {"mode", &Locked::mode},
-        {OnPage("From (rpm)", "{:.10g}"), InText("from rpm"), in(rpm, &Locked::from)},
-        {OnPage("To (rpm)", "{:.10g}"), InText("to rpm"), in(rpm, &Locked::to)},
-        {"from", OnPage("From (rad/s)", "{:.10g}"), InText("from rad/s", precise), &Locked::from},
-        {"to", OnPage("To (rad/s)", "{:.10g}"), InText("to rad/s", precise), &Locked::to},
-        {InText("mode"), label}};
+    return {{OnPage("Mode"), label},
+            {"multiple", OnPage("Multiple", "{:.5g}×"), InText("line", "{:.6g}x"), Quantity::number,
+             &Locked::multiple},
+            {"mode", &Locked::mode},
+            {"from", OnPage("From", "{:.10g}").and_si("{:.10g}"), InText("from").and_si(precise),
+             Quantity::speed, &Locked::from},
+            {"to", OnPage("To", "{:.10g}").and_si("{:.10g}"), InText("to").and_si(precise),
+             Quantity::speed, &Locked::to},
+            {InText("mode"), label}};
 }
 
-Json mode_json(const CampbellResult &result, const CampbellMode &mode) {
+Json mode_json(const CampbellResult &result, const CampbellMode &mode, const Units &units) {
     Json json{{"label", mode.label}};
     json["absent"] = json_list(
         mode.absent, [](const std::string &why) { return why.empty() ? Json() : Json(why); });
     if (!mode.frequency_rotating.empty())
-        json["frequency_rotating"] = mode.frequency_rotating;
+        json["frequency_rotating"] = written(units, Quantity::frequency, mode.frequency_rotating);
     if (!mode.other_frequency.empty())
-        json["other_frequency"] = mode.other_frequency;
-    take_entries(json, json_lists(mode_columns, over_speeds(result, mode)));
+        json["other_frequency"] = written(units, Quantity::frequency, mode.other_frequency);
+    take_entries(json, json_lists(mode_columns, over_speeds(result, mode), units));
     return json;
 }
 
-Json json_of(const CampbellResult &result, const Units &) {
+Json json_of(const CampbellResult &result, const Units &units) {
     Json json = json_object(5);
-    json["speeds"] = result.speeds;
+    json["speeds"] = written(units, Quantity::speed, result.speeds);
     json["modes"] =
-        json_list(result.modes, [&](const auto &mode) { return mode_json(result, mode); });
-    json["crossings"] = json_rows(crossing_columns(result), result.crossings);
-    json["locked"] = json_rows(locked_columns(result), result.locked);
-    json["divergence"] = result.divergence;
+        json_list(result.modes, [&](const auto &mode) { return mode_json(result, mode, units); });
+    json["crossings"] = json_rows(crossing_columns(result), result.crossings, units);
+    json["locked"] = json_rows(locked_columns(result), result.locked, units);
+    json["divergence"] = written(units, Quantity::rate, result.divergence);
     return json;
 }
 
-std::string csv_of(const CampbellResult &result, const Units &) {
-    const std::vector<std::string> head = csv_head(mode_columns);
-    std::string csv = csv_head_line(head);
+std::string csv_of(const CampbellResult &result, const Units &units) {
+    const std::vector<CsvHeading> head = csv_head(mode_columns);
+    std::string csv = csv_head_line(head, units);
     for (std::size_t i = 0; i < result.speeds.size(); ++i)
-        csv += csv_rows(head, mode_columns, at_speed(result, i));
+        csv += csv_rows(head, mode_columns, at_speed(result, i), units);
     return csv;
 }
 
-std::vector<Section> sections_of(const CampbellResult &result, const Units &) {
+std::vector<Section> sections_of(const CampbellResult &result, const Units &units) {
     const std::string crossings =
         result.crossings.empty()
             ? "<p>No mode crosses a multiple of the spin speed in this range.</p>\n"
-            : page_table(crossing_columns(result), result.crossings);
+            : page_table(crossing_columns(result), result.crossings, units);
     std::vector<Section> sections{{"Critical speeds (1×) and other crossings", crossings}};
     if (!result.locked.empty())
         sections.push_back({"Modes that stay on a multiple of the spin speed",
-                            page_table(locked_columns(result), result.locked)});
+                            page_table(locked_columns(result), result.locked, units)});
     if (!result.speeds.empty())
-        sections.push_back({fmt::format("Whirl modes at {:.6g} rpm", result.speeds.back() * rpm),
-                            page_table(mode_columns, at_speed(result, result.speeds.size() - 1))});
+        sections.push_back(
+            {"Whirl modes at " + units.text(Quantity::speed, result.speeds.back()),
+             page_table(mode_columns, at_speed(result, result.speeds.size() - 1), units)});
     return sections;
 }
 
-std::string text_of(const model::Case &scene, const CampbellResult &result, const Units &) {
-    std::string text = heading(scene, "Campbell diagram, " + range_text(result.speeds));
+std::string text_of(const model::Case &scene, const CampbellResult &result, const Units &units) {
+    std::string text = heading(scene, "Campbell diagram, " + range_text(result.speeds, units));
     if (result.speeds.empty())
-        return text + model_text(result.model);
+        return text + model_text(result.model, units);
     const double last = result.speeds.back();
-    const std::string beside = // in the unit asked for it is the same once more
-        written_factor("speed") ? "" : fmt::format(" ({:.6g} rad/s)", last);
-    text += fmt::format("Whirl modes at {:.6g} rpm{}:\n{}", last * rpm, beside,
-                        text_table(mode_columns, at_last_speed(result)));
+    const std::string in_si = // in the unit asked for it is the same once more
+        units.asked(Quantity::speed) ? ""
+                                     : fmt::format(" ({})", Units().text(Quantity::speed, last));
+    text += fmt::format("Whirl modes at {}{}:\n{}", units.text(Quantity::speed, last), in_si,
+                        text_table(mode_columns, at_last_speed(result), units));
     return text +
            text_table("\nCrossings with multiples of the spin speed:\n", crossing_columns(result),
-                      result.crossings) +
+                      result.crossings, units) +
            text_table("\nModes that stay on a multiple of the spin speed:\n",
-                      locked_columns(result), result.locked) +
-           model_text(result.model);
+                      locked_columns(result), result.locked, units) +
+           model_text(result.model, units);
+}
+
+/// What the page draws by the rules of the picture: steps that are no line, growth, the other
+/// frequencies of motions that have two, and the slope of the line of the spin speed.
+Json drawn_of(const CampbellResult &result, const Units &units) {
+    Json grown = json_list(result.modes, [&result](const CampbellMode &mode) {
+        std::vector<bool> at;
+        for (std::size_t i = 0; i < result.speeds.size(); ++i)
+            at.push_back(grows(mode, i));
+        return at;
+    });
+    return {{"sprung", sprung_steps(result)},
+            {"grows", grown},
+            {"others", other_frequencies({units}, result)},
+            {"synchronous", units.factor(Quantity::frequency) / units.factor(Quantity::speed)}};
 }
 
 } // namespace
 
 Report describe(const model::Case &scene, const CampbellResult &result) {
-    return report_of<CampbellResult>("campbell", "Campbell diagram", scene, result,
-                                     {json_of, csv_of, sections_of, text_of, campbell_figure});
+    Report report =
+        report_of<CampbellResult>("campbell", "Campbell diagram", scene, result,
+                                  {json_of, csv_of, sections_of, text_of, campbell_figure});
+    report.drawn = [&result](const Units &units) { return drawn_of(result, units); };
+    return report;
 }
 
 } // namespace whirl::report

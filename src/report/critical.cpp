@@ -28,33 +28,36 @@ namespace {
 
 const Columns<CriticalSpeed> critical_columns = with_error_parts<CriticalSpeed>(
     {{OnPage("No."), InText(""), [](const auto &, std::size_t i) { return i + 1; }},
-     {OnPage("rpm", "{:.10g}"), InText("rpm"), in(rpm, &CriticalSpeed::speed)},
-     {"speed", InCsv("speed [rad/s]"), OnPage("rad/s", "{:.10g}"), InText("rad/s", precise),
-      &CriticalSpeed::speed},
-     {OnPage("Hz", "{:.10g}"), InText("Hz"), in(hertz, &CriticalSpeed::speed)},
+     {"speed", InCsv("speed"), OnPage("", "{:.10g}").and_si("{:.10g}"), InText("").and_si(precise),
+      Quantity::speed, &CriticalSpeed::speed},
+     {OnPage("", "{:.10g}"), InText(""), Quantity::frequency, &CriticalSpeed::speed},
      {"mode", InCsv("mode"), OnPage("Mode"), InText("mode"),
       [](const auto &c) { return known_name(c.mode); }},
      {"whirl", InCsv("whirl"), OnPage("Whirl"), InText("whirl"), &CriticalSpeed::whirl},
-     {"real", InCsv("real [1/s]"), OnPage("Real part (1/s)", "{:.5g}"), &CriticalSpeed::real},
+     {"real", InCsv("real"), OnPage("Real part", "{:.5g}"), Quantity::rate, &CriticalSpeed::real},
      {"damping_ratio", InCsv("damping_ratio"), OnPage("Damping ratio"), InText("damping ratio"),
-      [](const auto &c) { return c.damping.ratio; }},
-     {"log_dec", InCsv("log_dec"), [](const auto &c) { return c.damping.log_dec; }},
+      Quantity::number, [](const auto &c) { return c.damping.ratio; }},
+     {"log_dec", InCsv("log_dec"), Quantity::number,
+      [](const auto &c) { return c.damping.log_dec; }},
      {"amplification", InCsv("amplification"), OnPage("Amplification factor", "{:.5g}"),
-      InText("amplification", "{:.5g}"), [](const auto &c) { return c.damping.amplification; }},
+      InText("amplification", "{:.5g}"), Quantity::number,
+      [](const auto &c) { return c.damping.amplification; }},
      {"heavily_damped", InCsv("heavily_damped"), [](const auto &c) { return c.damping.heavy(); }},
      {OnPage("Damped"), InText("damped"),
       [](const auto &c) { return c.damping.heavy() ? "heavily" : ""; }},
      {"error", InCsv("error"), OnPage("Relative error", "{:.2g}"), InText("error", rough),
-      &CriticalSpeed::error},
-     {"residual", InCsv("residual"), &CriticalSpeed::residual}},
+      Quantity::number, &CriticalSpeed::error},
+     {"residual", InCsv("residual"), Quantity::number, &CriticalSpeed::residual}},
     error_part);
 
-std::string text_of(const model::Case &scene, const CriticalResult &result, const Units &) {
+std::string text_of(const model::Case &scene, const CriticalResult &result, const Units &units) {
     return heading(scene, "Critical speeds") +
-           (result.critical_speeds.empty() ? "  none found\n"
-                                           : text_table(critical_columns, result.critical_speeds)) +
-           margins_text(result.margins) +
-           (result.map ? critical_map_text(scene, *result.map) : "") + model_text(result.model);
+           (result.critical_speeds.empty()
+                ? "  none found\n"
+                : text_table(critical_columns, result.critical_speeds, units)) +
+           margins_text(result.margins, units) +
+           (result.map ? critical_map_text(scene, *result.map, units) : "") +
+           model_text(result.model, units);
 }
 
 int row_of(results::Whirl whirl) {
@@ -170,21 +173,21 @@ Report describe(const model::Case &scene, const CriticalResult &result) {
         .scene = &scene,
         .model = &result.model,
         .json =
-            [&](const Units &) {
-                Json json{{"critical_speeds", json_rows(critical_columns, speeds)}};
-                add_margins(json, result.margins);
+            [&](const Units &units) {
+                Json json{{"critical_speeds", json_rows(critical_columns, speeds, units)}};
+                add_margins(json, result.margins, units);
                 if (result.map)
-                    json["map"] = critical_map_json(scene, *result.map);
+                    json["map"] = critical_map_json(scene, *result.map, units);
                 return json;
             },
-        .csv = [&](const Units &) { return csv_table(critical_columns, speeds); },
+        .csv = [&](const Units &units) { return csv_table(critical_columns, speeds, units); },
         .sections =
-            [&](const Units &) {
-                std::vector sections{Section{"Table", page_table(critical_columns, speeds)}};
+            [&](const Units &units) {
+                std::vector sections{Section{"Table", page_table(critical_columns, speeds, units)}};
                 if (result.margins)
-                    sections.push_back({margins_heading, margins_page(*result.margins)});
+                    sections.push_back({margins_heading, margins_page(*result.margins, units)});
                 if (result.map)
-                    for (Section &section : critical_map_sections(scene, *result.map))
+                    for (Section &section : critical_map_sections(scene, *result.map, units))
                         sections.push_back(std::move(section));
                 return sections;
             },

@@ -33,63 +33,71 @@ double damping_ratio(const ModeShape &mode) {
     return modulus > 0 ? 0.0 - real_part(mode) / modulus : 0.0;
 }
 
-Json json_of(const Dissipation &part) {
-    return {{"of", part.of}, {"z", part.z}, {"name", part.name}, {"share", part.share}};
+Json json_of(const Dissipation &part, const Units &units) {
+    return {{"of", part.of},
+            {"z", written(units, Quantity::length, part.z)},
+            {"name", part.name},
+            {"share", part.share}};
 }
 
 const Columns<ModeShape> shape_columns{
     {"label", OnPage("Mode"), InText("mode"),
      [](const auto &mode) { return known_name(mode.label); }},
-    {"at", &ModeShape::at},
-    {"frequency", OnPage("Frequency (rad/s)", "{:.10g}"), InText("rad/s", precise), frequency},
-    {OnPage("Frequency (Hz)", "{:.10g}"), InText("Hz"), in(hertz, frequency)},
-    {"real", OnPage("Real part (1/s)"), real_part},
-    {InText("damping ratio"), damping_ratio},
+    {"at", Quantity::speed, &ModeShape::at},
+    {"frequency", OnPage("Frequency", "{:.10g}").and_si("{:.10g}"), InText("").and_si(precise),
+     Quantity::frequency, frequency},
+    {"real", OnPage("Real part"), Quantity::rate, real_part},
+    {InText("damping ratio"), Quantity::number, damping_ratio},
     {"whirl", OnPage("Whirl"), InText("whirl"), &ModeShape::whirl},
-    {"forward_share", OnPage("Forward share", "{:.4g}"), &ModeShape::forward_fraction},
-    {"forward_fraction", &ModeShape::forward_fraction}, // its older name
-    {"x_real", [](const auto &mode) { return real_parts(mode.x); }},
-    {"x_imag", [](const auto &mode) { return imaginary_parts(mode.x); }},
-    {"y_real", [](const auto &mode) { return real_parts(mode.y); }},
-    {"y_imag", [](const auto &mode) { return imaginary_parts(mode.y); }},
-    {"dissipation", [](const ModeShape &mode) { return json_list(mode.dissipation, json_of); }}};
+    {"forward_share", OnPage("Forward share", "{:.4g}"), Quantity::number,
+     &ModeShape::forward_fraction},
+    {"forward_fraction", Quantity::number, &ModeShape::forward_fraction}, // its older name
+    {"x_real", Quantity::number, [](const auto &mode) { return real_parts(mode.x); }},
+    {"x_imag", Quantity::number, [](const auto &mode) { return imaginary_parts(mode.x); }},
+    {"y_real", Quantity::number, [](const auto &mode) { return real_parts(mode.y); }},
+    {"y_imag", Quantity::number, [](const auto &mode) { return imaginary_parts(mode.y); }},
+    {"dissipation", Quantity::number, [](const ModeShape &mode, const Units &units) {
+         return json_list(mode.dissipation,
+                          [&units](const Dissipation &part) { return json_of(part, units); });
+     }}};
 
 /// The same with the speed of each: those at critical speeds.
 Columns<ModeShape> critical_columns() {
     Columns<ModeShape> columns = shape_columns;
-    columns.insert(columns.begin() + 1, {OnPage("at (rpm)", "{:.8g}"), InText("at rpm", "{:.8g}"),
-                                         in(rpm, &ModeShape::at)});
+    columns.insert(columns.begin() + 1,
+                   {ForReaders("at", "{:.8g}"), Quantity::speed, &ModeShape::at});
     return columns;
 }
 
 /// "bearing, drive end"
-std::string words_of(const Dissipation &part) {
+std::string words_of(const Dissipation &part, const Units &units) {
     if (!part.z)
         return part.of;
-    return part.of + ", " + place(part.name, *part.z);
+    return part.of + ", " + place(part.name, *part.z, units);
 }
 
 /// Its name, or what else tells it from others.
-std::string name_of(const ModeShape &mode) {
-    return mode.label.empty() ? readable(frequency(mode) * hertz) + " Hz" : mode.label;
+std::string name_of(const ModeShape &mode, const Units &units) {
+    return mode.label.empty() ? units.text(Quantity::frequency, frequency(mode), 5) : mode.label;
 }
 
 /// Shares in percent, a row a part, a column a mode; nothing where no mode has any.
-Texts dissipation_texts(const std::vector<ModeShape> &modes, const std::string &missing) {
+Texts dissipation_texts(const std::vector<ModeShape> &modes, const std::string &missing,
+                        const Units &units) {
     Texts table{{"Share of the dissipated power (%)"}};
     std::vector<std::string> parts;
     for (const ModeShape &mode : modes) {
-        table.front().push_back(name_of(mode) + (real_part(mode) > 0 ? " (grows)" : ""));
+        table.front().push_back(name_of(mode, units) + (real_part(mode) > 0 ? " (grows)" : ""));
         for (const Dissipation &part : mode.dissipation)
-            if (std::find(parts.begin(), parts.end(), words_of(part)) == parts.end())
-                parts.push_back(words_of(part));
+            if (std::find(parts.begin(), parts.end(), words_of(part, units)) == parts.end())
+                parts.push_back(words_of(part, units));
     }
     for (const std::string &part : parts) {
         table.push_back({part});
         for (const ModeShape &mode : modes) {
-            const auto found =
-                std::find_if(mode.dissipation.begin(), mode.dissipation.end(),
-                             [&part](const Dissipation &other) { return words_of(other) == part; });
+            const auto found = std::find_if(
+                mode.dissipation.begin(), mode.dissipation.end(),
+                [&](const Dissipation &other) { return words_of(other, units) == part; });
             const bool known = found != mode.dissipation.end() && found->share;
             table.back().push_back(known ? fmt::format("{:.1f}", *found->share * 100) : missing);
         }
@@ -106,100 +114,95 @@ struct Deflection {
 };
 
 const Columns<Deflection> deflection_columns{
-    {InCsv("speed [rad/s]"), &Deflection::speed},
+    {InCsv("speed"), Quantity::speed, &Deflection::speed},
     {InCsv("mode"), [](const auto &at) { return known_name(at.mode.label); }},
-    {InCsv("frequency [rad/s]"), [](const auto &at) { return frequency(at.mode); }},
-    {InCsv("real [1/s]"), [](const auto &at) { return real_part(at.mode); }},
+    {InCsv("frequency"), Quantity::frequency, [](const auto &at) { return frequency(at.mode); }},
+    {InCsv("real"), Quantity::rate, [](const auto &at) { return real_part(at.mode); }},
     {InCsv("whirl"), [](const auto &at) { return at.mode.whirl; }},
-    {InCsv("z [m]"), &Deflection::z},
-    {InCsv("x_real"), [](const auto &at) { return at.x.real(); }},
-    {InCsv("x_imag"), [](const auto &at) { return at.x.imag(); }},
-    {InCsv("y_real"), [](const auto &at) { return at.y.real(); }},
-    {InCsv("y_imag"), [](const auto &at) { return at.y.imag(); }}};
+    {InCsv("z"), Quantity::length, &Deflection::z},
+    {InCsv("x_real"), Quantity::number, [](const auto &at) { return at.x.real(); }},
+    {InCsv("x_imag"), Quantity::number, [](const auto &at) { return at.x.imag(); }},
+    {InCsv("y_real"), Quantity::number, [](const auto &at) { return at.y.real(); }},
+    {InCsv("y_imag"), Quantity::number, [](const auto &at) { return at.y.imag(); }}};
 
-std::string csv_of(const ModesResult &result, const Units &) {
+std::string csv_of(const ModesResult &result, const Units &units) {
     std::vector<Deflection> rows;
     for (const std::vector<ModeShape> *list : {&result.modes, &result.critical})
         for (const ModeShape &mode : *list)
             for (std::size_t i = 0; i < std::min({result.z.size(), mode.x.size(), mode.y.size()});
                  ++i)
                 rows.push_back({mode.at, mode, result.z[i], mode.x[i], mode.y[i]});
-    return csv_table(deflection_columns, rows);
+    return csv_table(deflection_columns, rows, units);
 }
 
 std::string after_a_line(const Texts &table) {
     return table.empty() ? "" : "\n" + text_table(table);
 }
 
-std::string text_of(const model::Case &scene, const ModesResult &result, const Units &) {
-    return heading(scene, fmt::format("Mode shapes at {:.6g} rpm", result.speed * rpm)) +
-           text_table(shape_columns, result.modes) +
-           after_a_line(dissipation_texts(result.modes, "-")) +
-           text_table("\nAt the critical speeds:\n", critical_columns(), result.critical) +
-           after_a_line(dissipation_texts(result.critical, "-")) + model_text(result.model);
+std::string text_of(const model::Case &scene, const ModesResult &result, const Units &units) {
+    return heading(scene, "Mode shapes at " + units.text(Quantity::speed, result.speed)) +
+           text_table(shape_columns, result.modes, units) +
+           after_a_line(dissipation_texts(result.modes, "-", units)) +
+           text_table("\nAt the critical speeds:\n", critical_columns(), result.critical, units) +
+           after_a_line(dissipation_texts(result.critical, "-", units)) +
+           model_text(result.model, units);
 }
 
-/// A JavaScript array; five digits are more than a screen shows.
-std::string script_array(const std::vector<double> &values) {
-    std::string text = "[";
-    for (const double value : values)
-        text += (text.size() > 1 ? "," : "") +
-                (std::isfinite(value) ? fmt::format("{:.5g}", value) : "null");
-    return text + "]";
-}
-
-/// What of the rotor is drawn in space, for the script of the page; m.
-std::string drawn_rotor(const model::Rotor &rotor) {
+/// What of the rotor is drawn in space, for the script of the page.
+Json drawn_rotor(const model::Rotor &rotor, const Units &units) {
+    const auto length = [&units](double si) { return units(Quantity::length, si); };
     Json segments = Json::array();
     double z = 0;
     double thickest = 0;
     for (const model::Segment &segment : rotor.shaft.segments) {
-        segments.push_back({z, z + segment.length, segment.outer_start / 2, segment.outer_end / 2});
+        segments.push_back({length(z), length(z + segment.length), length(segment.outer_start / 2),
+                            length(segment.outer_end / 2)});
         z += segment.length;
         thickest = std::max({thickest, segment.outer_start / 2, segment.outer_end / 2});
     }
     Json discs = Json::array();
     for (const model::Disc &disc : rotor.discs)
-        discs.push_back({{"z", disc.z},
-                         {"radius", std::max(disc_radius(disc), 1.3 * thickest)},
-                         {"half", std::max(disc.width / 2, 0.004 * z)},
+        discs.push_back({{"z", length(disc.z)},
+                         {"radius", length(std::max(disc_radius(disc), 1.3 * thickest))},
+                         {"half", length(std::max(disc.width / 2, 0.004 * z))},
                          {"balancer", false}});
     for (const model::Balancer &balancer : rotor.balancers)
-        discs.push_back({{"z", balancer.z},
-                         {"radius", balancers::kind_of(balancer)->outline().radius()},
-                         {"half", 0.004 * z},
+        discs.push_back({{"z", length(balancer.z)},
+                         {"radius", length(balancers::kind_of(balancer)->outline().radius())},
+                         {"half", length(0.004 * z)},
                          {"balancer", true}});
-    const Json bearings = json_list(rotor.bearings, [](const model::Bearing &bearing) {
-        return Json{{"z", bearing.z}, {"seal", bearing.seal}};
+    const Json bearings = json_list(rotor.bearings, [&](const model::Bearing &bearing) {
+        return Json{{"z", length(bearing.z)}, {"seal", bearing.seal}};
     });
-    const Json drawn{
-        {"length", z}, {"segments", segments}, {"discs", discs}, {"bearings", bearings}};
-    return "const rotor = " + drawn.dump() + ";\n";
+    return {
+        {"length", length(z)}, {"segments", segments}, {"discs", discs}, {"bearings", bearings}};
 }
 
-/// The curves of the still picture for the script of the page: at the speed, then at critical ones.
-std::string drawn_modes(const ModesResult &result) {
-    std::string text = "const drawnModes = [";
+/// The curves of the still picture: at the speed, then at critical ones.
+Json drawn_modes(const ModesResult &result) {
+    Json drawn = Json::array();
     for (const std::vector<ModeShape> *list : {&result.modes, &result.critical})
         for (const ModeShape &mode : *list) {
             const ModeCurves curves = mode_curves(mode);
-            text += fmt::format("\n{{x: {}, y: {}, atOneInstant: {}}},", script_array(curves.x),
-                                script_array(curves.y), curves.at_one_instant);
+            drawn.push_back({{"x", curves.x},
+                             {"y", curves.y},
+                             {"at_one_instant", curves.at_one_instant},
+                             {"damping_ratio", damping_ratio(mode)}});
         }
-    return text + "];\n";
+    return drawn;
 }
 
-std::vector<Section> sections_of(const ModesResult &result, const Units &) {
+std::vector<Section> sections_of(const ModesResult &result, const Units &units) {
     std::vector<Section> sections{{"Shapes in space", "<div id=\"space\"></div>\n"},
-                                  {fmt::format("Modes at {:.6g} rpm", result.speed * rpm),
-                                   page_table(shape_columns, result.modes)}};
-    const Texts dissipation = dissipation_texts(result.modes, "–");
+                                  {"Modes at " + units.text(Quantity::speed, result.speed),
+                                   page_table(shape_columns, result.modes, units)}};
+    const Texts dissipation = dissipation_texts(result.modes, "–", units);
     if (!dissipation.empty())
         sections.push_back({"Where the modes dissipate", page_table(dissipation)});
     if (!result.critical.empty())
-        sections.push_back(
-            {"Modes at the critical speeds", page_table(critical_columns(), result.critical)});
-    const Texts critical = dissipation_texts(result.critical, "–");
+        sections.push_back({"Modes at the critical speeds",
+                            page_table(critical_columns(), result.critical, units)});
+    const Texts critical = dissipation_texts(result.critical, "–", units);
     if (!critical.empty())
         sections.push_back({"Where they dissipate", page_table(critical)});
     return sections;
@@ -213,18 +216,22 @@ Report describe(const model::Case &scene, const ModesResult &result) {
             .scene = &scene,
             .model = &result.model,
             .json =
-                [&](const Units &) {
-                    return Json{{"speed", result.speed},
-                                {"z", result.z},
-                                {"modes", json_rows(shape_columns, result.modes)},
-                                {"critical_modes", json_rows(shape_columns, result.critical)}};
+                [&](const Units &units) {
+                    return Json{
+                        {"speed", written(units, Quantity::speed, result.speed)},
+                        {"z", written(units, Quantity::length, result.z)},
+                        {"modes", json_rows(shape_columns, result.modes, units)},
+                        {"critical_modes", json_rows(shape_columns, result.critical, units)}};
                 },
             .csv = [&](const Units &units) { return csv_of(result, units); },
             .sections = [&](const Units &units) { return sections_of(result, units); },
             .text = [&](const Units &units) { return text_of(scene, result, units); },
             .figure = [&](const Units &units) { return modes_figure(scene, result, units); },
-            .script_data =
-                [&](const Units &) { return drawn_rotor(scene.rotor) + drawn_modes(result); },
+            .drawn =
+                [&](const Units &units) {
+                    return Json{{"rotor", drawn_rotor(scene.rotor, units)},
+                                {"modes", drawn_modes(result)}};
+                },
             .vtp = [&] { return to_vtp(scene, result); }};
 }
 

@@ -60,8 +60,9 @@ struct Report {
     std::function<std::vector<Picture>(const Units &)> pictures{};
     std::string pictures_heading{}; ///< of their section of the page, after as many others as
     std::size_t pictures_after = 0; ///< this
-    std::function<std::string(const Units &)> script_data{}; ///< for the script of the page
-    std::function<std::string()> vtp{};                      ///< for ParaView
+    /// What the script of the page draws beside the result: the key `drawn` of its data.
+    std::function<nlohmann::ordered_json(const Units &)> drawn{};
+    std::function<std::string()> vtp{}; ///< for ParaView
 };
 
 /// What every command has to say of its result.
@@ -100,7 +101,9 @@ template <class Result>
 /// digits, null for what is missing or not finite.
 /// With [units] json = true in those that were asked for, and a key `units` that says so.
 [[nodiscard]] std::string to_json(const Report &report);
-/// The same always in SI, for the scripts of the page.
+/// The same in the units of the page, for its scripts; `units` names them by quantity.
+[[nodiscard]] std::string to_page_json(const Report &report);
+/// The same always in SI.
 [[nodiscard]] std::string to_si_json(const Report &report);
 /// The text for the terminal, in the units that were asked for.
 [[nodiscard]] std::string to_text(const Report &report);

@@ -22,82 +22,75 @@ using results::SamplesResult;
 
 namespace {
 
-std::string of_and_name(const SampledAnswer &answer) {
-    return answer.of == "critical"   ? "critical " + answer.name
-           : answer.of == "ends"     ? "unstable " + answer.name
-           : answer.of == "residual" ? "residual: " + answer.name
-                                     : answer.name;
+std::string of_and_name(const SampledAnswer &answer, const Units &units) {
+    const std::string name = units.text(answer.name);
+    return answer.of == "critical"   ? "critical " + name
+           : answer.of == "ends"     ? "unstable " + name
+           : answer.of == "residual" ? "residual: " + name
+                                     : name;
 }
 
-const Columns<SampleQuantile> quantile_columns{{"p", &SampleQuantile::share},
-                                               {"value", &SampleQuantile::value},
-                                               {"interval", [](const auto &q) {
-                                                    return Json::array({q.low, q.high});
-                                                }}};
-
-/// The unit of an answer, and the factor of its values; amplitudes are the lengths among answers.
-WrittenUnit unit_of(const SampledAnswer &answer) {
-    if (answer.unit == "m")
-        return {unit_name("amplitude", "µm"), micrometres};
-    return written_unit(quantity_in(answer.unit), answer.unit);
-}
-auto in_its_unit(std::optional<double> SampledAnswer::*of) {
-    return [of](const SampledAnswer &answer) { return times(unit_of(answer).factor, answer.*of); };
-}
-
-const Columns<SampledAnswer> answer_columns{
-    {"of", &SampledAnswer::of},
-    {"name", &SampledAnswer::name},
-    {OnPage("Answer"), InText("answer"), of_and_name},
-    {"unit", &SampledAnswer::unit},
-    {ForReaders("unit"), [](const auto &answer) { return unit_of(answer).name; }},
-    {"nominal", &SampledAnswer::nominal},
-    {OnPage("case as it is", "{:.10g}"), InText("case as is", precise),
-     in_its_unit(&SampledAnswer::nominal)},
-    {"nominal_error", OnPage("its relative error", "{:.2g}"), InText("rel. error", rough),
-     &SampledAnswer::nominal_error},
-    {"quantiles", [](const auto &answer) { return json_rows(quantile_columns, answer.quantiles); }},
-    {"mean", &SampledAnswer::mean},
-    {OnPage("mean", "{:.6g}"), InText("mean"), in_its_unit(&SampledAnswer::mean)},
-    {"mean_error", &SampledAnswer::mean_error},
-    {OnPage("± (95 %)", "{:.2g}"), InText("+- 95 %", "{:.2g}"),
-     in_its_unit(&SampledAnswer::mean_error)},
-    {"deviation", &SampledAnswer::deviation},
-    {OnPage("standard deviation", "{:.4g}"), InText("deviation"),
-     in_its_unit(&SampledAnswer::deviation)},
-    {"deviation_error", &SampledAnswer::deviation_error},
-    {OnPage("± (95 %)", "{:.2g}"), InText("+- 95 %", "{:.2g}"),
-     in_its_unit(&SampledAnswer::deviation_error)},
-    {"present", ForReaders("samples"), &SampledAnswer::present},
-    {"values", &SampledAnswer::values}};
-
-/// A quantile with its answer, for readers.
+/// A quantile with its answer.
 struct SampleLine {
     const SampledAnswer &answer;
     const SampleQuantile &quantile;
 };
+auto of_quantile(auto SampleQuantile::*of) {
+    return [of](const SampleLine &line) { return line.quantile.*of; };
+}
+const OfEach of_line{[](const SampleLine &line) { return line.answer.quantity; }};
 
-auto in_its_unit(auto SampleQuantile::*of) {
-    return [of](const SampleLine &line) {
-        return times(unit_of(line.answer).factor, line.quantile.*of);
-    };
+const Columns<SampleLine> quantile_columns{
+    {"p", Quantity::number, of_quantile(&SampleQuantile::share)},
+    {"value", of_line, of_quantile(&SampleQuantile::value)},
+    {"interval", of_line, [](const SampleLine &line) {
+         return Json::array({line.quantile.low, line.quantile.high});
+     }}};
+
+std::vector<SampleLine> lines_of(const SampledAnswer &answer) {
+    std::vector<SampleLine> lines;
+    for (const SampleQuantile &quantile : answer.quantiles)
+        lines.push_back({answer, quantile});
+    return lines;
 }
 
-/// 95 % of what the values are of: speeds are read in rpm, too.
-Json in_rpm(const SampleLine &line) {
-    return line.answer.unit == "rad/s" ? Json(line.quantile.value * rpm) : Json();
-}
+const OfEach of_answer{[](const SampledAnswer &answer) { return answer.quantity; }};
+
+const Columns<SampledAnswer> answer_columns{
+    {"of", &SampledAnswer::of},
+    {"name",
+     [](const SampledAnswer &answer, const Units &units) { return units.text(answer.name); }},
+    {OnPage("Answer"), InText("answer"), of_and_name},
+    {"unit", ForReaders("unit"),
+     [](const auto &answer, const Units &units) { return units.name(answer.quantity); }},
+    {"nominal", OnPage("case as it is", "{:.10g}"), InText("case as is", precise), of_answer,
+     &SampledAnswer::nominal},
+    {"nominal_error", OnPage("its relative error", "{:.2g}"), InText("rel. error", rough),
+     Quantity::number, &SampledAnswer::nominal_error},
+    {"quantiles", Quantity::number,
+     [](const auto &answer, const Units &units) {
+         return json_rows(quantile_columns, lines_of(answer), units);
+     }},
+    {"mean", ForReaders("mean"), of_answer, &SampledAnswer::mean},
+    {"mean_error", OnPage("± (95 %)", "{:.2g}"), InText("+- 95 %", "{:.2g}"), of_answer,
+     &SampledAnswer::mean_error},
+    {"deviation", OnPage("standard deviation", "{:.4g}"), InText("deviation"), of_answer,
+     &SampledAnswer::deviation},
+    {"deviation_error", OnPage("± (95 %)", "{:.2g}"), InText("+- 95 %", "{:.2g}"), of_answer,
+     &SampledAnswer::deviation_error},
+    {"present", ForReaders("samples"), &SampledAnswer::present},
+    {"values", of_answer, &SampledAnswer::values}};
 
 const Columns<SampleLine> sample_line_columns{
     {OnPage("Answer"), InText("answer"),
-     [](const SampleLine &line) { return of_and_name(line.answer); }},
+     [](const SampleLine &line, const Units &units) { return of_and_name(line.answer, units); }},
     {ForReaders("quantile"),
      [](const SampleLine &line) { return readable(100 * line.quantile.share) + " %"; }},
-    {OnPage("rpm", "{:.6g}"), InText("rpm"), in_rpm},
-    {OnPage("value", "{:.6g}"), InText("value"), in_its_unit(&SampleQuantile::value)},
-    {ForReaders("unit"), [](const SampleLine &line) { return unit_of(line.answer).name; }},
-    {OnPage("95 % from", "{:.6g}"), InText("95 % from"), in_its_unit(&SampleQuantile::low)},
-    {OnPage("to", "{:.6g}"), InText("to"), in_its_unit(&SampleQuantile::high)}};
+    {ForReaders("value"), of_line, of_quantile(&SampleQuantile::value)},
+    {ForReaders("unit"),
+     [](const SampleLine &line, const Units &units) { return units.name(line.answer.quantity); }},
+    {ForReaders("95 % from"), of_line, of_quantile(&SampleQuantile::low)},
+    {ForReaders("to"), of_line, of_quantile(&SampleQuantile::high)}};
 
 std::vector<SampleLine> lines_of(const SamplesResult &result) {
     std::vector<SampleLine> lines;
@@ -109,9 +102,11 @@ std::vector<SampleLine> lines_of(const SamplesResult &result) {
 
 const Columns<SampledInput> input_columns{
     {"path", OnPage("Entry"), &SampledInput::path},
-    {"unit", OnPage("unit"), &SampledInput::unit},
+    {"unit", OnPage("unit"),
+     [](const auto &input, const Units &units) { return units.name(input.quantity); }},
     {"distribution", OnPage("distribution"), &SampledInput::distribution},
-    {"values", &SampledInput::values}};
+    {"values", OfEach{[](const SampledInput &input) { return input.quantity; }},
+     &SampledInput::values}};
 
 const Columns<SampleFailure> failure_columns{
     {"message", OnPage("Why samples failed"), InText("why samples failed"),
@@ -122,11 +117,6 @@ const Columns<SampleFailure> failure_columns{
      [](const SampleFailure &failure) { return failure.samples.front(); }},
     {"samples", &SampleFailure::samples}};
 
-/// Heading in the file: names may hold commas.
-std::string with_unit(const std::string &name, const std::string &unit) {
-    return csv_cell(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
-}
-
 /// Why a sample failed; empty: it did not.
 std::string failure_of(const SamplesResult &result, int sample) {
     for (const SampleFailure &failure : result.failures)
@@ -136,49 +126,50 @@ std::string failure_of(const SamplesResult &result, int sample) {
 }
 
 /// A line a sample; its columns are the inputs and answers.
-std::string csv_of(const SamplesResult &result, const Units &) {
+std::string csv_of(const SamplesResult &result, const Units &units) {
     Json samples = Json::array();
     Json failures = Json::array();
     for (int sample = 0; sample < result.count; ++sample) {
         samples.push_back(sample);
         failures.push_back(failure_of(result, sample));
     }
-    std::vector<std::pair<std::string, Json>> lists{{"sample", samples}};
+    std::vector<CsvList> lists{{{"sample"}, samples}};
     for (const SampledInput &input : result.inputs)
-        lists.emplace_back(with_unit(input.path, input.unit), input.values);
+        lists.push_back({{input.path, input.quantity}, input.values});
     for (const SampledAnswer &answer : result.answers)
-        lists.emplace_back(with_unit(of_and_name(answer), answer.unit), answer.values);
-    lists.emplace_back("failure", failures);
-    return csv_lists(lists);
+        lists.push_back({{of_and_name(answer, units), answer.quantity}, answer.values});
+    lists.push_back({{"failure"}, failures});
+    return csv_lists(lists, units);
 }
 
-Json json_of(const SamplesResult &result, const Units &) {
+Json json_of(const SamplesResult &result, const Units &units) {
     return {{"samples",
              {{"count", result.count},
               {"failed", result.failed},
               {"seed", result.seed},
-              {"failures", json_rows(failure_columns, result.failures)}}},
-            {"inputs", json_rows(input_columns, result.inputs)},
-            {"answers", json_rows(answer_columns, result.answers)}};
+              {"failures", json_rows(failure_columns, result.failures, units)}}},
+            {"inputs", json_rows(input_columns, result.inputs, units)},
+            {"answers", json_rows(answer_columns, result.answers, units)}};
 }
 
-std::vector<Section> sections_of(const SamplesResult &result, const Units &) {
+std::vector<Section> sections_of(const SamplesResult &result, const Units &units) {
     std::vector<Section> sections{
-        {"Quantiles", page_table(sample_line_columns, lines_of(result))},
-        {"Mean and standard deviation", page_table(answer_columns, result.answers)},
-        {"What varies", page_table(input_columns, result.inputs)}};
+        {"Quantiles", page_table(sample_line_columns, lines_of(result), units)},
+        {"Mean and standard deviation", page_table(answer_columns, result.answers, units)},
+        {"What varies", page_table(input_columns, result.inputs, units)}};
     if (!result.failures.empty())
-        sections.push_back({"Failed samples", page_table(failure_columns, result.failures)});
+        sections.push_back({"Failed samples", page_table(failure_columns, result.failures, units)});
     return sections;
 }
 
-std::string text_of(const model::Case &scene, const SamplesResult &result, const Units &) {
+std::string text_of(const model::Case &scene, const SamplesResult &result, const Units &units) {
     std::string text =
         heading(scene, fmt::format("{} samples, seed {}", result.count, result.seed));
     text += result.answers.empty() ? "  no answers\n"
-                                   : text_table(sample_line_columns, lines_of(result));
-    return text + text_table("\n", answer_columns, result.answers) +
-           text_table("\n", failure_columns, result.failures) + model_text(result.model);
+                                   : text_table(sample_line_columns, lines_of(result), units);
+    return text + text_table("\n", answer_columns, result.answers, units) +
+           text_table("\n", failure_columns, result.failures, units) +
+           model_text(result.model, units);
 }
 
 } // namespace

@@ -26,63 +26,66 @@ using results::StaticSag;
 namespace {
 
 const Columns<ShowResult> show_columns{
-    {"mass", InCsv("mass [kg]"), OnPage("Mass", "{:.8g} kg"), InText("mass", "{:.6g} kg"),
+    {"mass", InCsv("mass"), OnPage("Mass", "{:.8g}"), InText("mass"), Quantity::mass,
      &ShowResult::mass},
-    {OnPage("of it the shaft", "{:.8g} kg"), InText("of the shaft", "{:.6g} kg"),
-     &ShowResult::shaft_mass},
-    {OnPage("Length of the shaft", "{:.8g} m"), InText("length", "{:.6g} m"), &ShowResult::length},
-    {"center_of_mass", InCsv("center_of_mass [m]"), OnPage("Centre of mass, z", "{:.8g} m"),
-     InText("centre of mass", "z = {:.6g} m"), &ShowResult::center_of_mass},
-    {"Id", InCsv("Id [kg m2]"), OnPage("Diametral inertia about it", "{:.8g} kg m²"),
-     InText("diametral inertia Id", "{:.6g} kg m2"), &ShowResult::Id},
-    {"Ip", InCsv("Ip [kg m2]"), OnPage("Polar inertia", "{:.8g} kg m²"),
-     InText("polar inertia Ip", "{:.6g} kg m2"), &ShowResult::Ip},
+    {"shaft_mass", InCsv("shaft_mass"), OnPage("of it the shaft", "{:.8g}"), InText("of the shaft"),
+     Quantity::mass, &ShowResult::shaft_mass},
+    {"length", InCsv("length"), OnPage("Length of the shaft", "{:.8g}"), InText("length"),
+     Quantity::length, &ShowResult::length},
+    {"center_of_mass", InCsv("center_of_mass"), OnPage("Centre of mass, z", "{:.8g}"),
+     InText("centre of mass, z"), Quantity::length, &ShowResult::center_of_mass},
+    {"Id", InCsv("Id"), OnPage("Diametral inertia about it", "{:.8g}"),
+     InText("diametral inertia Id"), Quantity::inertia, &ShowResult::Id},
+    {"Ip", InCsv("Ip"), OnPage("Polar inertia", "{:.8g}"), InText("polar inertia Ip"),
+     Quantity::inertia, &ShowResult::Ip},
     {"type", InCsv("type"), OnPage("Type"), &ShowResult::type},
-    {"shaft_mass", InCsv("shaft_mass [kg]"), &ShowResult::shaft_mass},
-    {"length", InCsv("length [m]"), &ShowResult::length},
-    {"dI", &ShowResult::dI},
-    {"dI_angle", &ShowResult::dI_angle}};
+    {"dI", Quantity::inertia, &ShowResult::dI},
+    {"dI_angle", Quantity::angle, &ShowResult::dI_angle}};
 
 // At rest under its weight.
 const Columns<SagStation> sag_columns{
-    {"z", OnPage("z (m)"), InText("z m"), &SagStation::z},
+    {"z", ForReaders("z"), Quantity::length, &SagStation::z},
     {"name", OnPage("Station"), InText("station"), &SagStation::name},
-    {"x", &SagStation::x},
-    {"y", &SagStation::y},
-    {OnPage("Static deflection x (µm)", "{:.5g}"), InText("static x µm", "{:.4g}"),
-     in(still_micrometres, &SagStation::x)},
-    {OnPage("Static deflection y (µm)", "{:.5g}"), InText("static y µm", "{:.4g}"),
-     in(still_micrometres, &SagStation::y)},
-    {"slope_x", OnPage("Slope x (rad)", "{:.5g}"), &SagStation::slope_x},
-    {"slope_y", OnPage("Slope y (rad)", "{:.5g}"), InText("slope y rad", "{:.4g}"),
+    {"x", OnPage("Static deflection x", "{:.5g}"), InText("static x", "{:.4g}"),
+     Quantity::deflection, &SagStation::x},
+    {"y", OnPage("Static deflection y", "{:.5g}"), InText("static y", "{:.4g}"),
+     Quantity::deflection, &SagStation::y},
+    {"slope_x", OnPage("Slope x", "{:.5g}"), Quantity::slope, &SagStation::slope_x},
+    {"slope_y", OnPage("Slope y", "{:.5g}"), InText("slope y", "{:.4g}"), Quantity::slope,
      &SagStation::slope_y},
-    {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), &SagStation::error},
-    {"slope_error", &SagStation::slope_error}};
+    {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), Quantity::number,
+     &SagStation::error},
+    {"slope_error", Quantity::number, &SagStation::slope_error}};
 
 const Columns<SagBearing> load_columns{
-    {"z", OnPage("z (m)"), InText("z m"), &SagBearing::z},
+    {"z", ForReaders("z"), Quantity::length, &SagBearing::z},
     {"name", OnPage("Bearing"), InText("bearing"), &SagBearing::name},
-    {"load", OnPage("Load downwards (N)", "{:.7g}"), InText("load downwards N", "{:.6g}"),
+    {"load", OnPage("Load downwards", "{:.7g}"), InText("load downwards"), Quantity::force,
      &SagBearing::load},
-    {"side", OnPage("Load along x (N)", "{:.5g}"), &SagBearing::side},
-    {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), &SagBearing::error}};
+    {"side", OnPage("Load along x", "{:.5g}"), Quantity::force, &SagBearing::side},
+    {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), Quantity::number,
+     &SagBearing::error}};
 
-std::string sag_heading(const StaticSag &sag) {
-    return fmt::format("At rest under its weight ({:.6g} m/s²)", sag.gravity);
+std::string sag_heading(const StaticSag &sag, const Units &units) {
+    return fmt::format("At rest under its weight ({})",
+                       units.text(Quantity::acceleration, sag.gravity));
 }
 
-Json sag_json(const StaticSag &sag) {
-    return {{"gravity", sag.gravity},
-            {"stations", json_rows(sag_columns, sag.stations)},
-            {"bearings", json_rows(load_columns, sag.bearings)}};
+Json sag_json(const StaticSag &sag, const Units &units) {
+    return {{"gravity", written(units, Quantity::acceleration, sag.gravity)},
+            {"stations", json_rows(sag_columns, sag.stations, units)},
+            {"bearings", json_rows(load_columns, sag.bearings, units)}};
 }
 
 /// Two ends in one cell.
-auto ends(std::optional<results::Interval> BalancerNumbers::*of, const char *format) {
-    return [of, format](const BalancerNumbers &b) {
+auto ends(std::optional<results::Interval> BalancerNumbers::*of, Quantity quantity,
+          const char *format) {
+    return [of, quantity, format](const BalancerNumbers &b, const Units &units) {
         const auto &interval = b.*of;
-        return interval ? Json(fmt::format(fmt::runtime(format), interval->from, interval->to))
-                        : Json();
+        return interval ? std::optional(fmt::format(fmt::runtime(format),
+                                                    units(quantity, interval->from),
+                                                    units(quantity, interval->to)))
+                        : std::nullopt;
     };
 }
 
@@ -90,52 +93,57 @@ std::string name_of(const BalancerNumbers &balancer, std::size_t index) {
     return balancer.name.empty() ? std::to_string(index + 1) : balancer.name;
 }
 
-std::string position_text(const BalancerNumbers &balancer) {
+std::string position_text(const BalancerNumbers &balancer, const Units &units) {
     std::string text;
     for (const double angle : balancer.position) {
         if (text.size() > 200)
             return text + " …";
-        text += fmt::format("{}{:.5g}°", text.empty() ? "" : ", ", angle * degrees);
+        text += fmt::format("{}{:.5g}", text.empty() ? "" : ", ", units(Quantity::angle, angle));
     }
-    return text.empty() ? "–" : text;
+    return text.empty() ? "–" : text + " " + units.name(Quantity::angle);
 }
 
 const Columns<BalancerNumbers> balancer_columns{
     {InText("balancer"), name_of},
     {"name", &BalancerNumbers::name},
-    {"z", OnPage("Place, z", "{:.8g} m"), InText("z (m)"), &BalancerNumbers::z},
-    {"E", OnPage("Capacity E", "{:.8g}", "∞"), InText("E", "{:.6g}", "infinite"),
+    {"z", OnPage("Place, z", "{:.8g}"), InText("z"), Quantity::length, &BalancerNumbers::z},
+    {"E", OnPage("Capacity E", "{:.8g}", "∞"), InText("E", "{:.6g}", "infinite"), Quantity::number,
      &BalancerNumbers::E},
     {OnPage("Balanced position of the balls"), position_text},
-    {"D_c", OnPage("Second harmonic D: cosine part", "{:.8g}"), InText("D_c"),
-     [](const auto &b) { return b.D ? Json(b.D->real()) : Json(); }},
-    {"D_s", OnPage("Second harmonic D: sine part", "{:.8g}"), InText("D_s"),
-     [](const auto &b) { return b.D ? Json(b.D->imag()) : Json(); }},
-    {"D_interval", &BalancerNumbers::D_interval},
+    {"D_c", OnPage("Second harmonic D: cosine part", "{:.8g}"), InText("D_c"), Quantity::number,
+     [](const auto &b) { return b.D ? std::optional(b.D->real()) : std::nullopt; }},
+    {"D_s", OnPage("Second harmonic D: sine part", "{:.8g}"), InText("D_s"), Quantity::number,
+     [](const auto &b) { return b.D ? std::optional(b.D->imag()) : std::nullopt; }},
+    {"D_interval", Quantity::number, &BalancerNumbers::D_interval},
     {OnPage("|D| over all balanced positions"),
-     ends(&BalancerNumbers::D_interval, "{:.8g} … {:.8g}")},
-    {InText("|D| of the family"), ends(&BalancerNumbers::D_interval, "{:.6g} ... {:.6g}")},
-    {"dA", OnPage("Anisotropy |A_m0 + A_m D|/2", "{:.8g} kg m²", "∞"), InText("dA (kg m2)"),
+     ends(&BalancerNumbers::D_interval, Quantity::number, "{:.8g} … {:.8g}")},
+    {InText("|D| of the family"),
+     ends(&BalancerNumbers::D_interval, Quantity::number, "{:.6g} ... {:.6g}")},
+    {"dA", OnPage("Anisotropy |A_m0 + A_m D|/2", "{:.8g}", "∞"), InText("dA"), Quantity::inertia,
      &BalancerNumbers::dA},
-    {"dA_interval", &BalancerNumbers::dA_interval},
-    {OnPage("over all balanced positions"),
-     ends(&BalancerNumbers::dA_interval, "{:.8g} … {:.8g} kg m²")},
-    {InText("dA of the family"), ends(&BalancerNumbers::dA_interval, "{:.6g} ... {:.6g}")},
-    {"dA_paper", OnPage("with the unsigned |D|", "{:.8g} kg m²", "∞"), &BalancerNumbers::dA_paper},
-    {OnPage("Mass of the rest of the rotor", "{:.8g} kg"),
+    {"dA_interval", Quantity::inertia, &BalancerNumbers::dA_interval},
+    {OnPage("over all balanced positions"), Quantity::inertia,
+     ends(&BalancerNumbers::dA_interval, Quantity::inertia, "{:.8g} … {:.8g}")},
+    {InText("dA of the family"), Quantity::inertia,
+     ends(&BalancerNumbers::dA_interval, Quantity::inertia, "{:.6g} ... {:.6g}")},
+    {"dA_paper", OnPage("with the unsigned |D|", "{:.8g}", "∞"), Quantity::inertia,
+     &BalancerNumbers::dA_paper},
+    {OnPage("Mass of the rest of the rotor", "{:.8g}"), Quantity::mass,
      [](const auto &b) { return b.bare.mass; }},
-    {OnPage("its diametral inertia", "{:.8g} kg m²"), [](const auto &b) { return b.bare.Id; }},
-    {OnPage("its polar inertia", "{:.8g} kg m²"), [](const auto &b) { return b.bare.Ip; }},
-    {OnPage("from its centre of mass to the balancer", "{:.8g} m"),
+    {OnPage("its diametral inertia", "{:.8g}"), Quantity::inertia,
+     [](const auto &b) { return b.bare.Id; }},
+    {OnPage("its polar inertia", "{:.8g}"), Quantity::inertia,
+     [](const auto &b) { return b.bare.Ip; }},
+    {OnPage("from its centre of mass to the balancer", "{:.8g}"), Quantity::length,
      [](const auto &b) { return b.bare.z_GA; }},
-    {"position", &BalancerNumbers::position}};
+    {"position", Quantity::angle, &BalancerNumbers::position}};
 
 /// @param on_terminal  empty: on the page alone
 Column<BalancerNumbers> dimensionless(const char *key, const char *on_page, const char *on_terminal,
                                       auto DimensionlessNumbers::*of) {
     const bool there = *on_terminal != '\0';
     return {key, OnPage(on_page, "{:.8g}", "∞"),
-            there ? InText(on_terminal, "{:.6g}", "infinite") : InText(),
+            there ? InText(on_terminal, "{:.6g}", "infinite") : InText(), Quantity::number,
             [of](const BalancerNumbers &b) { return b.dimensionless.*of; }};
 }
 
@@ -156,48 +164,51 @@ const Columns<BalancerNumbers> dimensionless_columns{
 
 /// The anisotropy alone, before and after what there may be several of.
 const Columns<AnisotropyChart> chart_columns{
-    {"C", OnPage("Polar over mean diametral inertia, C", "{:.8g}", "∞"), &AnisotropyChart::C},
-    {"A", OnPage("Anisotropy over the mean diametral inertia", "{:.8g}", "∞"),
+    {"C", OnPage("Polar over mean diametral inertia, C", "{:.8g}", "∞"), Quantity::number,
+     &AnisotropyChart::C},
+    {"A", OnPage("Anisotropy over the mean diametral inertia", "{:.8g}", "∞"), Quantity::number,
      &AnisotropyChart::anisotropy},
-    {"p", OnPage("Natural frequency of tilt at rest, p", "{:.8g} rad/s", "∞"), &AnisotropyChart::p},
-    {"h", OnPage("Tilt damping over the mean diametral inertia, h", "{:.8g} 1/s", "∞"),
+    {"p", OnPage("Natural frequency of tilt at rest, p", "{:.8g}", "∞"), Quantity::frequency,
+     &AnisotropyChart::p},
+    {"h", OnPage("Tilt damping over the mean diametral inertia, h", "{:.8g}", "∞"), Quantity::rate,
      &AnisotropyChart::h},
-    {"critical_speeds", &AnisotropyChart::critical_speeds},
-    {"permissible", &AnisotropyChart::permissible},
-    {"permissible_speed", &AnisotropyChart::permissible_speed}};
+    {"critical_speeds", Quantity::speed, &AnisotropyChart::critical_speeds},
+    {"permissible", Quantity::number, &AnisotropyChart::permissible},
+    {"permissible_speed", Quantity::speed, &AnisotropyChart::permissible_speed}};
 
-Texts chart_lines(const AnisotropyChart &chart) {
+Texts chart_lines(const AnisotropyChart &chart, const Units &units) {
     const auto number = [](double value) { return shown(value, {"", "{:.8g}", "∞"}, "–"); };
-    Texts lines = properties(chart_columns, chart, &Column<AnisotropyChart>::page, "–");
+    const auto speed = [&](double value) { return number(units(Quantity::speed, value)); };
+    const std::string unit = " " + units.name(Quantity::speed);
+    Texts lines = properties(chart_columns, chart, &Column<AnisotropyChart>::page, "–", units);
     lines.insert(lines.begin(), {"Quantity", "Value"});
-    for (const double speed : chart.critical_speeds)
-        lines.push_back({"Critical speed without damping", number(speed) + " rad/s"});
+    for (const double critical : chart.critical_speeds)
+        lines.push_back({"Critical speed without damping", speed(critical) + unit});
     if (chart.unstable)
-        lines.push_back({"Unstable", number(chart.unstable->from) + " … " +
-                                         (chart.unstable->to ? number(*chart.unstable->to) : "∞") +
-                                         " rad/s"});
+        lines.push_back({"Unstable", speed(chart.unstable->from) + " … " +
+                                         (chart.unstable->to ? speed(*chart.unstable->to) : "∞") +
+                                         unit});
     lines.push_back({"Largest anisotropy stable at every speed", number(chart.permissible)});
-    lines.push_back({"least at", chart.permissible_speed
-                                     ? number(*chart.permissible_speed) + " rad/s"
-                                     : "infinite speed"});
+    lines.push_back({"least at", chart.permissible_speed ? speed(*chart.permissible_speed) + unit
+                                                         : "infinite speed"});
     return lines;
 }
 
-std::string chart_text(const AnisotropyChart &chart) {
-    std::string text = "  tilt as a rigid rotor: critical speeds";
-    for (const double speed : chart.critical_speeds)
-        text += fmt::format(" {:.7g}", speed);
-    text += chart.critical_speeds.empty() ? " none" : " rad/s";
+std::string chart_text(const AnisotropyChart &chart, const Units &units) {
+    using model::as::speed;
+    model::Sentence text("  tilt as a rigid rotor: critical speeds {}",
+                         speed.list(chart.critical_speeds, 7));
     if (!chart.unstable)
-        text += ", stable at every speed";
+        text += model::Sentence(", stable at every speed");
     else if (chart.unstable->to)
-        text += fmt::format(", unstable from {:.7g} to {:.7g} rad/s", chart.unstable->from,
-                            *chart.unstable->to);
+        text += model::Sentence(", unstable from {}",
+                                speed.range(chart.unstable->from, *chart.unstable->to, 7));
     else
-        text += fmt::format(", unstable above {:.7g} rad/s", chart.unstable->from);
-    return text + fmt::format("\n  largest anisotropy dI/Id stable at every speed: {:.5g} (the "
-                              "case has {:.5g})\n\n",
-                              chart.permissible, chart.anisotropy);
+        text += model::Sentence(", unstable above {}", speed(chart.unstable->from, 7));
+    return units.text(text) +
+           fmt::format("\n  largest anisotropy dI/Id stable at every speed: {:.5g} (the case has "
+                       "{:.5g})\n\n",
+                       chart.permissible, chart.anisotropy);
 }
 
 std::vector<Picture> pictures_of(const model::Case &scene, const ShowResult &result,
@@ -208,54 +219,58 @@ std::vector<Picture> pictures_of(const model::Case &scene, const ShowResult &res
             continue;
         const CompositeCurves &c = *result.balancers[i].curves;
         pictures.push_back({i == 0 ? "composite" : "composite_" + std::to_string(i + 1),
-                            composite_figure(scene, result, i, units), [&c](const Units &) {
-                                return csv_lists({{"n m/M_s", c.m},
-                                                  {"A_m", c.A_m},
-                                                  {"A_C1", c.A_C1},
-                                                  {"A_C2", c.A_C2},
-                                                  {"A", c.A},
-                                                  {"C", c.C},
-                                                  {"A_C1 with |D|", c.A_C1_paper},
-                                                  {"A_C2 with |D|", c.A_C2_paper},
-                                                  {"A with |D|", c.A_paper},
-                                                  {"A least", c.A_least},
-                                                  {"A largest", c.A_largest}});
+                            composite_figure(scene, result, i, units), [&c](const Units &files) {
+                                return csv_lists({{{"n m/M_s"}, c.m},
+                                                  {{"A_m"}, c.A_m},
+                                                  {{"A_C1"}, c.A_C1},
+                                                  {{"A_C2"}, c.A_C2},
+                                                  {{"A"}, c.A},
+                                                  {{"C"}, c.C},
+                                                  {{"A_C1 with |D|"}, c.A_C1_paper},
+                                                  {{"A_C2 with |D|"}, c.A_C2_paper},
+                                                  {{"A with |D|"}, c.A_paper},
+                                                  {{"A least"}, c.A_least},
+                                                  {{"A largest"}, c.A_largest}},
+                                                 files);
                             }});
     }
     if (const auto &chart = result.anisotropy)
         pictures.push_back(
-            {"anisotropy", anisotropy_figure(scene, *chart, units), [&chart](const Units &) {
-                 return csv_lists({{"speed [rad/s]", chart->speed},
-                                   {"anisotropy at the stability limit", chart->limit},
-                                   {"anisotropy at a critical speed", chart->undamped}});
+            {"anisotropy", anisotropy_figure(scene, *chart, units), [&chart](const Units &files) {
+                 return csv_lists({{{"speed", Quantity::speed}, chart->speed},
+                                   {{"anisotropy at the stability limit"}, chart->limit},
+                                   {{"anisotropy at a critical speed"}, chart->undamped}},
+                                  files);
              }});
     return pictures;
 }
 
-Json balancer_json(const BalancerNumbers &balancer) {
-    Json json = json_row(balancer_columns, balancer);
-    json["bare_rotor"] = {{"mass", balancer.bare.mass},
-                          {"Id", balancer.bare.Id},
-                          {"Ip", balancer.bare.Ip},
+Json balancer_json(const BalancerNumbers &balancer, const Units &units) {
+    Json json = json_row(balancer_columns, balancer, units);
+    json["bare_rotor"] = {{"mass", written(units, Quantity::mass, balancer.bare.mass)},
+                          {"Id", written(units, Quantity::inertia, balancer.bare.Id)},
+                          {"Ip", written(units, Quantity::inertia, balancer.bare.Ip)},
                           {"Ip_over_Id", balancer.bare.Ip / balancer.bare.Id},
-                          {"z_GA", balancer.bare.z_GA}};
-    json["dimensionless"] = json_row(dimensionless_columns, balancer);
+                          {"z_GA", written(units, Quantity::length, balancer.bare.z_GA)}};
+    json["dimensionless"] = json_row(dimensionless_columns, balancer, units);
     return json;
 }
 
-Json chart_json(const AnisotropyChart &chart) {
-    Json json = json_row(chart_columns, chart);
+Json chart_json(const AnisotropyChart &chart, const Units &units) {
+    Json json = json_row(chart_columns, chart, units);
     json["unstable"] = Json::array();
     if (chart.unstable)
-        json["unstable"].push_back(Json::array({chart.unstable->from, chart.unstable->to}));
+        json["unstable"].push_back(written(
+            units, Quantity::speed, Json::array({chart.unstable->from, chart.unstable->to})));
     return json;
 }
 
-Json json_of(const ShowResult &result, const Units &) {
-    Json json = json_row(show_columns, result);
-    json["static"] = result.sag ? sag_json(*result.sag) : Json();
-    json["balancers"] = json_list(result.balancers, balancer_json);
-    json["anisotropy"] = result.anisotropy ? chart_json(*result.anisotropy) : Json();
+Json json_of(const ShowResult &result, const Units &units) {
+    Json json = json_row(show_columns, result, units);
+    json["static"] = result.sag ? sag_json(*result.sag, units) : Json();
+    json["balancers"] =
+        json_list(result.balancers, [&units](const auto &b) { return balancer_json(b, units); });
+    json["anisotropy"] = result.anisotropy ? chart_json(*result.anisotropy, units) : Json();
     json["formulations"] = json_list(result.formulations, [](const auto &entry) {
         Json form{{"command", entry.first}};
         form.update(Json(entry.second));
@@ -264,22 +279,23 @@ Json json_of(const ShowResult &result, const Units &) {
     return json;
 }
 
-std::vector<Section> sections_of(const ShowResult &result, const Units &) {
-    std::vector<Section> sections{{"Rigid body", page_properties(show_columns, result)}};
+std::vector<Section> sections_of(const ShowResult &result, const Units &units) {
+    std::vector<Section> sections{{"Rigid body", page_properties(show_columns, result, units)}};
     if (const auto &sag = result.sag)
-        sections.push_back({sag_heading(*sag), page_table(load_columns, sag->bearings) +
-                                                   page_table(sag_columns, sag->stations)});
+        sections.push_back(
+            {sag_heading(*sag, units), page_table(load_columns, sag->bearings, units) +
+                                           page_table(sag_columns, sag->stations, units)});
     for (std::size_t i = 0; i < result.balancers.size(); ++i) {
         const BalancerNumbers &balancer = result.balancers[i];
         const std::string name =
             balancer.name.empty() ? fmt::format("balancer {}", i + 1) : balancer.name;
         sections.push_back({"Composite rotor: " + name,
-                            page_properties(balancer_columns, balancer) +
-                                page_table(dimensionless_columns, std::vector{balancer})});
+                            page_properties(balancer_columns, balancer, units) +
+                                page_table(dimensionless_columns, std::vector{balancer}, units)});
     }
     if (result.anisotropy)
-        sections.push_back(
-            {"Anisotropy: tilt of the rigid rotor", page_table(chart_lines(*result.anisotropy))});
+        sections.push_back({"Anisotropy: tilt of the rigid rotor",
+                            page_table(chart_lines(*result.anisotropy, units))});
     Texts forms{{"Command", "Form", "Why"}};
     for (const auto &[command, used] : result.formulations)
         forms.push_back({command, results::form_name(used.form), used.why});
@@ -306,39 +322,41 @@ std::string forms_text(const ShowResult &result) {
     return text;
 }
 
-std::string text_of(const model::Case &scene, const ShowResult &result, const Units &) {
-    Texts lines = properties(show_columns, result, &Column<ShowResult>::text, "-");
+std::string text_of(const model::Case &scene, const ShowResult &result, const Units &units) {
+    Texts lines = properties(show_columns, result, &Column<ShowResult>::text, "-", units);
     if (result.dI.value_or(0) > 0)
-        lines.push_back({"anisotropy dI", fmt::format("{:.6g} kg m2", *result.dI)});
+        lines.push_back({"anisotropy dI", units.text(Quantity::inertia, *result.dI)});
     std::string text =
         heading(scene, fmt::format("A {} rotor", result.type)) + text_table(lines) + "\n";
     if (!result.balancers.empty())
-        text += text_table(balancer_columns, result.balancers) + "\n" +
-                text_table(dimensionless_columns, result.balancers) + "\n";
+        text += text_table(balancer_columns, result.balancers, units) + "\n" +
+                text_table(dimensionless_columns, result.balancers, units) + "\n";
     if (result.anisotropy)
-        text += chart_text(*result.anisotropy);
+        text += chart_text(*result.anisotropy, units);
     if (const auto &sag = result.sag)
-        text += sag_heading(*sag) + "\n" + text_table(load_columns, sag->bearings) + "\n" +
-                text_table(sag_columns, sag->stations) + "\n";
-    return text + forms_text(result) + notes_text(result.model);
+        text += sag_heading(*sag, units) + "\n" + text_table(load_columns, sag->bearings, units) +
+                "\n" + text_table(sag_columns, sag->stations, units) + "\n";
+    return text + forms_text(result) + notes_text(result.model, units);
 }
 
 } // namespace
 
 Report describe(const model::Case &scene, const ShowResult &result) {
-    return {.command = "show",
-            .heading = "Scene",
-            .scene = &scene,
-            .model = &result.model,
-            .json = [&](const Units &units) { return json_of(result, units); },
-            .csv = [&](const Units &) { return csv_table(show_columns, std::vector{result}); },
-            .sections = [&](const Units &units) { return sections_of(result, units); },
-            .text = [&](const Units &units) { return text_of(scene, result, units); },
-            .drawing = [&](const Units &units) { return show_drawing(scene, result, units); },
-            .pictures = [&](const Units &units) { return pictures_of(scene, result, units); },
-            .pictures_heading = "Curves of the rigid rotor",
-            .pictures_after =
-                (result.sag ? 2 : 1) + result.balancers.size() + (result.anisotropy ? 1 : 0)};
+    return {
+        .command = "show",
+        .heading = "Scene",
+        .scene = &scene,
+        .model = &result.model,
+        .json = [&](const Units &units) { return json_of(result, units); },
+        .csv =
+            [&](const Units &units) { return csv_table(show_columns, std::vector{result}, units); },
+        .sections = [&](const Units &units) { return sections_of(result, units); },
+        .text = [&](const Units &units) { return text_of(scene, result, units); },
+        .drawing = [&](const Units &units) { return show_drawing(scene, result, units); },
+        .pictures = [&](const Units &units) { return pictures_of(scene, result, units); },
+        .pictures_heading = "Curves of the rigid rotor",
+        .pictures_after =
+            (result.sag ? 2 : 1) + result.balancers.size() + (result.anisotropy ? 1 : 0)};
 }
 
 } // namespace whirl::report

@@ -12,7 +12,7 @@ namespace whirl::results {
 /// shaft stiffens or while the mesh coarsens; the lists have one entry a point.
 struct RigidLimitRow {
     std::string quantity;
-    std::string unit;
+    model::Quantity of = model::Quantity::speed;
     double closed_form = 0;
     bool speed = true;                     ///< counts for the 1 % stiffness
     bool inertia = false;                  ///< of the composite rotor
@@ -45,7 +45,7 @@ struct RigidLimitResult {
     std::vector<RigidLimitRow> rows;
     std::optional<RigidShaft> as_is;       ///< none where a compared speed does not exist
     std::optional<RigidShaft> one_percent; ///< stiffer shafts err less; none: rigid, or never more
-    std::string sentence;                  ///< the answer for a user
+    Sentence sentence;                     ///< the answer for a user
 };
 
 } // namespace whirl::results

@@ -11,7 +11,7 @@ namespace whirl::results {
 /// An uncertain entry of the case and what was drawn for it.
 struct SampledInput {
     std::string path;
-    std::string unit;           ///< SI; empty: a pure number
+    model::Quantity quantity = model::Quantity::number;
     std::string distribution;   ///< in words: "normal", "uniform" or "values"
     std::vector<double> values; ///< one a sample, SI
 };
@@ -27,9 +27,9 @@ struct SampleQuantile {
 
 /// One number that a rotor answers with, over all samples.
 struct SampledAnswer {
-    std::string of;                      ///< "critical", "peaks" or "ends"
-    std::string name;                    ///< "forward 1"
-    std::string unit;                    ///< SI
+    std::string of; ///< "critical", "peaks" or "ends"
+    Sentence name;  ///< "forward 1"
+    model::Quantity quantity = model::Quantity::number;
     std::optional<double> nominal;       ///< of the case as it is
     std::optional<double> nominal_error; ///< relative, by elements and rounding; none: not known
     std::vector<std::optional<double>> values; ///< one a sample; none: failed, or no such answer

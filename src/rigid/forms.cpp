@@ -98,7 +98,6 @@ void add_additional(std::vector<RigidTarget> &targets, closed_form::RotatingCoef
         RigidTarget target;
         target.kind = RigidQuantity::additional;
         target.quantity = "additional speed, pinned at " + name;
-        target.unit = "rad/s";
         target.z = z;
         if (rotor.rotating_anisotropy())
             add_ascending(targets, target, closed_form::additional_speeds(c));
@@ -135,7 +134,6 @@ void add_unstable(RigidForms &forms, const closed_form::RotatingCoefficients &c)
     RigidTarget target;
     target.kind = RigidQuantity::unstable_from;
     target.quantity = band->to ? "unstable range, lower end" : "unstable above";
-    target.unit = "rad/s";
     target.closed_form = band->from;
     target.index = place_of(of_tilt.front(), all);
     if (band->to)
@@ -158,7 +156,7 @@ void add_permissible(RigidForms &forms, const model::Case &scene) {
     RigidTarget target;
     target.kind = RigidQuantity::permissible;
     target.quantity = "permissible anisotropy";
-    target.unit = "kg m2";
+    target.of = model::Quantity::inertia;
     target.closed_form = *dI;
     std::tie(target.from, target.to) = model::range_of_moduli(scene.speeds->from, scene.speeds->to);
     forms.targets.push_back(target);
@@ -221,7 +219,6 @@ RigidForms rigid_forms(const model::Case &scene) {
     RigidTarget critical;
     critical.quantity =
         rotor.balancers.empty() ? "forward critical speed" : "critical speed with balancers held";
-    critical.unit = "rad/s";
     add_ascending(forms.targets, critical, criticals_of(c, rotor.rotating_anisotropy()));
     add_additional(forms.targets, c, forms.inertia, rotor);
     if (std::abs(c.anisotropy) > 0 && rotor.balancers.empty()) {

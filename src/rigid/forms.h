@@ -22,7 +22,7 @@ enum class RigidQuantity {
 struct RigidTarget {
     RigidQuantity kind = RigidQuantity::critical;
     std::string quantity; ///< name for readers
-    std::string unit;
+    model::Quantity of = model::Quantity::speed;
     double closed_form = 0;
     int index = 0;            ///< critical, additional: place among the model's, from below
     std::optional<int> upper; ///< ends: they lie between the critical speeds `index` and this one

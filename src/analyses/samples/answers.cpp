@@ -23,6 +23,8 @@ namespace whirl::analyses {
 
 namespace {
 
+using model::Quantity;
+
 /// A rotor that is changed may have its n-th forward critical speed behind more backward ones: so
 /// many more are looked for than the case asks for.
 constexpr int spare_modes = 4;
@@ -40,8 +42,15 @@ std::vector<Answer> answers_of(const results::CriticalResult &result, const mode
         const std::string name =
             fmt::format("{} {}", results::whirl_name(critical.whirl), ++count[critical.whirl]);
         const bool asked_for = std::ssize(out) < modes || critical.speed <= top;
-        out.push_back(
-            {"critical " + name, "critical", name, "rad/s", critical.speed, asked_for, not_known});
+        out.push_back({"critical " + name,
+                       "critical",
+                       name,
+                       {},
+                       "",
+                       Quantity::speed,
+                       critical.speed,
+                       asked_for,
+                       not_known});
     }
     return out;
 }
@@ -60,13 +69,17 @@ std::vector<Answer> answers_of(const std::vector<results::ResponsePeak> &peaks) 
     for (const results::ResponsePeak &peak : peaks) {
         const int number = ++count[{peak.of, peak.place}];
         const std::string key = fmt::format("peaks {} {} {}", peak.of, peak.place, number);
-        const std::string where =
-            peak.name.empty() ? fmt::format("z = {:.6g} m", peak.z) : peak.name;
-        const std::string name = fmt::format("{} {}, peak {}", peak.of, where, number);
-        out.push_back({key + " speed", "peaks", name + ", speed", "rad/s", peak.speed, true,
-                       peak.speed_error});
-        out.push_back({key + " value", "peaks", name + ", value", peak.of == "bearing" ? "N" : "m",
-                       peak.value, true, peak.error});
+        const bool named = !peak.name.empty();
+        const auto add = [&](const char *what, Quantity quantity, double value, double error) {
+            out.push_back({fmt::format("{} {}", key, what), "peaks",
+                           peak.of + " " + (named ? peak.name : "z = "),
+                           named ? std::nullopt : std::optional(peak.z),
+                           fmt::format(", peak {}, {}", number, what), quantity, value, true,
+                           error});
+        };
+        add("speed", Quantity::speed, peak.speed, peak.speed_error);
+        add("value", peak.of == "bearing" ? Quantity::force : Quantity::amplitude, peak.value,
+            peak.error);
     }
     return out;
 }
@@ -77,8 +90,15 @@ std::vector<Answer> answers_of(const UnstableBands &found, const model::SpeedRan
     const auto add = [&](std::size_t band, const char *side, double speed, double error) {
         const std::string name = fmt::format("band {} {}", band + 1, side);
         if (speed > range.from && speed < range.to)
-            out.push_back(
-                {"ends " + name, "ends", name, "rad/s", speed, true, std::abs(error / speed)});
+            out.push_back({"ends " + name,
+                           "ends",
+                           name,
+                           {},
+                           "",
+                           Quantity::speed,
+                           speed,
+                           true,
+                           std::abs(error / speed)});
     };
     for (std::size_t i = 0; i < found.bands.size(); ++i) {
         const bool judged = i < found.errors.size();
@@ -92,13 +112,22 @@ std::vector<Answer> answers_of(const UnstableBands &found, const model::SpeedRan
 std::vector<Answer> answers_of(const results::SimulateResult &motion) {
     std::vector<Answer> out;
     if (motion.residual_ratio)
-        out.push_back({"residual ratio", "residual", "amplitude over that without balls", "1",
-                       *motion.residual_ratio, true, not_known});
+        out.push_back({"residual ratio",
+                       "residual",
+                       "amplitude over that without balls",
+                       {},
+                       "",
+                       Quantity::number,
+                       *motion.residual_ratio,
+                       true,
+                       not_known});
     for (std::size_t i = 0; i < motion.balancers.size(); ++i) {
         const results::BalancerMotion &b = motion.balancers[i];
-        const std::string where = b.name.empty() ? fmt::format("z = {:.6g} m", b.z) : b.name;
-        out.push_back({fmt::format("residual amplitude {}", i), "residual", "amplitude at " + where,
-                       "m", b.amplitude, true, not_known});
+        const bool named = !b.name.empty();
+        out.push_back({fmt::format("residual amplitude {}", i), "residual",
+                       "amplitude at " + (named ? b.name : "z = "),
+                       named ? std::nullopt : std::optional(b.z), "", Quantity::amplitude,
+                       b.amplitude, true, not_known});
     }
     return out;
 }

@@ -4,6 +4,7 @@
 #include "results/model_summary.h"
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,12 @@ namespace whirl::analyses {
 
 /// A number that a rotor answers with.
 struct Answer {
-    std::string key; ///< which one: the same for all rotors
-    std::string of;  ///< "critical", "peaks", "ends" or "residual"
-    std::string name;
-    std::string unit; ///< SI
+    std::string key;         ///< which one: the same for all rotors
+    std::string of;          ///< "critical", "peaks", "ends" or "residual"
+    std::string name;        ///< in front of its place and behind it
+    std::optional<double> z; ///< of a place that has no name, m
+    std::string behind;
+    model::Quantity quantity = model::Quantity::number;
     double value = 0;
     bool asked_for = true; ///< false: beyond the number of modes that the case wants
     double error = std::numeric_limits<double>::quiet_NaN(); ///< relative; NaN: not known

@@ -22,17 +22,20 @@ namespace {
 using process::Outcome;
 
 // A sample on its way between processes. One that failed has a reason and no numbers; of one that
-// did not, the first number counts the answers, two follow for each, and the text has a line of
+// did not, the first number counts the answers, four follow for each, and the text has a line of
 // their words for each.
 
 constexpr char between = '\t';
+constexpr double no_place = std::numeric_limits<double>::quiet_NaN();
 
 Outcome packed(const std::vector<Answer> &answers) {
     Outcome out;
     out.numbers.push_back(static_cast<double>(answers.size()));
     for (const Answer &answer : answers) {
-        out.numbers.insert(out.numbers.end(), {answer.value, answer.asked_for ? 1.0 : 0.0});
-        for (std::string word : {answer.key, answer.of, answer.name, answer.unit}) {
+        out.numbers.insert(out.numbers.end(),
+                           {answer.value, answer.asked_for ? 1.0 : 0.0,
+                            static_cast<double>(answer.quantity), answer.z.value_or(no_place)});
+        for (std::string word : {answer.key, answer.of, answer.name, answer.behind}) {
             std::replace_if(
                 word.begin(), word.end(), [](char c) { return c == between || c == '\n'; }, ' ');
             out.text += word + between;
@@ -50,10 +53,13 @@ std::vector<Answer> unpacked(const Outcome &outcome) {
         std::getline(lines, line);
         std::istringstream words(line);
         for (std::string *word :
-             {&answers[i].key, &answers[i].of, &answers[i].name, &answers[i].unit})
+             {&answers[i].key, &answers[i].of, &answers[i].name, &answers[i].behind})
             std::getline(words, *word, between);
-        answers[i].value = outcome.numbers.at(1 + 2 * i);
-        answers[i].asked_for = outcome.numbers.at(2 + 2 * i) != 0;
+        answers[i].value = outcome.numbers.at(1 + 4 * i);
+        answers[i].asked_for = outcome.numbers.at(2 + 4 * i) != 0;
+        answers[i].quantity = static_cast<model::Quantity>(outcome.numbers.at(3 + 4 * i));
+        if (const double z = outcome.numbers.at(4 + 4 * i); !std::isnan(z))
+            answers[i].z = z;
     }
     return answers;
 }
@@ -103,8 +109,10 @@ std::optional<double> finite(double value) {
 results::SampledAnswer empty_answer(const Answer &answer, int count) {
     results::SampledAnswer out;
     out.of = answer.of;
-    out.name = answer.name;
-    out.unit = answer.unit;
+    out.name = answer.z ? results::Sentence("{}{}{}", answer.name, results::as::length(*answer.z),
+                                            answer.behind)
+                        : results::Sentence("{}{}", answer.name, answer.behind);
+    out.quantity = answer.quantity;
     out.values.resize(static_cast<std::size_t>(count));
     return out;
 }
@@ -232,7 +240,7 @@ results::SamplesResult samples(const model::Case &scene, const CaseWith &with) {
     result.seed = settings.seed;
     for (const model::UncertainInput &input : settings.vary)
         result.inputs.push_back(
-            {input.path, input.unit, distribution_name(input.distribution), {}});
+            {input.path, input.quantity, distribution_name(input.distribution), {}});
     std::vector<std::vector<double>> drawn;
     for (int i = 0; i < settings.count; ++i) {
         drawn.push_back(draw(settings, i));

@@ -1,7 +1,6 @@
 #include "report/common/csv.h"
 
 #include "report/common/text_width.h"
-#include "report/common/units.h"
 #include "report/common/words.h"
 
 #include <fmt/format.h>
@@ -21,16 +20,11 @@ std::string in_quotes(const std::string &text) {
     return quoted + "\"";
 }
 
-UnitHeading converted(const std::string &heading) {
-    const bool has_unit = heading.ends_with("]") || heading.ends_with("]\"");
-    return has_unit ? heading_in_written_units(heading, "") : UnitHeading{heading, 1, false};
-}
-
 } // namespace
 
-std::string csv_cell(const Json &value, double factor) {
-    if (value.is_number_float() || (value.is_number() && factor != 1)) {
-        const double number = value.get<double>() * factor;
+std::string csv_cell(const Json &value) {
+    if (value.is_number_float()) {
+        const auto number = value.get<double>();
         return std::isfinite(number) ? fmt::format("{}", number) : "";
     }
     if (!value.is_string())
@@ -44,27 +38,23 @@ std::string csv_cell(const Json &value, double factor) {
     return formula || text.find_first_of(",;\"") != std::string::npos ? in_quotes(text) : text;
 }
 
-std::string csv_head_line(const std::vector<std::string> &head) {
-    const auto text = [](const std::string &heading) { return converted(heading).text; };
+std::string csv_head_line(const std::vector<CsvHeading> &head, const Units &units) {
+    const auto text = [&units](const CsvHeading &heading) {
+        return csv_cell(units.heading(heading.name, heading.quantity));
+    };
     return joined(head, ",", text) + "\n";
-}
-
-std::vector<double> csv_factors(const std::vector<std::string> &head) {
-    std::vector<double> factors;
-    for (const std::string &heading : head)
-        factors.push_back(converted(heading).factor);
-    return factors;
 }
 
 std::string csv_line(const std::vector<std::string> &cells) { return joined(cells, ",") + "\n"; }
 
-std::string csv_lists(const std::vector<std::pair<std::string, Json>> &lists) {
+std::string csv_lists(const std::vector<CsvList> &lists, const Units &units) {
     Columns<std::size_t> columns;
-    for (const auto &[heading, values] : lists)
-        columns.push_back({InCsv(heading), [&list = values](const std::size_t &, std::size_t i) {
-                               return i < list.size() ? list[i] : Json();
+    for (const CsvList &list : lists)
+        columns.push_back({InCsv(list.heading.name), list.heading.quantity,
+                           [&values = list.values](const std::size_t &, std::size_t i) {
+                               return i < values.size() ? values[i] : Json();
                            }});
-    return csv_table(columns, std::vector<std::size_t>(lists.front().second.size()));
+    return csv_table(columns, std::vector<std::size_t>(lists.front().values.size()), units);
 }
 
 } // namespace whirl::report

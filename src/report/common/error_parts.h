@@ -20,7 +20,7 @@ template <class Row, class Of>
     for (const auto &[name, part] : {std::pair("error_mesh", &ErrorParts::mesh),
                                      std::pair("error_reduction", &ErrorParts::reduction),
                                      std::pair("error_rounding", &ErrorParts::rounding)})
-        columns.push_back(Column<Row>{name, InCsv(name), of(part)});
+        columns.push_back(Column<Row>{name, InCsv(name), Quantity::number, of(part)});
     return columns;
 }
 

@@ -33,6 +33,30 @@ std::string json_text(const Json &json) {
     return text;
 }
 
+Json scaled(Json numbers, double factor) {
+    if (factor == 1)
+        return numbers;
+    if (numbers.is_number())
+        return numbers.get<double>() * factor;
+    if (numbers.is_array())
+        for (Json &item : numbers)
+            item = scaled(std::move(item), factor);
+    return numbers;
+}
+
+Json unit_names(const Units &units) {
+    Json names = Json::object();
+    for (std::size_t i = 0; i < model::quantities; ++i) {
+        const auto quantity = static_cast<Quantity>(i);
+        names[names_of(quantity).name] = units.name(quantity);
+    }
+    return names;
+}
+
+Json written(const Units &units, const std::vector<model::Sentence> &sentences) {
+    return json_list(sentences, [&units](const auto &sentence) { return units.text(sentence); });
+}
+
 void take_entries(Json &object, Json &&more) {
     object.get_ref<Json::object_t &>().reserve(object.size() + more.size());
     for (auto &[key, value] : more.get_ref<Json::object_t &>())

@@ -2,6 +2,7 @@
 
 // How the types of results become JSON; only for sources in report.
 
+#include "report/common/units.h"
 #include "results/balance.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
@@ -56,9 +57,17 @@ void take_entries(Json &object, Json &&more);
 /// characters stand there by their numbers.
 [[nodiscard]] std::string json_text(const Json &json);
 
-/// A result in the units that were asked for, by the keys of its numbers. `units` says of each key
-/// that was converted what its unit is; all others are in SI.
-void convert_json(Json &json);
+/// Numbers, in lists or alone, times a factor.
+[[nodiscard]] Json scaled(Json numbers, double factor);
+/// Numbers in SI as they are written in these units.
+template <class Numbers>
+[[nodiscard]] Json written(const Units &units, Quantity quantity, const Numbers &in_si) {
+    return scaled(Json(in_si), units.factor(quantity));
+}
+/// The names of the units by quantity, as a result says in which it is: {"speed": "rpm", ..}.
+[[nodiscard]] Json unit_names(const Units &units);
+/// Sentences in these units.
+[[nodiscard]] Json written(const Units &units, const std::vector<model::Sentence> &sentences);
 
 /// `of(item)` for each item, as a list.
 template <class List, class Of> [[nodiscard]] Json json_list(const List &list, Of of) {

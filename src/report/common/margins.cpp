@@ -10,12 +10,12 @@ using results::SeparationMargin;
 
 namespace {
 
-std::string where(const SeparationMargin &margin) {
+std::string where(const SeparationMargin &margin, const Units &units) {
     if (!margin.z)
         return "";
-    const std::string at = margin.of + ", " + place(margin.name, *margin.z);
+    const std::string at = margin.of + ", " + place(margin.name, *margin.z, units);
     return margin.angle && margin.name.empty() // which of two at one place
-               ? fmt::format("{}, {:.4g}°", at, *margin.angle * degrees)
+               ? at + ", " + units.text(Quantity::angle, *margin.angle, 4)
                : at;
 }
 
@@ -26,44 +26,43 @@ std::string side(const SeparationMargin &margin) {
 }
 
 const Columns<SeparationMargin> columns{
-    {"speed", &SeparationMargin::speed},
-    {ForReaders("rpm", "{:.8g}"), in(rpm, &SeparationMargin::speed)},
+    {"speed", ForReaders("", "{:.8g}"), Quantity::speed, &SeparationMargin::speed},
     {"whirl", OnPage("Whirl"), InText("whirl"), &SeparationMargin::whirl},
     {"amplification", OnPage("Amplification factor", "{:.4g}"), InText("AF", "{:.4g}"),
-     &SeparationMargin::amplification},
+     Quantity::number, &SeparationMargin::amplification},
     {"source", ForReaders("from"), &SeparationMargin::source},
     {"of", &SeparationMargin::of},
-    {"z", &SeparationMargin::z},
+    {"z", Quantity::length, &SeparationMargin::z},
     {"name", &SeparationMargin::name},
-    {"angle", &SeparationMargin::angle},
+    {"angle", Quantity::angle, &SeparationMargin::angle},
     {OnPage("Peak at"), InText("peak at"), where},
     {"side", [](const auto &margin) { return results::margin_side_name(margin.side); }},
     {OnPage("Lies"), InText("lies"), side},
-    {"found", OnPage("Margin found (%)", "{:.4g}"), InText("found %", "{:.4g}"),
+    {"found", OnPage("Margin found (%)", "{:.4g}"), InText("found %", "{:.4g}"), Quantity::number,
      &SeparationMargin::found},
     {"required", OnPage("Margin required (%)", "{:.4g}"), InText("required %", "{:.4g}"),
-     &SeparationMargin::required},
+     Quantity::number, &SeparationMargin::required},
     {"passes", &SeparationMargin::passes},
     {OnPage("Verdict"), InText(""), verdict}};
 
 } // namespace
 
-void add_margins(Json &json, const Margins &margins) {
+void add_margins(Json &json, const Margins &margins, const Units &units) {
     if (margins)
-        json["margins"] = json_rows(columns, *margins);
+        json["margins"] = json_rows(columns, *margins, units);
 }
 
-std::string margins_page(const std::vector<SeparationMargin> &margins) {
+std::string margins_page(const std::vector<SeparationMargin> &margins, const Units &units) {
     return margins.empty() ? "<p>No critical speed with an amplification factor of 2.5 or more.</p>"
-                           : page_table(columns, margins);
+                           : page_table(columns, margins, units);
 }
 
-std::string margins_text(const Margins &margins) {
+std::string margins_text(const Margins &margins, const Units &units) {
     if (!margins)
         return "";
     return std::string("\n") + margins_heading + ":\n" +
            (margins->empty() ? "  no critical speed with an amplification factor of 2.5 or more\n"
-                             : text_table(columns, *margins));
+                             : text_table(columns, *margins, units));
 }
 
 } // namespace whirl::report

@@ -14,11 +14,12 @@ namespace whirl::report {
 using Margins = std::optional<std::vector<results::SeparationMargin>>;
 
 /// Adds the key `margins`.
-void add_margins(Json &json, const Margins &margins);
+void add_margins(Json &json, const Margins &margins, const Units &units);
 /// HTML below a heading.
-[[nodiscard]] std::string margins_page(const std::vector<results::SeparationMargin> &margins);
+[[nodiscard]] std::string margins_page(const std::vector<results::SeparationMargin> &margins,
+                                       const Units &units);
 /// For the terminal, with its heading; empty without margins.
-[[nodiscard]] std::string margins_text(const Margins &margins);
+[[nodiscard]] std::string margins_text(const Margins &margins, const Units &units);
 
 inline constexpr const char *margins_heading = "Separation margins (API 617)";
 

@@ -2,7 +2,6 @@
 
 #include "report/common/html.h"
 #include "report/common/text_width.h"
-#include "report/common/units.h"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -28,75 +27,20 @@ std::string shown(const Json &value, const Shown &as, const std::string &missing
     return value.is_null() ? missing : value.dump();
 }
 
-namespace {
-
-/// A column in the units that were asked for.
-struct ConvertedColumn {
-    UnitHeading heading;
-    std::string format; ///< of its numbers
-    std::vector<Json> values;
-};
-
-bool same_numbers(const std::vector<Json> &a, const std::vector<Json> &b) {
-    constexpr double rounding = 1e-12; // of the factors
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        const bool numbers = a[i].is_number() && b[i].is_number();
-        if (numbers ? std::abs(a[i].get<double>() - b[i].get<double>()) >
-                          rounding * std::abs(b[i].get<double>())
-                    : a[i] != b[i])
-            return false;
-    }
-    return true;
+void add_column(Texts &table, const std::string &heading, const std::vector<Json> &values,
+                const Shown &as, const std::string &missing) {
+    table.front().push_back(heading);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        table[1 + i].push_back(shown(values[i], as, missing));
 }
 
-/// Numbers in words, such as both ends of a band, keep the unit of their heading.
-bool in_words(const Json &value) {
-    return value.is_string() &&
-           value.get<std::string>().find_first_of("0123456789") != std::string::npos;
-}
-
-ConvertedColumn converted(const ShownColumn &column) {
-    ConvertedColumn out{heading_in_written_units(*column.as.heading, column.context),
-                        column.as.format, column.values};
-    if (out.heading.factor != 1 && std::any_of(out.values.begin(), out.values.end(), in_words))
-        return {{*column.as.heading, 1, false}, column.as.format, column.values};
-    // Some have their unit in the cells.
-    const UnitHeading cell =
-        heading_in_written_units(column.as.format, *column.as.heading + column.context);
-    if (cell.factor != 1) {
-        out.format = cell.text;
-        out.heading.factor = cell.factor;
-    }
-    for (Json &value : out.values)
-        if (value.is_number_float())
-            value = value.get<double>() * out.heading.factor;
-    return out;
-}
-
-} // namespace
-
-Texts texts_of(const std::vector<ShownColumn> &columns, const std::string &missing) {
-    std::vector<ConvertedColumn> kept;
-    Texts table(1 + (columns.empty() ? 0 : columns.front().values.size()));
-    for (const ShownColumn &column : columns) {
-        ConvertedColumn next = converted(column);
-        const auto same = std::find_if(kept.begin(), kept.end(), [&](const ConvertedColumn &other) {
-            return next.heading.given && other.heading.text == next.heading.text &&
-                   same_numbers(other.values, next.values);
-        });
-        const auto place = static_cast<std::size_t>(same - kept.begin());
-        for (auto &row : table)
-            row.resize(std::max(row.size(), place + 1));
-        table[0][place] = next.heading.text;
-        // Of two the one in SI has the digits that the other leaves out.
-        if (same == kept.end() || next.heading.factor != 1)
-            for (std::size_t i = 0; i < next.values.size(); ++i)
-                table[1 + i][place] =
-                    shown(next.values[i], {"", next.format, column.as.infinite}, missing);
-        if (same == kept.end())
-            kept.push_back(std::move(next));
-    }
-    return table;
+std::string heading_of(const Shown &column, const model::Unit &unit, bool on_page) {
+    std::string text = *column.heading;
+    if (unit.peak_to_peak)
+        text += text.empty() ? "pk-pk" : " pk-pk";
+    if (text.empty() || unit.name.empty())
+        return text + unit.name;
+    return on_page ? text + " (" + unit.name + ")" : text + " " + unit.name;
 }
 
 namespace {
@@ -136,21 +80,24 @@ std::string page_table(const Texts &table) {
     return markup(document);
 }
 
-std::string text_table(const Texts &in_si) {
+std::string text_table(const Texts &table) {
+    const auto letters = [](const std::string &text) { // the first bytes of each
+        return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
+            return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
+        }));
+    };
     std::vector<std::size_t> widths;
-    Texts table = in_si;
-    for (auto &row : table) {
+    for (const auto &row : table) {
         widths.resize(std::max(widths.size(), row.size()));
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            row[i] = cell_in_written_units(printable(row[i]));
-            widths[i] = std::max(widths[i], shown_size(row[i]));
-        }
+        for (std::size_t i = 0; i < row.size(); ++i)
+            widths[i] = std::max(widths[i], letters(printable(row[i])));
     }
     std::string out;
     for (const auto &row : table) {
         for (std::size_t i = 0; i < row.size(); ++i) {
-            const std::string blanks(widths[i] - shown_size(row[i]), ' ');
-            out += i == 0 ? "  " + row[i] + blanks : "   " + blanks + row[i];
+            const std::string cell = printable(row[i]);
+            const std::string blanks(widths[i] - letters(cell), ' ');
+            out += i == 0 ? "  " + cell + blanks : "   " + blanks + cell;
         }
         out.erase(out.find_last_not_of(' ') + 1);
         out += '\n';

@@ -2,7 +2,7 @@
 
 #include "report/common/column.h"
 
-#include <span>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -18,91 +18,112 @@ using Texts = std::vector<std::vector<std::string>>;
 /// Columns as wide as their widest entry: the first to the left, the others to the right.
 [[nodiscard]] std::string text_table(const Texts &table);
 
-/// A column as one reader sees it.
-struct ShownColumn {
-    Shown as;
-    std::string context; ///< further words that tell what its numbers are
-    std::vector<Json> values;
-};
-/// Headings and cells in the units that were asked for; of two columns that are the same in these,
-/// as rpm and rad/s, the first.
-[[nodiscard]] Texts texts_of(const std::vector<ShownColumn> &columns, const std::string &missing);
+/// Adds a column: its heading and its cells. @param values  as they are written
+void add_column(Texts &table, const std::string &heading, const std::vector<Json> &values,
+                const Shown &as, const std::string &missing);
+/// A heading with its unit: "Spin speed (rpm)" on a page, "spin speed rpm" on the terminal.
+[[nodiscard]] std::string heading_of(const Shown &column, const model::Unit &unit, bool on_page);
 
 /// The columns that a reader sees. @param reader  &Column<Row>::page or &Column<Row>::text
 template <class Row, class Rows>
 [[nodiscard]] Texts texts_of(const Columns<Row> &columns, const Rows &rows,
-                             Shown Column<Row>::*reader, const std::string &missing) {
-    std::vector<ShownColumn> all;
+                             Shown Column<Row>::*reader, const std::string &missing,
+                             const Units &units) {
+    static const Units si;
+    const bool on_page = reader == &Column<Row>::page;
+    Texts table(1 + rows.size());
     for (const Column<Row> &column : columns) {
-        if (!(column.*reader).heading)
+        Shown as = column.*reader;
+        if (!as.heading)
             continue;
-        all.push_back({column.*reader,
-                       column.key + " " + column.csv + " " + column.page.heading.value_or(""),
-                       {}});
-        for (std::size_t index = 0; const Row &row : rows)
-            all.back().values.push_back(column.value(row, index++));
+        const auto add = [&](const Units &in) {
+            std::vector<Json> values;
+            for (std::size_t index = 0; const Row &row : rows)
+                values.push_back(column.written(row, index++, in));
+            add_column(table, heading_of(as, in.unit(column.quantity), on_page), values, as,
+                       missing);
+        };
+        const bool beside_si = !as.si_format.empty() && !units.asked(column.quantity);
+        if (!as.si_format.empty() && !beside_si)
+            as.format = as.si_format;
+        add(units);
+        as.format = as.si_format;
+        if (beside_si)
+            add(si);
     }
-    return texts_of(all, missing);
+    return table;
 }
 template <class Row, class Rows>
-[[nodiscard]] std::string page_table(const Columns<Row> &columns, const Rows &rows) {
-    return page_table(texts_of(columns, rows, &Column<Row>::page, "–"));
+[[nodiscard]] std::string page_table(const Columns<Row> &columns, const Rows &rows,
+                                     const Units &units) {
+    return page_table(texts_of(columns, rows, &Column<Row>::page, "–", units));
 }
 template <class Row, class Rows>
-[[nodiscard]] std::string text_table(const Columns<Row> &columns, const Rows &rows) {
-    return text_table(texts_of(columns, rows, &Column<Row>::text, "-"));
+[[nodiscard]] std::string text_table(const Columns<Row> &columns, const Rows &rows,
+                                     const Units &units) {
+    return text_table(texts_of(columns, rows, &Column<Row>::text, "-", units));
 }
 /// The same below a heading; nothing without rows.
 template <class Row, class Rows>
 [[nodiscard]] std::string text_table(const std::string &heading, const Columns<Row> &columns,
-                                     const Rows &rows) {
-    return rows.empty() ? "" : heading + text_table(columns, rows);
+                                     const Rows &rows, const Units &units) {
+    return rows.empty() ? "" : heading + text_table(columns, rows, units);
 }
 
-/// What one row is, a line a column: headings in front of values.
+/// What one row is, a line a column: headings in front of values with their units.
 template <class Row>
 [[nodiscard]] Texts properties(const Columns<Row> &columns, const Row &row,
-                               Shown Column<Row>::*reader, const std::string &missing) {
-    const Texts table = texts_of(columns, std::span<const Row>(&row, 1), reader, missing);
+                               Shown Column<Row>::*reader, const std::string &missing,
+                               const Units &units) {
     Texts lines;
-    for (std::size_t i = 0; i < table[0].size(); ++i)
-        lines.push_back({table[0][i], table[1][i]});
+    for (const Column<Row> &column : columns) {
+        const Shown &as = column.*reader;
+        if (!as.heading)
+            continue;
+        const Json value = column.written(row, 0, units);
+        const std::string text = shown(value, as, missing);
+        const std::string unit = units.name(column.of(row));
+        const bool number = value.is_number() && std::isfinite(value.template get<double>());
+        lines.push_back({*as.heading, number && !unit.empty() ? text + " " + unit : text});
+    }
     return lines;
 }
 template <class Row>
-[[nodiscard]] std::string page_properties(const Columns<Row> &columns, const Row &row) {
-    Texts lines = properties(columns, row, &Column<Row>::page, "–");
+[[nodiscard]] std::string page_properties(const Columns<Row> &columns, const Row &row,
+                                          const Units &units) {
+    Texts lines = properties(columns, row, &Column<Row>::page, "–", units);
     lines.insert(lines.begin(), {"Quantity", "Value"});
     return page_table(lines);
 }
 
 /// The row as an object.
 template <class Row>
-[[nodiscard]] Json json_row(const Columns<Row> &columns, const Row &row, std::size_t index = 0) {
+[[nodiscard]] Json json_row(const Columns<Row> &columns, const Row &row, const Units &units,
+                            std::size_t index = 0) {
     Json object = json_object(columns.size());
     for (const Column<Row> &column : columns)
         if (!column.key.empty())
-            object[column.key] = column.value(row, index);
+            object[column.key] = column.written(row, index, units);
     return object;
 }
 /// The rows as a list of objects.
 template <class Row, class Rows>
-[[nodiscard]] Json json_rows(const Columns<Row> &columns, const Rows &rows) {
+[[nodiscard]] Json json_rows(const Columns<Row> &columns, const Rows &rows, const Units &units) {
     Json items = Json::array();
     for (const Row &row : rows)
-        items.push_back(json_row(columns, row, items.size()));
+        items.push_back(json_row(columns, row, units, items.size()));
     return items;
 }
 /// The rows as one object whose entries are lists over them.
 template <class Row, class Rows>
-[[nodiscard]] Json json_lists(const Columns<Row> &columns, const Rows &rows) {
+[[nodiscard]] Json json_lists(const Columns<Row> &columns, const Rows &rows, const Units &units) {
     Json object = json_object(columns.size());
     for (const Column<Row> &column : columns) {
         if (column.key.empty())
             continue;
         Json &list = object[column.key] = Json::array();
         for (const Row &row : rows)
-            list.push_back(column.value(row, list.size()));
+            list.push_back(column.written(row, list.size(), units));
     }
     return object;
 }

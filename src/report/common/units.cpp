@@ -15,15 +15,15 @@
 
 namespace whirl::report {
 
-std::array<Unit, Units::quantities> Units::si_units() {
-    std::array<Unit, quantities> units;
-    for (std::size_t i = 0; i < quantities; ++i)
+std::array<Unit, model::quantities> Units::si_units() {
+    std::array<Unit, model::quantities> units;
+    for (std::size_t i = 0; i < model::quantities; ++i)
         units[i].name = names_of(static_cast<Quantity>(i)).si;
     return units;
 }
 
 void Units::ask(const model::OutputUnits &asked) {
-    for (std::size_t i = 0; i < quantities; ++i) {
+    for (std::size_t i = 0; i < model::quantities; ++i) {
         const auto found = asked.of.find(names_of(static_cast<Quantity>(i)).key);
         if (found == asked.of.end())
             continue;
@@ -58,13 +58,19 @@ Units Units::of_readers(const model::OutputUnits &asked) {
     set(Quantity::deflection, "µm", 1e6);
     set(Quantity::inertia, "kg m²", 1);
     set(Quantity::angular_momentum, "kg m²/s", 1);
-    set(Quantity::angle, "°", 180 / pi);
+    set(Quantity::acceleration, "m/s²", 1);
+    set(Quantity::density, "kg/m³", 1);
+    set(Quantity::angle, "deg", 180 / pi);
     units.ask(asked);
     return units;
 }
 
 Units Units::of_json(const model::OutputUnits &asked) {
     return asked.json ? of_files(asked) : Units();
+}
+
+bool Units::asked() const {
+    return std::ranges::any_of(_asked, [](bool one) { return one; });
 }
 
 std::string Units::name(Quantity quantity) const {

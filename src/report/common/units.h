@@ -37,6 +37,8 @@ class Units {
     [[nodiscard]] bool asked(Quantity quantity) const {
         return _asked.at(static_cast<std::size_t>(quantity));
     }
+    /// Whether any was chosen.
+    [[nodiscard]] bool asked() const;
     /// A number in SI as it is written: units(Quantity::speed, omega).
     [[nodiscard]] double operator()(Quantity quantity, double si) const {
         return si * unit(quantity).factor;
@@ -54,15 +56,13 @@ class Units {
     [[nodiscard]] std::string text(const model::Sentence &sentence) const;
 
   private:
-    static constexpr std::size_t quantities =
-        static_cast<std::size_t>(Quantity::inverse_mass) + 1; // the last of them
     void ask(const model::OutputUnits &asked);
 
-    std::array<Unit, quantities> _units = si_units();
-    std::array<bool, quantities> _asked{};
+    std::array<Unit, model::quantities> _units = si_units();
+    std::array<bool, model::quantities> _asked{};
     bool _for_readers = false;
 
-    [[nodiscard]] static std::array<Unit, quantities> si_units();
+    [[nodiscard]] static std::array<Unit, model::quantities> si_units();
 };
 
 // The one place where numbers and their units are turned into those that were asked for. Results

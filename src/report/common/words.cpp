@@ -12,15 +12,6 @@
 
 namespace whirl::report {
 
-std::string readable(double value, int digits) {
-    std::string text = fmt::format("{:.{}g}", value, digits);
-    constexpr double long_number = 1e6;
-    if (std::abs(value) < 1 || text.find('e') == std::string::npos)
-        return text;
-    const double rounded = std::stod(text);
-    return std::abs(rounded) < long_number ? fmt::format("{:.0f}", rounded) : text; // 1230
-}
-
 std::string with_powers(const std::string &text) {
     static const char *const raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     const auto digit = [&](std::size_t i) {
@@ -60,41 +51,44 @@ std::string place(const std::string &name, double z) {
     return name.empty() ? at : fmt::format("{} ({})", name, at);
 }
 
-std::string range_text(const std::vector<double> &speeds) {
+std::string place(const std::string &name, double z, const Units &units) {
+    const std::string at = "z = " + units.text(Quantity::length, z);
+    return name.empty() ? at : fmt::format("{} ({})", name, at);
+}
+
+std::string range_text(const std::vector<double> &speeds, const Units &units) {
     if (speeds.empty())
         return "no speed";
     if (speeds.size() == 1)
-        return fmt::format("at {:.6g} rpm", speeds.front() * rpm);
-    return fmt::format("{:.6g} to {:.6g} rpm, {} speeds", speeds.front() * rpm, speeds.back() * rpm,
-                       speeds.size());
+        return "at " + units.text(Quantity::speed, speeds.front());
+    return units.text(model::Sentence(
+        "{}, {} speeds", model::as::speed.range(speeds.front(), speeds.back()), speeds.size()));
 }
 
 std::string heading(const model::Case &scene, const std::string &what) {
-    return fmt::format("{}\n{}\n\n", kept_as_written(title_of(scene)), what);
+    return fmt::format("{}\n{}\n\n", title_of(scene), what);
 }
 
-std::string model_text(const results::ModelSummary &model) {
+std::string model_text(const results::ModelSummary &model, const Units &units) {
     const std::string kind =
         model.order == 1 ? "the classical kind" : fmt::format("order {}", model.order);
     return fmt::format("\nmodel: {} form ({})\n       {} elements of {}, {} unknowns, {:.3g} s\n",
                        results::form_name(model.formulation.form), model.formulation.why,
                        model.elements, kind, model.unknowns, model.seconds) +
-           notes_text(model);
+           notes_text(model, units);
 }
 
-std::string notes_text(const results::ModelSummary &model) {
-    std::string text;
-    const Units units = Units::of_readers(written_units());
-    for (const model::Sentence &note : model.notes)
-        text += fmt::format("note: {}\n", kept_as_written(printable(units.text(note))));
-    return text;
+std::string notes_text(const results::ModelSummary &model, const Units &units) {
+    return joined(model.notes, "", [&units](const model::Sentence &note) {
+        return fmt::format("note: {}\n", printable(units.text(note)));
+    });
 }
 
 std::string bands_text(const std::vector<results::Interval> &bands, const char *end, const char *to,
-                       const char *between, double factor) {
+                       const char *between, const Units &units) {
     const std::string text = joined(bands, between, [&](const results::Interval &band) {
-        return fmt::format(fmt::runtime(end), band.from * factor) + to +
-               fmt::format(fmt::runtime(end), band.to * factor);
+        return fmt::format(fmt::runtime(end), units(Quantity::speed, band.from)) + to +
+               fmt::format(fmt::runtime(end), units(Quantity::speed, band.to));
     });
     return bands.empty() ? "none" : text;
 }

@@ -17,7 +17,9 @@ namespace whirl::report {
 inline constexpr double degrees = 180 / pi; ///< in one rad
 
 /// Number for readers, at most `digits` significant digits; without a power of ten below 1e6.
-[[nodiscard]] std::string readable(double value, int digits = 5);
+[[nodiscard]] inline std::string readable(double value, int digits = 5) {
+    return model::readable(value, digits);
+}
 /// For pictures: numbers with a power of ten as they are written by hand, "2·10⁷" for "2e+07".
 [[nodiscard]] std::string with_powers(const std::string &text);
 /// The texts one after another, with something between them.
@@ -39,20 +41,23 @@ template <class List, class Of>
 }
 /// One place of a rotor: its name, or where it is.
 [[nodiscard]] std::string place(const std::string &name, double z);
+[[nodiscard]] std::string place(const std::string &name, double z, const Units &units);
 /// The same of a row of a table.
-inline constexpr auto place_of = [](const auto &row) { return place(row.name, row.z); };
+inline constexpr auto place_of = [](const auto &row, const Units &units) {
+    return place(row.name, row.z, units);
+};
 /// "at 4000 rpm", "0 to 4000 rpm, 101 speeds".
-[[nodiscard]] std::string range_text(const std::vector<double> &speeds);
+[[nodiscard]] std::string range_text(const std::vector<double> &speeds, const Units &units);
 
 /// For the terminal: title of the case and what was computed.
 [[nodiscard]] std::string heading(const model::Case &scene, const std::string &what);
 /// For the terminal: the model behind a result, and its notes.
-[[nodiscard]] std::string model_text(const results::ModelSummary &model);
+[[nodiscard]] std::string model_text(const results::ModelSummary &model, const Units &units);
 /// For the terminal: the notes alone.
-[[nodiscard]] std::string notes_text(const results::ModelSummary &model);
+[[nodiscard]] std::string notes_text(const results::ModelSummary &model, const Units &units);
 
-/// Bands in one cell; @param end  format of an end
+/// Bands of speeds in one cell; @param end  format of an end
 [[nodiscard]] std::string bands_text(const std::vector<results::Interval> &bands, const char *end,
-                                     const char *to, const char *between, double factor);
+                                     const char *to, const char *between, const Units &units);
 
 } // namespace whirl::report

@@ -14,7 +14,7 @@ namespace {
 
 std::string command_of_result(const Json &json) { return json.value("command", ""); }
 
-const ComparedNumber *named(const std::vector<ComparedNumber> &all, const std::string &name) {
+const ComparedNumber *named(const std::vector<ComparedNumber> &all, const model::Sentence &name) {
     const auto found = std::find_if(all.begin(), all.end(),
                                     [&name](const ComparedNumber &at) { return at.name == name; });
     return found == all.end() ? nullptr : &*found;
@@ -23,8 +23,8 @@ const ComparedNumber *named(const std::vector<ComparedNumber> &all, const std::s
 Difference difference_of(const ComparedNumber *first, const ComparedNumber *other,
                          const std::string &name) {
     Difference out;
-    out.quantity = (first ? first : other)->name;
-    out.unit = (first ? first : other)->unit;
+    out.name = (first ? first : other)->name;
+    out.quantity = (first ? first : other)->quantity;
     out.other = name;
     if (first)
         out.first_value = first->value;

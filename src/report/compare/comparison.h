@@ -19,16 +19,16 @@ struct ComparedResult {
 
 /// A number of a result that others have too.
 struct ComparedNumber {
-    std::string name; ///< by which it is matched: "critical speed, forward 2"
-    std::string unit; ///< SI; empty: a ratio
+    model::Sentence name; ///< by which it is matched: "critical speed, forward 2"
+    Quantity quantity = Quantity::number;
     double value = 0;
     std::optional<double> error; ///< half width of its error bar, in the same unit; none: not known
 };
 
 /// One quantity of the first result and of another one.
 struct Difference {
-    std::string quantity;
-    std::string unit;
+    model::Sentence name;
+    Quantity quantity = Quantity::number;
     std::string other; ///< name of the other result
     std::optional<double> first_value, other_value;
     std::optional<double> difference; ///< other less first
@@ -67,11 +67,13 @@ struct Comparison {
 /// bar.
 [[nodiscard]] Figure comparison_figure(const Comparison &comparison, const Units &units);
 /// For the terminal.
-[[nodiscard]] std::string comparison_text(const Comparison &comparison);
+[[nodiscard]] std::string comparison_text(const Comparison &comparison, const Units &units);
 /// `differences` and what was compared.
-[[nodiscard]] Json comparison_json(const Comparison &comparison);
+[[nodiscard]] Json comparison_json(const Comparison &comparison, const Units &units);
 /// Writes compare.json, .csv, .svg, .png and report.html, all or none; returns their paths.
+/// @param asked  units that were asked for
 std::vector<std::filesystem::path> write_comparison(const Comparison &comparison,
-                                                    const std::filesystem::path &folder);
+                                                    const std::filesystem::path &folder,
+                                                    const model::OutputUnits &asked);
 
 } // namespace whirl::report

@@ -21,43 +21,25 @@ std::string verdict(const Difference &at) {
     return *at.within ? "within errors" : "beyond errors";
 }
 
-/// The unit in which a number is read.
-WrittenUnit unit_of(const Difference &at) {
-    const auto is_of = [&at](const char *word) {
-        return at.quantity.find(word) != std::string::npos;
-    };
-    std::string quantity = quantity_in(at.unit);
-    if (at.unit == "rad/s" && is_of("frequency"))
-        quantity = "frequency";
-    if (at.unit == "m" && !is_of("centre of mass") && !is_of("length"))
-        quantity = "amplitude";
-    return written_unit(quantity, at.unit);
-}
-auto in_its_unit(std::optional<double> Difference::*of) {
-    return [of](const Difference &at) { return times(unit_of(at).factor, at.*of); };
-}
+const OfEach of_difference{[](const Difference &at) { return at.quantity; }};
 
 const Columns<Difference> columns{
     {OnPage("No."), InText(""), [](const auto &, std::size_t i) { return i + 1; }},
-    {"quantity", InCsv("quantity"), OnPage("Quantity"), InText("quantity"), &Difference::quantity},
-    {"unit", &Difference::unit},
-    {"first_value", &Difference::first_value},
-    {"other_value", &Difference::other_value},
-    {"difference", &Difference::difference},
-    {"error", &Difference::error},
-    {InCsv("unit"), OnPage("Unit"), InText("unit"),
-     [](const Difference &at) { return unit_of(at).name; }},
+    {"quantity", InCsv("quantity"), OnPage("Quantity"), InText("quantity"),
+     [](const Difference &at, const Units &units) { return units.text(at.name); }},
+    {"unit", InCsv("unit"), OnPage("Unit"), InText("unit"),
+     [](const Difference &at, const Units &units) { return units.name(at.quantity); }},
     {"other", InCsv("other"), OnPage("Other result"), &Difference::other},
-    {InCsv("first_value"), OnPage("First", "{:.10g}"), InText("first", precise),
-     in_its_unit(&Difference::first_value)},
-    {InCsv("other_value"), OnPage("Other", "{:.10g}"), InText("other", precise),
-     in_its_unit(&Difference::other_value)},
-    {InCsv("difference"), OnPage("Difference", "{:+.6g}"), InText("difference", "{:+.6g}"),
-     in_its_unit(&Difference::difference)},
+    {"first_value", InCsv("first_value"), OnPage("First", "{:.10g}"), InText("first", precise),
+     of_difference, &Difference::first_value},
+    {"other_value", InCsv("other_value"), OnPage("Other", "{:.10g}"), InText("other", precise),
+     of_difference, &Difference::other_value},
+    {"difference", InCsv("difference"), OnPage("Difference", "{:+.6g}"),
+     InText("difference", "{:+.6g}"), of_difference, &Difference::difference},
     {"relative", InCsv("relative"), OnPage("Relative to first", "{:+.3g}"),
-     InText("relative to first", "{:+.3g}"), &Difference::relative},
-    {InCsv("error"), OnPage("Both error bars", "{:.5g}"), InText("error bars", rough),
-     in_its_unit(&Difference::error)},
+     InText("relative to first", "{:+.3g}"), Quantity::number, &Difference::relative},
+    {"error", InCsv("error"), OnPage("Both error bars", "{:.5g}"), InText("error bars", rough),
+     of_difference, &Difference::error},
     {"within_errors", InCsv("within_errors"), &Difference::within},
     {OnPage("Verdict"), InText(""), verdict}};
 
@@ -87,17 +69,17 @@ std::string against_first(const Comparison &comparison, std::size_t index) {
     return comparison.results[index].name + " against " + comparison.results[0].name;
 }
 
-std::string sections(const Comparison &comparison) {
+std::string sections(const Comparison &comparison, const Units &units) {
     std::string html = element("h2", "Results");
     for (std::size_t i = 0; i < comparison.results.size(); ++i)
         html += element("p", result_text(comparison.results[i], i));
     for (std::size_t i = 1; i < comparison.results.size(); ++i)
         html += element("h2", against_first(comparison, i)) +
-                in_written_units(page_table(columns, comparison.differences[i - 1]));
+                page_table(columns, comparison.differences[i - 1], units);
     return html;
 }
 
-std::string page_of(const Comparison &comparison, const std::string &still,
+std::string page_of(const Comparison &comparison, const Units &units, const std::string &still,
                     const std::vector<std::string> &files) {
     std::string notes;
     for (const std::string &note : comparison.notes)
@@ -109,43 +91,44 @@ std::string page_of(const Comparison &comparison, const std::string &still,
             date = found->value("date", "");
             cases += "# " + result.name + "\n" + found->value("case", "") + "\n";
         }
-    return with_contents(filled(embedded("page.html"),
-                                {{"heading", "Comparison"},
-                                 {"title", escaped("Comparison: " + comparison.command)},
-                                 {"case", escaped(comparison.results.front().name)},
-                                 {"command", "compare"},
-                                 {"version", program_version()},
-                                 {"style", embedded("page.css")},
-                                 {"notes", notes},
-                                 {"rotor", ""},
-                                 {"files", file_links(files)},
-                                 {"page_script", embedded("page.js")},
-                                 {"plot", still},
-                                 {"sections", sections(comparison)},
-                                 {"model", ""},
-                                 {"date", date},
-                                 {"case_text", escaped(cases)},
-                                 {"json", json_for_script(json_text(comparison_json(comparison)))},
-                                 {"scripts", ""}}));
+    return with_contents(
+        filled(embedded("page.html"),
+               {{"heading", "Comparison"},
+                {"title", escaped("Comparison: " + comparison.command)},
+                {"case", escaped(comparison.results.front().name)},
+                {"command", "compare"},
+                {"version", program_version()},
+                {"style", embedded("page.css")},
+                {"notes", notes},
+                {"rotor", ""},
+                {"files", file_links(files)},
+                {"page_script", embedded("page.js")},
+                {"plot", still},
+                {"sections", sections(comparison, units)},
+                {"model", ""},
+                {"date", date},
+                {"case_text", escaped(cases)},
+                {"json", json_for_script(json_text(comparison_json(comparison, {})))},
+                {"scripts", ""}}));
 }
 
 } // namespace
 
-std::string comparison_text(const Comparison &comparison) {
+std::string comparison_text(const Comparison &comparison, const Units &units) {
     std::string text = "Comparison of results of " + comparison.command + "\n";
     for (std::size_t i = 0; i < comparison.results.size(); ++i)
         text += "  " + result_text(comparison.results[i], i) + "\n";
     for (std::size_t i = 1; i < comparison.results.size(); ++i) {
         const std::vector<Difference> &of = comparison.differences[i - 1];
         text += "\n" + against_first(comparison, i) + ":\n" +
-                (of.empty() ? "  nothing to compare\n" : text_table(columns, of));
+                (of.empty() ? "  nothing to compare\n" : text_table(columns, of, units));
     }
     for (const std::string &note : comparison.notes)
         text += "note: " + note + "\n";
     return text;
 }
 
-Json comparison_json(const Comparison &comparison) {
+Json comparison_json(const Comparison &comparison, const Units &units) {
     Json results = Json::array();
     for (const ComparedResult &result : comparison.results) {
         Json entry{{"name", result.name}};
@@ -154,21 +137,25 @@ Json comparison_json(const Comparison &comparison) {
                 entry[key] = *found;
         results.push_back(entry);
     }
-    return {{"program", "whirl"},
-            {"version", program_version()},
-            {"format", 1},
-            {"command", "compare"},
-            {"of", comparison.command},
-            {"results", results},
-            {"differences", json_rows(columns, all_of(comparison))},
-            {"notes", comparison.notes}};
+    Json json{{"program", "whirl"},
+              {"version", program_version()},
+              {"format", 1},
+              {"command", "compare"},
+              {"of", comparison.command},
+              {"results", results},
+              {"differences", json_rows(columns, all_of(comparison), units)},
+              {"notes", comparison.notes}};
+    if (units.asked())
+        json["units"] = unit_names(units);
+    return json;
 }
 
 std::vector<std::filesystem::path> write_comparison(const Comparison &comparison,
-                                                    const std::filesystem::path &folder) {
+                                                    const std::filesystem::path &folder,
+                                                    const model::OutputUnits &asked) {
     OutputFiles files(folder);
     PlotJobs jobs;
-    const Figure figure = comparison_figure(comparison, Units::of_readers(written_units()));
+    const Figure figure = comparison_figure(comparison, Units::of_readers(asked));
     std::string still;
     const auto svg = files.reserve("compare.svg");
     if (jobs.start(figure, PictureFormat::svg, svg)) {
@@ -178,12 +165,12 @@ std::vector<std::filesystem::path> write_comparison(const Comparison &comparison
     } else {
         files.drop("compare.svg"); // no gnuplot
     }
-    files.add("compare.json", json_text(comparison_json(comparison)));
-    files.add("compare.csv", csv_table(columns, all_of(comparison)));
+    files.add("compare.json", json_text(comparison_json(comparison, Units::of_json(asked))));
+    files.add("compare.csv", csv_table(columns, all_of(comparison), Units::of_files(asked)));
     std::vector<std::string> linked{"compare.json", "compare.csv"};
     if (!still.empty())
         linked.insert(linked.end(), {"compare.svg", "compare.png"});
-    files.add("report.html", page_of(comparison, still, linked));
+    files.add("report.html", page_of(comparison, Units::of_readers(asked), still, linked));
     return files.commit();
 }
 

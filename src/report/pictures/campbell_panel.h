@@ -20,8 +20,8 @@ std::optional<T> entry(const std::vector<std::optional<T>> &list, std::size_t i)
 struct Panel {
     const Units &units;
     bool damping = false;
-    Range x;                    ///< speeds, in their unit
-    Range y;                    ///< frequencies in theirs, or logarithmic decrements
+    Range x{};                  ///< speeds, in their unit
+    Range y{};                  ///< frequencies in theirs, or logarithmic decrements
     double bottom = 0, top = 1; ///< fractions of the figure
     double pixels_wide = 1, pixels_high = 1;
 

@@ -46,8 +46,8 @@ std::string bearing_words(const model::Case &scene, const Units &units,
                           const CriticalMapBearing &across) {
     const std::size_t count = across.bearings.size();
     if (count <= 2)
-        return bearings_text(scene, units, across.bearings);
-    return fmt::format("{} and {} more", bearings_text(scene, units, {across.bearings.front()}),
+        return bearings_text(scene, across.bearings, units);
+    return fmt::format("{} and {} more", bearings_text(scene, {across.bearings.front()}, units),
                        count - 1);
 }
 
@@ -192,7 +192,7 @@ Figure critical_map_figure(const model::Case &scene, const CriticalMap &map, con
     constexpr double pixel = 1.0 / height;
     return figure_of(1200, height, "Critical speed map: " + title_of(scene),
                      "undamped critical speeds over the stiffness of " +
-                         (map.bearing ? bearings_text(scene, units, {*map.bearing})
+                         (map.bearing ? bearings_text(scene, {*map.bearing}, units)
                                       : std::string("all bearings together")),
                      map_panel(scene, units, map, pixel) +
                          shape_panel(scene, units, map, true, pixel) +

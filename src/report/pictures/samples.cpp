@@ -18,16 +18,8 @@ namespace {
 
 constexpr std::size_t most_panels = 12;
 
-/// What an answer is: speeds, peaks of amplitude and of force, shares.
-Quantity quantity_of(const SampledAnswer &answer) {
-    return answer.unit == "rad/s" ? Quantity::speed
-           : answer.unit == "m"   ? Quantity::amplitude
-           : answer.unit == "N"   ? Quantity::force
-                                  : Quantity::number;
-}
-
 std::string axis_of(const Units &units, const SampledAnswer &answer) {
-    const Quantity quantity = quantity_of(answer);
+    const Quantity quantity = answer.quantity;
     const char *what = quantity == Quantity::speed       ? "Spin speed"
                        : quantity == Quantity::amplitude ? "Amplitude"
                        : quantity == Quantity::force     ? "Force"
@@ -39,7 +31,7 @@ std::vector<double> shown_values(const Units &units, const SampledAnswer &answer
     std::vector<double> values;
     for (const std::optional<double> &value : answer.values)
         if (value)
-            values.push_back(units(quantity_of(answer), *value));
+            values.push_back(units(answer.quantity, *value));
     return values;
 }
 
@@ -71,7 +63,7 @@ Histogram histogram_of(const std::vector<double> &values) {
 
 /// Lines at the quantiles, their intervals shaded, and the case as it is.
 std::string marks_of(const Units &units, const SampledAnswer &answer) {
-    const double factor = units.factor(quantity_of(answer));
+    const double factor = units.factor(answer.quantity);
     std::string text;
     for (const results::SampleQuantile &quantile : answer.quantiles) {
         const auto place = [&](const std::optional<double> &end, const char *border) {
@@ -104,13 +96,13 @@ std::string panel_of(const model::Case &scene, const Units &units, const Sampled
     drawn.add(bars, "using 1:2 with boxes lc rgb '#3C97CF' fs transparent solid 0.45 border lc rgb "
                     "'#0072B2'");
     return marks_of(units, answer) +
-           (quantity_of(answer) == Quantity::speed ? operation_band(scene, units, x) : "") +
+           (answer.quantity == Quantity::speed ? operation_band(scene, units, x) : "") +
            axes_over(x, {0, 1.08 * most}) +
            fmt::format(
                "set title {} font ',12' offset 0,0.2\nset xlabel {} font ',11' offset 0,0.4\n"
                "set ylabel 'samples' font ',11' offset 1.5,0\n"
                "set xtics {:.9g} font ',11'\nset ytics font ',11'\nset boxwidth {:.9g}\n",
-               plot_text(answer.name), axis_of(units, answer), step_of(high - low),
+               plot_text(units.text(answer.name)), axis_of(units, answer), step_of(high - low),
                histogram.width) +
            drawn.script() + "unset object\nunset arrow\nunset label\nunset title\n";
 }

@@ -16,33 +16,42 @@ namespace {
 
 const Kind<GravityStation> station_kind{
     "station",
-    {series("static", "static [m]", &GravityStation::sag),
-     series("static_x", "static_x [m]", &GravityStation::sag_x),
-     series("static_y", "static_y [m]", &GravityStation::sag_y),
-     series("twice", "twice [m]", &GravityStation::twice),
-     series("phase", "phase [rad]", &GravityStation::phase),
-     series("error", "error", &GravityStation::error),
-     series("static_error", "static_error", &GravityStation::sag_error)}};
+    {series("static", "static", Quantity::deflection, &GravityStation::sag),
+     series("static_x", "static_x", Quantity::deflection, &GravityStation::sag_x),
+     series("static_y", "static_y", Quantity::deflection, &GravityStation::sag_y),
+     series("twice", "twice", Quantity::amplitude, &GravityStation::twice),
+     series("phase", "phase", Quantity::angle, &GravityStation::phase),
+     series("error", "error", Quantity::number, &GravityStation::error),
+     series("static_error", "static_error", Quantity::number, &GravityStation::sag_error)}};
 
 const Kind<GravityBearing> gravity_bearing_kind{
     "bearing",
-    {series("static", "static force [N]", &GravityBearing::carried),
-     series("twice", "twice force [N]", &GravityBearing::twice),
-     series("error", "error", &GravityBearing::error),
-     series("static_error", "static_error", &GravityBearing::carried_error)}};
+    {series("static", "static force", Quantity::force, &GravityBearing::carried),
+     series("twice", "twice force", Quantity::force, &GravityBearing::twice),
+     series("error", "error", Quantity::number, &GravityBearing::error),
+     series("static_error", "static_error", Quantity::number, &GravityBearing::carried_error)}};
 
-const std::vector<std::string> gravity_headings{
-    "speed [rad/s]",   "kind",         "name",        "z [m]",       "static [m]",
-    "static_x [m]",    "static_y [m]", "twice [m]",   "phase [rad]", "static force [N]",
-    "twice force [N]", "error",        "static_error"};
+const std::vector<CsvHeading> gravity_headings{{"speed", Quantity::speed},
+                                               {"kind"},
+                                               {"name"},
+                                               {"z", Quantity::length},
+                                               {"static", Quantity::deflection},
+                                               {"static_x", Quantity::deflection},
+                                               {"static_y", Quantity::deflection},
+                                               {"twice", Quantity::amplitude},
+                                               {"phase", Quantity::angle},
+                                               {"static force", Quantity::force},
+                                               {"twice force", Quantity::force},
+                                               {"error"},
+                                               {"static_error"}};
 
-Json curves_json(const GravityResponse &response) {
+Json curves_json(const GravityResponse &response, const Units &units) {
     const results::ResponseCurves &curves = response.curves;
     const std::size_t stations = response.stations.size();
-    return {{"speeds", curves.speeds},
-            {"stations", curves_of_kind(curves, 0, stations, "twice")},
-            {"bearings",
-             curves_of_kind(curves, stations, stations + response.bearings.size(), "twice")}};
+    return {{"speeds", written(units, Quantity::speed, curves.speeds)},
+            {"stations", curves_of_kind(curves, 0, stations, "twice", Quantity::amplitude, units)},
+            {"bearings", curves_of_kind(curves, stations, stations + response.bearings.size(),
+                                        "twice", Quantity::force, units)}};
 }
 
 /// Largest circle of a place beside what stands still there at the first speed.
@@ -60,21 +69,21 @@ std::vector<Summary> summaries(const GravityResponse &response, const std::vecto
     return out;
 }
 
-/// @param still, circle  factors of what stands still and of what vibrates, for readers
-Columns<Summary> summary_columns(const char *on_page, const char *on_terminal, const char *unit,
-                                 auto still, auto circle) {
-    const std::string of_still = fmt::format("static {}", unit);
-    const std::string of_circle = fmt::format("largest at twice the spin speed {}", unit);
+/// @param still, circle  what stands still and what vibrates
+Columns<Summary> summary_columns(const char *on_page, const char *on_terminal, Quantity still,
+                                 Quantity circle) {
     return {{OnPage(on_page), InText(on_terminal), place_of},
-            {OnPage(of_still), InText(of_still, "{:.6g}", "no limit"), in(still, &Summary::still)},
-            {ForReaders(of_circle, "{:.6g}", "no limit"), in(circle, &Summary::value)},
-            {OnPage("at (rpm)"), InText("at rpm"), in(rpm, &Summary::speed)},
-            {OnPage("Relative error", "{:.2g}"), InText("error", rough), &Summary::error}};
+            {OnPage("static"), InText("static", "{:.6g}", "no limit"), still, &Summary::still},
+            {ForReaders("largest at twice the spin speed", "{:.6g}", "no limit"), circle,
+             &Summary::value},
+            {ForReaders("at"), Quantity::speed, &Summary::speed},
+            {OnPage("Relative error", "{:.2g}"), InText("error", rough), Quantity::number,
+             &Summary::error}};
 }
 const Columns<Summary> deflection_columns =
-    summary_columns("Place", "station", "µm", still_micrometres, micrometres);
-// A table converts newtons itself.
-const Columns<Summary> carried_columns = summary_columns("Bearing", "bearing", "N", 1.0, 1.0);
+    summary_columns("Place", "station", Quantity::deflection, Quantity::amplitude);
+const Columns<Summary> carried_columns =
+    summary_columns("Bearing", "bearing", Quantity::force, Quantity::force);
 
 std::vector<Summary> of_stations(const GravityResponse &response,
                                  const std::vector<double> &speeds) {
@@ -87,44 +96,47 @@ std::vector<Summary> of_bearings(const GravityResponse &response,
 
 } // namespace
 
-Json gravity_json(const GravityResponse &response, const std::vector<double> &speeds) {
-    return {{"gravity", response.gravity},
-            {"stations", station_kind.json(speeds, response.stations)},
-            {"bearings", gravity_bearing_kind.json(speeds, response.bearings)},
-            {"peaks", json_rows(curve_peaks(), response.peaks)},
-            {"curves", curves_json(response)}};
+Json gravity_json(const GravityResponse &response, const std::vector<double> &speeds,
+                  const Units &units) {
+    return {{"gravity", written(units, Quantity::acceleration, response.gravity)},
+            {"stations", station_kind.json(speeds, response.stations, units)},
+            {"bearings", gravity_bearing_kind.json(speeds, response.bearings, units)},
+            {"peaks", json_rows(curve_peaks(), response.peaks, units)},
+            {"curves", curves_json(response, units)}};
 }
 
-std::string gravity_csv(const GravityResponse &response, const std::vector<double> &speeds) {
-    std::string csv = csv_head_line(gravity_headings);
+std::string gravity_csv(const GravityResponse &response, const std::vector<double> &speeds,
+                        const Units &units) {
+    std::string csv = csv_head_line(gravity_headings, units);
     for (std::size_t i = 0; i < speeds.size(); ++i)
-        csv += station_kind.csv(gravity_headings, speeds[i], i, response.stations) +
-               gravity_bearing_kind.csv(gravity_headings, speeds[i], i, response.bearings);
+        csv += station_kind.csv(gravity_headings, speeds[i], i, response.stations, units) +
+               gravity_bearing_kind.csv(gravity_headings, speeds[i], i, response.bearings, units);
     return csv;
 }
 
 std::vector<Section> gravity_sections(const GravityResponse &response,
-                                      const std::vector<double> &speeds) {
+                                      const std::vector<double> &speeds, const Units &units) {
     std::vector<Section> out{
         {"Weight: peaks of the motion at twice the spin speed",
          response.peaks.empty() ? "<p>None inside the range.</p>"
-                                : page_table(curve_peaks(), response.peaks)},
+                                : page_table(curve_peaks(), response.peaks, units)},
         {"Weight: static deflection at the first speed, largest circle in the range",
-         page_table(deflection_columns, of_stations(response, speeds))}};
+         page_table(deflection_columns, of_stations(response, speeds), units)}};
     if (!response.bearings.empty())
         out.push_back({"Weight: forces in the bearings",
-                       page_table(carried_columns, of_bearings(response, speeds))});
+                       page_table(carried_columns, of_bearings(response, speeds), units)});
     return out;
 }
 
-std::string gravity_text(const GravityResponse &response, const std::vector<double> &speeds) {
-    return fmt::format("Under the weight, {:.6g} m/s2 towards -y: peaks of the motion at twice the "
-                       "spin speed\n",
-                       response.gravity) +
+std::string gravity_text(const GravityResponse &response, const std::vector<double> &speeds,
+                         const Units &units) {
+    return fmt::format("Under the weight, {} towards -y: peaks of the motion at twice the spin "
+                       "speed\n",
+                       units.text(Quantity::acceleration, response.gravity)) +
            (response.peaks.empty() ? "\n  none inside the range\n"
-                                   : text_table(curve_peaks(), response.peaks)) +
-           "\n" + text_table(deflection_columns, of_stations(response, speeds)) +
-           text_table("\n", carried_columns, of_bearings(response, speeds));
+                                   : text_table(curve_peaks(), response.peaks, units)) +
+           "\n" + text_table(deflection_columns, of_stations(response, speeds), units) +
+           text_table("\n", carried_columns, of_bearings(response, speeds), units);
 }
 
 } // namespace whirl::report

@@ -12,12 +12,13 @@ namespace whirl::report {
 // What the report of the response says of the motion under the weight.
 
 [[nodiscard]] Json gravity_json(const results::GravityResponse &response,
-                                const std::vector<double> &speeds);
+                                const std::vector<double> &speeds, const Units &units);
 [[nodiscard]] std::string gravity_csv(const results::GravityResponse &response,
-                                      const std::vector<double> &speeds);
+                                      const std::vector<double> &speeds, const Units &units);
 [[nodiscard]] std::vector<Section> gravity_sections(const results::GravityResponse &response,
-                                                    const std::vector<double> &speeds);
+                                                    const std::vector<double> &speeds,
+                                                    const Units &units);
 [[nodiscard]] std::string gravity_text(const results::GravityResponse &response,
-                                       const std::vector<double> &speeds);
+                                       const std::vector<double> &speeds, const Units &units);
 
 } // namespace whirl::report

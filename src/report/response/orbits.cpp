@@ -34,60 +34,55 @@ std::string sense(const OrbitRow &row) {
 }
 
 const Columns<OrbitRow> orbit_columns{
-    {InCsv("speed [rad/s]"), &OrbitRow::speed},
-    {ForReaders("rpm"), in(rpm, &OrbitRow::speed)},
+    {InCsv("speed"), ForReaders(""), Quantity::speed, &OrbitRow::speed},
     {"of", InCsv("of"), OnPage("Orbit in"), InText("of"), &OrbitRow::of},
-    {"z", InCsv("z [m]"), OnPage("z (m)", "{:.5g}"), &OrbitRow::z},
+    {"z", InCsv("z"), OnPage("z", "{:.5g}"), Quantity::length, &OrbitRow::z},
     {"name", InCsv("name"), OnPage("Place"), &OrbitRow::name},
     {InText("orbit at"), place_of},
-    {"x", InCsv("x [m]"), &OrbitRow::x},
-    {"x_phase", InCsv("x_phase [rad]"), &OrbitRow::x_phase},
-    {"y", InCsv("y [m]"), &OrbitRow::y},
-    {"y_phase", InCsv("y_phase [rad]"), &OrbitRow::y_phase},
-    {"major", InCsv("major [m]"), &OrbitRow::major},
-    {"minor", InCsv("minor [m]"), &OrbitRow::minor},
-    {OnPage("Amplitude (µm)"), InText("amplitude µm"), in(micrometres, &OrbitRow::major)},
-    {OnPage("Smaller amplitude (µm)"),
-     [](const OrbitRow &row) { return std::abs(row.minor) * micrometres; }},
+    {"x", InCsv("x"), Quantity::amplitude, &OrbitRow::x},
+    {"x_phase", InCsv("x_phase"), Quantity::angle, &OrbitRow::x_phase},
+    {"y", InCsv("y"), Quantity::amplitude, &OrbitRow::y},
+    {"y_phase", InCsv("y_phase"), Quantity::angle, &OrbitRow::y_phase},
+    {"major", InCsv("major"), OnPage("Amplitude"), InText("amplitude"), Quantity::amplitude,
+     &OrbitRow::major},
+    {"minor", InCsv("minor"), Quantity::amplitude, &OrbitRow::minor},
+    {OnPage("Smaller amplitude"), Quantity::amplitude,
+     [](const OrbitRow &row) { return std::abs(row.minor); }},
     {OnPage("Sense"), InText("sense"), sense},
-    {"clearance", InCsv("clearance [m]"), &OrbitRow::clearance},
-    {OnPage("Radial clearance (µm)"), in(still_micrometres, &OrbitRow::clearance)},
-    {"share", InCsv("share"), &OrbitRow::share},
-    {OnPage("Share of it (%)", "{:.4g}"), InText("% of clearance", "{:.4g}"),
+    {"clearance", InCsv("clearance"), OnPage("Radial clearance"), Quantity::deflection,
+     &OrbitRow::clearance},
+    {"share", InCsv("share"), Quantity::number, &OrbitRow::share},
+    {OnPage("Share of it (%)", "{:.4g}"), InText("% of clearance", "{:.4g}"), Quantity::number,
      in(100, &OrbitRow::share)},
     {"error", InCsv("error"), OnPage("Relative error", "{:.2g}"), InText("error", rough),
-     &OrbitRow::error}};
+     Quantity::number, &OrbitRow::error}};
 
 const Columns<ClearanceUse> use_columns{
     {"of", OnPage("Largest orbit in"), InText("of"), &ClearanceUse::of},
-    {"z", OnPage("z (m)", "{:.5g}"), &ClearanceUse::z},
+    {"z", OnPage("z", "{:.5g}"), Quantity::length, &ClearanceUse::z},
     {"name", OnPage("Place"), &ClearanceUse::name},
     {InText("clearance at"), place_of},
-    {"clearance", &ClearanceUse::clearance},
-    {OnPage("Radial clearance (µm)"), InText("radial clearance µm"),
-     in(still_micrometres, &ClearanceUse::clearance)},
-    {"share", &ClearanceUse::share},
+    {"clearance", OnPage("Radial clearance"), InText("radial clearance"), Quantity::deflection,
+     &ClearanceUse::clearance},
+    {"share", Quantity::number, &ClearanceUse::share},
     {OnPage("Share of it (%)", "{:.4g}", "no limit"),
-     InText("largest orbit %", "{:.4g}", "no limit"), in(100, &ClearanceUse::share)},
-    {"speed", &ClearanceUse::speed},
-    {OnPage("at (rpm)", "{:.8g}"), InText("at rpm", "{:.8g}"), in(rpm, &ClearanceUse::speed)},
-    {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), &ClearanceUse::error}};
+     InText("largest orbit %", "{:.4g}", "no limit"), Quantity::number,
+     in(100, &ClearanceUse::share)},
+    {"speed", ForReaders("at", "{:.8g}"), Quantity::speed, &ClearanceUse::speed},
+    {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), Quantity::number,
+     &ClearanceUse::error}};
 
 const Columns<DeflectedShape> shape_columns{
-    {"speed", &DeflectedShape::speed},
-    {OnPage("rpm"), InText("shape at rpm"), in(rpm, &DeflectedShape::speed)},
-    {"instant", &DeflectedShape::instant},
-    {"largest", &DeflectedShape::largest},
-    {OnPage("Largest amplitude (µm)"), InText("largest amplitude µm"),
-     in(micrometres, &DeflectedShape::largest)},
-    {"largest_z", OnPage("at z (m)", "{:.5g}"), InText("at z m", "{:.5g}"),
-     &DeflectedShape::largest_z},
-    {OnPage("Rotor angle then (deg)", "{:.1f}"), InText("rotor angle deg", "{:.1f}"),
-     in(degrees, &DeflectedShape::instant)},
-    {"z", &DeflectedShape::z},
-    {"x", &DeflectedShape::x},
-    {"y", &DeflectedShape::y},
-    {"envelope", &DeflectedShape::envelope}};
+    {"speed", OnPage(""), InText("shape at"), Quantity::speed, &DeflectedShape::speed},
+    {"largest", OnPage("Largest amplitude"), InText("largest amplitude"), Quantity::amplitude,
+     &DeflectedShape::largest},
+    {"largest_z", ForReaders("at z", "{:.5g}"), Quantity::length, &DeflectedShape::largest_z},
+    {"instant", OnPage("Rotor angle then", "{:.1f}"), InText("rotor angle", "{:.1f}"),
+     Quantity::angle, &DeflectedShape::instant},
+    {"z", Quantity::length, &DeflectedShape::z},
+    {"x", Quantity::deflection, &DeflectedShape::x},
+    {"y", Quantity::deflection, &DeflectedShape::y},
+    {"envelope", Quantity::amplitude, &DeflectedShape::envelope}};
 
 std::vector<OrbitRow> rows_of(const std::vector<Orbits> &all, bool in_supports) {
     std::vector<OrbitRow> rows;
@@ -102,47 +97,48 @@ std::vector<OrbitRow> rows_of(const std::vector<Orbits> &all, bool in_supports) 
 struct ShapePoint {
     double speed, z, x, y, major;
 };
-const Columns<ShapePoint> point_columns{{InCsv("speed [rad/s]"), &ShapePoint::speed},
-                                        {InCsv("z [m]"), &ShapePoint::z},
-                                        {InCsv("x_instant [m]"), &ShapePoint::x},
-                                        {InCsv("y_instant [m]"), &ShapePoint::y},
-                                        {InCsv("major [m]"), &ShapePoint::major}};
+const Columns<ShapePoint> point_columns{{InCsv("speed"), Quantity::speed, &ShapePoint::speed},
+                                        {InCsv("z"), Quantity::length, &ShapePoint::z},
+                                        {InCsv("x_instant"), Quantity::deflection, &ShapePoint::x},
+                                        {InCsv("y_instant"), Quantity::deflection, &ShapePoint::y},
+                                        {InCsv("major"), Quantity::amplitude, &ShapePoint::major}};
 
-std::string shapes_csv(const std::vector<DeflectedShape> &shapes) {
+std::string shapes_csv(const std::vector<DeflectedShape> &shapes, const Units &units) {
     std::vector<ShapePoint> points;
     for (const DeflectedShape &shape : shapes)
         for (std::size_t i = 0; i < shape.z.size(); ++i)
             points.push_back({shape.speed, shape.z[i], shape.x[i], shape.y[i], shape.envelope[i]});
-    return csv_table(point_columns, points);
+    return csv_table(point_columns, points, units);
 }
 
 } // namespace
 
-void add_orbits(Json &json, const ResponseResult &result) {
-    json["orbits"] = json_list(result.orbits, [](const Orbits &orbits) {
-        return Json{{"speed", orbits.speed},
-                    {"stations", json_rows(orbit_columns, rows_of({orbits}, false))}};
+void add_orbits(Json &json, const ResponseResult &result, const Units &units) {
+    json["orbits"] = json_list(result.orbits, [&units](const Orbits &orbits) {
+        return Json{{"speed", written(units, Quantity::speed, orbits.speed)},
+                    {"stations", json_rows(orbit_columns, rows_of({orbits}, false), units)}};
     });
-    json["clearances"] = json_rows(use_columns, result.clearances);
-    json["shapes"] = json_rows(shape_columns, result.shapes);
+    json["clearances"] = json_rows(use_columns, result.clearances, units);
+    json["shapes"] = json_rows(shape_columns, result.shapes, units);
 }
 
-std::vector<Section> orbit_sections(const ResponseResult &result) {
+std::vector<Section> orbit_sections(const ResponseResult &result, const Units &units) {
     std::vector<Section> sections;
     if (!result.clearances.empty())
-        sections.push_back(
-            {"Largest orbits in the clearances", page_table(use_columns, result.clearances)});
+        sections.push_back({"Largest orbits in the clearances",
+                            page_table(use_columns, result.clearances, units)});
     if (!result.orbits.empty())
-        sections.push_back({"Orbits", page_table(orbit_columns, rows_of(result.orbits, false))});
+        sections.push_back(
+            {"Orbits", page_table(orbit_columns, rows_of(result.orbits, false), units)});
     if (!result.shapes.empty())
-        sections.push_back({"Deflected shapes", page_table(shape_columns, result.shapes)});
+        sections.push_back({"Deflected shapes", page_table(shape_columns, result.shapes, units)});
     return sections;
 }
 
-std::string orbit_text(const ResponseResult &result) {
-    return text_table("\n", use_columns, result.clearances) +
-           text_table("\n", orbit_columns, rows_of(result.orbits, true)) +
-           text_table("\n", shape_columns, result.shapes);
+std::string orbit_text(const ResponseResult &result, const Units &units) {
+    return text_table("\n", use_columns, result.clearances, units) +
+           text_table("\n", orbit_columns, rows_of(result.orbits, true), units) +
+           text_table("\n", shape_columns, result.shapes, units);
 }
 
 std::vector<Picture> orbit_pictures(const model::Case &scene, const ResponseResult &result,
@@ -150,12 +146,14 @@ std::vector<Picture> orbit_pictures(const model::Case &scene, const ResponseResu
     std::vector<Picture> pictures;
     if (!result.orbits.empty())
         pictures.push_back({"response_orbits", orbits_figure(scene, result.orbits, units),
-                            [&result](const Units &) {
-                                return csv_table(orbit_columns, rows_of(result.orbits, false));
+                            [&result](const Units &units) {
+                                return csv_table(orbit_columns, rows_of(result.orbits, false),
+                                                 units);
                             }});
     if (!result.shapes.empty())
-        pictures.push_back({"response_shapes", shapes_figure(scene, result.shapes, units),
-                            [&result](const Units &) { return shapes_csv(result.shapes); }});
+        pictures.push_back(
+            {"response_shapes", shapes_figure(scene, result.shapes, units),
+             [&result](const Units &units) { return shapes_csv(result.shapes, units); }});
     return pictures;
 }
 

@@ -12,10 +12,11 @@ namespace whirl::report {
 // What the report of the response says of orbits, clearances and deflected shapes.
 
 /// Adds the keys `orbits`, `clearances` and `shapes`.
-void add_orbits(Json &json, const results::ResponseResult &result);
+void add_orbits(Json &json, const results::ResponseResult &result, const Units &units);
 
-[[nodiscard]] std::vector<Section> orbit_sections(const results::ResponseResult &result);
-[[nodiscard]] std::string orbit_text(const results::ResponseResult &result);
+[[nodiscard]] std::vector<Section> orbit_sections(const results::ResponseResult &result,
+                                                  const Units &units);
+[[nodiscard]] std::string orbit_text(const results::ResponseResult &result, const Units &units);
 
 /// Orbits in their clearance circles, and deflected shapes, as far as there are any.
 [[nodiscard]] std::vector<Picture>

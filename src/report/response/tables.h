@@ -21,8 +21,9 @@ template <class Of> struct At {
     std::size_t index; ///< of the speed
 };
 
-template <class Of> Column<At<Of>> series(std::string key, std::string csv, auto Of::*list) {
-    return {std::move(key), InCsv(std::move(csv)), [list](const At<Of> &at) {
+template <class Of>
+Column<At<Of>> series(std::string key, std::string csv, Quantity quantity, auto Of::*list) {
+    return {std::move(key), InCsv(std::move(csv)), quantity, [list](const At<Of> &at) {
                 const auto &values = at.of->*list;
                 return at.index < values.size() ? Json(values[at.index]) : Json();
             }};
@@ -35,9 +36,9 @@ template <class Of> class Kind {
     /// @param series  what has a value at each speed
     /// @param more    what has one value, beside place and name
     Kind(std::string name, Columns<At<Of>> series, const Columns<At<Of>> &more = {})
-        : _once{{InCsv("speed [rad/s]"), &At<Of>::speed},
+        : _once{{InCsv("speed"), Quantity::speed, &At<Of>::speed},
                 {InCsv("kind"), [name = std::move(name)](const At<Of> &) { return name; }},
-                {"z", InCsv("z [m]"), [](const At<Of> &at) { return at.of->z; }},
+                {"z", InCsv("z"), Quantity::length, [](const At<Of> &at) { return at.of->z; }},
                 {"name", InCsv("name"), [](const At<Of> &at) { return at.of->name; }}},
           _series(std::move(series)) {
         _once.insert(_once.end(), more.begin(), more.end());
@@ -46,24 +47,26 @@ template <class Of> class Kind {
     }
 
     /// In JSON: what has one value, and lists over the speeds.
-    [[nodiscard]] Json json(const std::vector<double> &speeds, const std::vector<Of> &all) const {
+    [[nodiscard]] Json json(const std::vector<double> &speeds, const std::vector<Of> &all,
+                            const Units &units) const {
         return json_list(all, [&](const Of &of) {
             std::vector<At<Of>> rows;
             for (std::size_t i = 0; i < speeds.size(); ++i)
                 rows.push_back({speeds[i], &of, i});
-            Json json = json_row(_once, At<Of>{0, &of, 0});
-            take_entries(json, json_lists(_series, rows));
+            Json json = json_row(_once, At<Of>{0, &of, 0}, units);
+            take_entries(json, json_lists(_series, rows, units));
             return json;
         });
     }
 
     /// The lines of one speed in a file.
-    [[nodiscard]] std::string csv(const std::vector<std::string> &headings, double speed,
-                                  std::size_t index, const std::vector<Of> &all) const {
+    [[nodiscard]] std::string csv(const std::vector<CsvHeading> &headings, double speed,
+                                  std::size_t index, const std::vector<Of> &all,
+                                  const Units &units) const {
         std::vector<At<Of>> rows;
         for (const Of &of : all)
             rows.push_back({speed, &of, index});
-        return csv_rows(headings, _in_file, rows);
+        return csv_rows(headings, _in_file, rows, units);
     }
 
   private:
@@ -73,7 +76,8 @@ template <class Of> class Kind {
 /// The curves of a kind, which stand one after another, as far as there are any.
 /// @param key  of their values
 [[nodiscard]] Json curves_of_kind(const results::ResponseCurves &curves, std::size_t from,
-                                  std::size_t to, const char *key);
+                                  std::size_t to, const char *key, Quantity quantity,
+                                  const Units &units);
 
 /// The largest value in the range: a peak, or at one of its ends.
 struct LargestValue {

@@ -16,25 +16,23 @@ using results::Verdict;
 
 namespace {
 
-double width(const BandLine &line) { return line.to - line.from; }
+double width(const BandLine &line) { return *line.to - *line.from; }
 
 /// Of the file, and of the tables of bands.
 Columns<BandLine> band_columns(bool with_errors) {
-    Columns<BandLine> columns{
-        {InCsv("kind"), &BandLine::kind},
-        {InCsv("from"), OnPage("From (rad/s)", "{:.10g}"), InText("from rad/s", precise),
-         &BandLine::from},
-        {InCsv("to"), OnPage("to (rad/s)", "{:.10g}"), InText("to rad/s", precise), &BandLine::to},
-        {OnPage("from (rpm)", "{:.8g}"), InText("from rpm"), in(rpm, &BandLine::from)},
-        {OnPage("to (rpm)", "{:.8g}"), InText("to rpm"), in(rpm, &BandLine::to)},
-        {OnPage("width (rad/s)", "{:.4g}"), InText("width rad/s"), width},
-        {InCsv("growth [1/s]"), &BandLine::growth},
-        {InCsv("verdict"), &BandLine::verdict}};
+    Columns<BandLine> columns{{InCsv("kind"), &BandLine::kind},
+                              {InCsv("from"), OnPage("From", "{:.8g}").and_si("{:.10g}"),
+                               InText("from").and_si(precise), Quantity::speed, &BandLine::from},
+                              {InCsv("to"), OnPage("to", "{:.8g}").and_si("{:.10g}"),
+                               InText("to").and_si(precise), Quantity::speed, &BandLine::to},
+                              {OnPage("width", "{:.4g}"), InText("width"), Quantity::speed, width},
+                              {InCsv("growth"), Quantity::rate, &BandLine::growth},
+                              {InCsv("verdict"), &BandLine::verdict}};
     if (with_errors) {
-        columns.push_back({InCsv("error of from"), OnPage("error of from (rad/s)", "{:.2g}"),
-                           InText("error of from", rough), &BandLine::from_error});
-        columns.push_back({InCsv("error of to"), OnPage("error of to (rad/s)", "{:.2g}"),
-                           InText("error of to", rough), &BandLine::to_error});
+        columns.push_back({InCsv("error of from"), OnPage("error of from", "{:.2g}"),
+                           InText("error of from", rough), Quantity::speed, &BandLine::from_error});
+        columns.push_back({InCsv("error of to"), OnPage("error of to", "{:.2g}"),
+                           InText("error of to", rough), Quantity::speed, &BandLine::to_error});
     }
     return columns;
 }
@@ -43,11 +41,16 @@ Columns<BandLine> band_columns(bool with_errors) {
 
 Columns<BandLine> file_columns(const results::StabilityResult &result) {
     Columns<BandLine> columns = band_columns(true);
-    if (!result.resolved_up_to)
-        return columns;
-    columns.push_back({InCsv("resolved growth [1/s]"), &BandLine::resolved_growth});
-    columns.push_back({InCsv("resolved verdict"), &BandLine::resolved_verdict});
-    columns.push_back({InCsv("unresolved growth [1/s]"), &BandLine::unresolved_growth});
+    if (result.resolved_up_to) {
+        columns.push_back({InCsv("resolved growth"), Quantity::rate, &BandLine::resolved_growth});
+        columns.push_back({InCsv("resolved verdict"), &BandLine::resolved_verdict});
+        columns.push_back(
+            {InCsv("unresolved growth"), Quantity::rate, &BandLine::unresolved_growth});
+    }
+    if (const auto &map = result.map) {
+        columns.push_back({InCsv("x: " + map->x.path), map->x.quantity, &BandLine::x});
+        columns.push_back({InCsv("y: " + map->y.path), map->y.quantity, &BandLine::y});
+    }
     return columns;
 }
 
@@ -87,7 +90,10 @@ std::vector<BandLine> map_lines(const results::StabilityMap &map) {
     std::vector<BandLine> all;
     for (std::size_t j = 0; j < map.growth.size(); ++j)
         for (std::size_t i = 0; i < map.growth[j].size(); ++i)
-            all.push_back({"map", map.x_values[i], map.y_values[j], map.growth[j][i]});
+            all.push_back({.kind = "map",
+                           .growth = map.growth[j][i],
+                           .x = map.x_values[i],
+                           .y = map.y_values[j]});
     return all;
 }
 
@@ -102,13 +108,13 @@ struct Told {
 };
 
 /// All that is told apart: of one rotor all motions, or those that are resolved and all of them.
-std::vector<Told> told(const StabilityResult &result) {
+std::vector<Told> told(const StabilityResult &result, const Units &units) {
     const Told all{"Unstable", result.unstable, result.unstable_error, result.verdict};
     if (!result.resolved_up_to)
         return {all};
-    std::vector<Told> out{{fmt::format("Unstable, motions up to frequencies of {:.6g} rad/s, "
-                                       "which the elements resolve",
-                                       *result.resolved_up_to),
+    std::vector<Told> out{{fmt::format("Unstable, motions up to frequencies of {}, which the "
+                                       "elements resolve",
+                                       units.text(Quantity::frequency, *result.resolved_up_to)),
                            result.resolved_unstable, result.resolved_unstable_error,
                            result.resolved_verdict}};
     if (result.unstable != result.resolved_unstable) {
@@ -142,7 +148,7 @@ std::string not_in_bands(const Told &of, const std::vector<double> &speeds) {
 }
 
 /// The motions that are faster than what the elements resolve; nothing where all are resolved.
-std::string faster_motions(const StabilityResult &result) {
+std::string faster_motions(const StabilityResult &result, const Units &units) {
     if (!result.resolved_up_to)
         return "";
     const std::vector<double> &growth = result.unresolved_growth;
@@ -161,40 +167,43 @@ std::string faster_motions(const StabilityResult &result) {
         return text +
                (n == 1 ? "none grows" : fmt::format("none grows at any of the {} speeds", n));
     if (growing > 0)
-        text += fmt::format("growing{}, by up to {:.4g} 1/s", at(growing),
-                            *std::max_element(growth.begin(), growth.end(), [](double a, double b) {
-                                return std::isnan(a) || a < b;
-                            }));
+        text += fmt::format(
+            "growing{}, by up to {}", at(growing),
+            units.text(Quantity::rate,
+                       *std::max_element(growth.begin(), growth.end(),
+                                         [](double a, double b) { return std::isnan(a) || a < b; }),
+                       4));
     if (unknown > 0)
         text += (growing > 0 ? "; " : "") + ("not known" + at(unknown));
     return text;
 }
 
 /// Of one speed.
-std::string becomes(Verdict verdict, double growth) {
+std::string becomes(Verdict verdict, double growth, const Units &units) {
+    const std::string rate = units.text(Quantity::rate, growth);
     switch (verdict) {
     case Verdict::stable:
-        return fmt::format("Stable: every motion dies out, the slowest with {:.6g} 1/s", growth);
+        return "Stable: every motion dies out, the slowest with " + rate;
     case Verdict::neutral:
         return "Neither stable nor unstable: no motion grows, some do not die out either (no "
                "damping)";
     case Verdict::unstable:
-        return fmt::format("Unstable: a whirl grows with {:.6g} 1/s", growth);
+        return "Unstable: a whirl grows with " + rate;
     case Verdict::diverges:
-        return fmt::format("Unstable: it diverges, a real root of +{:.6g} 1/s", growth);
+        return "Unstable: it diverges, a real root of +" + rate;
     default:
         return "No answer at this speed";
     }
 }
 
 /// The same of the motions that are resolved, and of the others.
-std::vector<std::string> sentences_at_one_speed(const StabilityResult &result) {
+std::vector<std::string> sentences_at_one_speed(const StabilityResult &result, const Units &units) {
     if (!result.resolved_up_to)
-        return {becomes(result.verdict.front(), result.growth.front())};
-    return {fmt::format("Motions up to frequencies of {:.6g} rad/s, which the elements resolve: ",
-                        *result.resolved_up_to) +
-                becomes(result.resolved_verdict.front(), result.resolved_growth.front()),
-            "The " + faster_motions(result)};
+        return {becomes(result.verdict.front(), result.growth.front(), units)};
+    return {fmt::format("Motions up to frequencies of {}, which the elements resolve: ",
+                        units.text(Quantity::frequency, *result.resolved_up_to)) +
+                becomes(result.resolved_verdict.front(), result.resolved_growth.front(), units),
+            "The " + faster_motions(result, units)};
 }
 
 std::string lines_of(const std::vector<std::string> &sentences, const char *before,
@@ -207,50 +216,51 @@ std::string lines_of(const std::vector<std::string> &sentences, const char *befo
 
 } // namespace
 
-std::string bands_text(const std::string &title, const Bands &bands, const BandErrors *errors) {
-    return bands.empty()
-               ? title + ": none in this range\n"
-               : title + ":\n" +
-                     text_table(band_columns(errors != nullptr), band_lines("", bands, errors));
+std::string bands_text(const std::string &title, const Bands &bands, const Units &units,
+                       const BandErrors *errors) {
+    return bands.empty() ? title + ": none in this range\n"
+                         : title + ":\n" +
+                               text_table(band_columns(errors != nullptr),
+                                          band_lines("", bands, errors), units);
 }
 
-std::string bands_section(const Bands &bands, const BandErrors *errors) {
+std::string bands_section(const Bands &bands, const Units &units, const BandErrors *errors) {
     return bands.empty()
                ? "<p>None in this range.</p>\n"
-               : page_table(band_columns(errors != nullptr), band_lines("", bands, errors));
+               : page_table(band_columns(errors != nullptr), band_lines("", bands, errors), units);
 }
 
-std::string headline_text(const StabilityResult &result) {
+std::string headline_text(const StabilityResult &result, const Units &units) {
     if (result.speeds.size() == 1)
-        return lines_of(sentences_at_one_speed(result), "", "\n");
+        return lines_of(sentences_at_one_speed(result, units), "", "\n");
     std::string text;
-    for (const Told &of : told(result)) {
+    for (const Told &of : told(result, units)) {
         const std::string more = not_in_bands(of, result.speeds);
         if (of.bands.empty() && !more.empty())
             text += of.title + ": " + more + "\n";
         else
-            text += bands_text(of.title, of.bands, &of.errors) +
+            text += bands_text(of.title, of.bands, units, &of.errors) +
                     (more.empty() ? "" : "  " + more + "\n");
         if (&of.bands == &result.resolved_unstable)
-            text += "The " + faster_motions(result) + "\n";
+            text += "The " + faster_motions(result, units) + "\n";
     }
     return text;
 }
 
-std::vector<Section> headline_sections(const StabilityResult &result) {
+std::vector<Section> headline_sections(const StabilityResult &result, const Units &units) {
     if (result.speeds.size() == 1)
         return {{"Stability at this speed",
-                 lines_of(sentences_at_one_speed(result), "<p>", ".</p>\n")}};
+                 lines_of(sentences_at_one_speed(result, units), "<p>", ".</p>\n")}};
     std::vector<Section> sections;
-    for (const Told &of : told(result)) {
+    for (const Told &of : told(result, units)) {
         const std::string more = not_in_bands(of, result.speeds);
         const std::string sentence = more.empty() ? "" : "<p>" + more + ".</p>\n";
         sections.push_back({of.title == "Unstable" ? "Unstable spin speeds" : of.title,
                             of.bands.empty() && !more.empty()
                                 ? sentence
-                                : bands_section(of.bands, &of.errors) + sentence});
+                                : bands_section(of.bands, units, &of.errors) + sentence});
         if (&of.bands == &result.resolved_unstable)
-            sections.back().html += "<p>The " + faster_motions(result) + ".</p>\n";
+            sections.back().html += "<p>The " + faster_motions(result, units) + ".</p>\n";
     }
     return sections;
 }

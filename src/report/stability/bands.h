@@ -13,16 +13,17 @@ namespace whirl::report {
 using Bands = std::vector<results::Interval>;
 using BandErrors = std::vector<results::EndErrors>;
 
-/// A line of stability.csv. Of a band from and to are its ends; of a map they are its two entries.
+/// A line of stability.csv. Of a band from and to are its ends; a map has its two entries instead.
 struct BandLine {
     std::string kind;
-    double from = 0, to = 0;
+    std::optional<double> from{}, to{};
     std::optional<double> growth{};
     std::string verdict{};
     std::optional<double> from_error{}, to_error{};
     /// Of motions that the elements resolve, where these are told apart, and of faster ones.
     std::optional<double> resolved_growth{}, unresolved_growth{};
     std::string resolved_verdict{};
+    std::optional<double> x{}, y{}; ///< of a map
 };
 
 /// What the file has, with the growth of what the elements resolve where it is told apart.
@@ -39,12 +40,14 @@ struct BandLine {
 // What the answer of `stability` begins with: where something grows, of one speed what becomes of a
 // small motion there. Where only some motions are resolved by the elements these are told apart.
 
-[[nodiscard]] std::string headline_text(const results::StabilityResult &result);
-[[nodiscard]] std::vector<Section> headline_sections(const results::StabilityResult &result);
+[[nodiscard]] std::string headline_text(const results::StabilityResult &result, const Units &units);
+[[nodiscard]] std::vector<Section> headline_sections(const results::StabilityResult &result,
+                                                     const Units &units);
 
 /// A table of bands, or that there are none. @param errors  of both ends of each; none: not told
 [[nodiscard]] std::string bands_text(const std::string &title, const Bands &bands,
-                                     const BandErrors *errors = nullptr);
-[[nodiscard]] std::string bands_section(const Bands &bands, const BandErrors *errors = nullptr);
+                                     const Units &units, const BandErrors *errors = nullptr);
+[[nodiscard]] std::string bands_section(const Bands &bands, const Units &units,
+                                        const BandErrors *errors = nullptr);
 
 } // namespace whirl::report

@@ -27,7 +27,7 @@ template <class Row, class Rows>
 [[nodiscard]] Columns<Row> without_empty(Columns<Row> columns, const Rows &rows) {
     std::erase_if(columns, [&rows](const Column<Row> &column) {
         for (std::size_t index = 0; const Row &row : rows)
-            if (!column.value(row, index++).is_null())
+            if (!column.value(row, index++, {}).is_null())
                 return false;
         return true;
     });
@@ -36,11 +36,10 @@ template <class Row, class Rows>
 
 /// Ends of growth, and the lines of the file that they are.
 const Columns<results::StabilityEnd> end_columns{
-    {"speed", InCsv("from"), OnPage("Speed (rad/s)", "{:.10g}"), InText("speed rad/s", precise),
-     &results::StabilityEnd::speed},
-    {InCsv("to"), &results::StabilityEnd::speed},
+    {"speed", InCsv("from"), OnPage("Speed", "{:.8g}").and_si("{:.10g}"),
+     InText("speed").and_si(precise), Quantity::speed, &results::StabilityEnd::speed},
+    {InCsv("to"), Quantity::speed, &results::StabilityEnd::speed},
     {InCsv("kind"), [](const auto &) { return "end"; }},
-    {OnPage("Speed (rpm)", "{:.8g}"), InText("speed rpm"), in(rpm, &results::StabilityEnd::speed)},
     {"mode", InCsv("mode"), OnPage("Mode", "{}", ""), InText("mode", "{}", ""),
      [](const auto &end) { return known_name(end.mode); }},
     {"kind", InCsv("verdict"), OnPage("What happens"), InText("kind"),
@@ -49,29 +48,28 @@ const Columns<results::StabilityEnd> end_columns{
      &results::StabilityEnd::growing_below},
     {"growing_above", InCsv("growing above"), ForReaders("growing above"),
      &results::StabilityEnd::growing_above},
-    {"frequency_rotating", InCsv("frequency in rotating axes [rad/s]"),
-     OnPage("frequency in rotating axes (rad/s)", "{:.8g}"),
-     InText("in rotating axes rad/s", "{:#.8g}"), &results::StabilityEnd::frequency_rotating},
-    {"frequency", InCsv("frequency in fixed axes [rad/s]"),
-     OnPage("in fixed axes (rad/s)", "{:.8g}"), InText("in fixed axes rad/s", "{:#.8g}"),
-     &results::StabilityEnd::frequency},
-    {"error", [](const auto &end) { return end.resolved.error; }}};
+    {"frequency_rotating", InCsv("frequency in rotating axes"),
+     OnPage("frequency in rotating axes", "{:.8g}"), InText("in rotating axes", "{:#.8g}"),
+     Quantity::frequency, &results::StabilityEnd::frequency_rotating},
+    {"frequency", InCsv("frequency in fixed axes"), OnPage("in fixed axes", "{:.8g}"),
+     InText("in fixed axes", "{:#.8g}"), Quantity::frequency, &results::StabilityEnd::frequency},
+    {"error", Quantity::speed, [](const auto &end) { return end.resolved.error; }}};
 
 const Columns<PermissibleAnisotropy> permissible_columns{
     {"name", OnPage("Element"), &PermissibleAnisotropy::name},
-    {"z", OnPage("z (m)", "{:.5g}"), &PermissibleAnisotropy::z},
+    {"z", OnPage("z", "{:.5g}"), Quantity::length, &PermissibleAnisotropy::z},
     {InText("anisotropy at"), place_of},
-    {"dI", &PermissibleAnisotropy::dI},
-    {OnPage("largest dI (kg m²)", "{:.8g}"),
+    {"dI", Quantity::inertia, &PermissibleAnisotropy::dI},
+    {OnPage("largest dI", "{:.8g}"), Quantity::inertia,
      [](const auto &entry) {
          return entry.dI ? Json(*entry.dI) : Json("stable up to the most there can be");
      }},
-    {InText("largest dI kg m2", precise),
+    {InText("largest dI", precise), Quantity::inertia,
      [](const auto &entry) { return entry.dI ? Json(*entry.dI) : Json("stable up to the most"); }},
-    {"most", OnPage("most there can be (kg m²)", "{:.8g}"), InText("most there can be", precise),
-     &PermissibleAnisotropy::most},
-    {"closed_form", OnPage("rigid closed form (kg m²)", "{:.8g}"),
-     InText("rigid closed form", precise), &PermissibleAnisotropy::closed_form},
+    {"most", OnPage("most there can be", "{:.8g}"), InText("most there can be", precise),
+     Quantity::inertia, &PermissibleAnisotropy::most},
+    {"closed_form", OnPage("rigid closed form", "{:.8g}"), InText("rigid closed form", precise),
+     Quantity::inertia, &PermissibleAnisotropy::closed_form},
     {"of_disc", &PermissibleAnisotropy::of_disc}};
 
 // Level-I stability.
@@ -88,50 +86,49 @@ std::optional<double> without_coupling(const Level1 &level1) {
 }
 
 const Columns<Level1> level1_columns{
-    {"z", OnPage("z (m)", "{:.6g}"), InText("added at z (m)"), &Level1::z},
-    {"speed", &Level1::speed},
-    {OnPage("Spin speed (rpm)", "{:.6g}"), InText("spin speed (rpm)", "{:.6g}"),
-     in(rpm, &Level1::speed)},
-    {OnPage("Logarithmic decrement without it", "{:.6g}"),
-     InText("log. decrement without it", "{:.6g}"), without_coupling},
-    {"critical_cross_coupling", OnPage("Critical cross coupling (N/m)", "{:.10g}"),
-     InText("critical cross coupling (N/m)", precise), &Level1::critical_cross_coupling},
+    {"z", OnPage("z"), InText("added at z"), Quantity::length, &Level1::z},
+    {"speed", OnPage("Spin speed"), InText("spin speed"), Quantity::speed, &Level1::speed},
+    {OnPage("Logarithmic decrement without it"), InText("log. decrement without it"),
+     Quantity::number, without_coupling},
+    {"critical_cross_coupling", OnPage("Critical cross coupling", "{:.10g}"),
+     InText("critical cross coupling", precise), Quantity::stiffness,
+     &Level1::critical_cross_coupling},
     {"error", OnPage("Relative error", "{:.2g}"), InText("its relative error", rough),
-     &Level1::error},
-    {"critical_frequency", &Level1::critical_frequency},
-    {OnPage("Frequency there (Hz)", "{:.6g}"), InText("frequency there (Hz)", "{:.6g}"),
-     in(hertz, &Level1::critical_frequency)},
-    {"anticipated", OnPage("Anticipated cross coupling (N/m)", "{:.6g}"),
-     InText("anticipated cross coupling (N/m)", "{:.6g}"), &Level1::anticipated},
-    {"anticipated_log_dec", OnPage("Logarithmic decrement with that", "{:.6g}"),
-     InText("log. decrement with that", "{:.6g}"), &Level1::anticipated_log_dec},
+     Quantity::number, &Level1::error},
+    {"critical_frequency", OnPage("Frequency there"), InText("frequency there"),
+     Quantity::frequency, &Level1::critical_frequency},
+    {"anticipated", OnPage("Anticipated cross coupling"), InText("anticipated cross coupling"),
+     Quantity::stiffness, &Level1::anticipated},
+    {"anticipated_log_dec", OnPage("Logarithmic decrement with that"),
+     InText("log. decrement with that"), Quantity::number, &Level1::anticipated_log_dec},
     {"ratio", OnPage("Critical over anticipated", "{:.4g}"),
-     InText("critical over anticipated", "{:.4g}"), reserve},
-    {"q", &Level1::q},
-    {"log_dec", &Level1::log_dec},
-    {"frequency", &Level1::frequency}};
+     InText("critical over anticipated", "{:.4g}"), Quantity::number, reserve},
+    {"q", Quantity::stiffness, &Level1::q},
+    {"log_dec", Quantity::number, &Level1::log_dec},
+    {"frequency", Quantity::frequency, &Level1::frequency}};
 
 Picture level1_picture(const model::Case &scene, const Level1 &level1, const Units &units) {
-    return {"level1", level1_figure(scene, level1, units), [&level1](const Units &) {
-                return csv_lists({{"q [N/m]", level1.q},
-                                  {"log_dec", level1.log_dec},
-                                  {"frequency [rad/s]", level1.frequency}});
+    return {"level1", level1_figure(scene, level1, units), [&level1](const Units &files) {
+                return csv_lists({{{"q", Quantity::stiffness}, level1.q},
+                                  {{"log_dec"}, level1.log_dec},
+                                  {{"frequency", Quantity::frequency}, level1.frequency}},
+                                 files);
             }};
 }
 
-Json family_json(const results::ArrangementFamily &family) {
+Json family_json(const results::ArrangementFamily &family, const Units &units) {
     return {{"arrangements", family.arrangements},
-            {"unstable", family.unstable},
-            {"always_unstable", family.always_unstable},
-            {"critical_speeds", family.critical_speeds},
-            {"additional_speeds", family.additional_speeds},
-            {"anisotropy", family.anisotropy}};
+            {"unstable", written(units, Quantity::speed, family.unstable)},
+            {"always_unstable", written(units, Quantity::speed, family.always_unstable)},
+            {"critical_speeds", written(units, Quantity::speed, family.critical_speeds)},
+            {"additional_speeds", written(units, Quantity::speed, family.additional_speeds)},
+            {"anisotropy", written(units, Quantity::inertia, family.anisotropy)}};
 }
 
-Json map_json(const results::StabilityMap &map) {
-    return {{"x", {{"path", map.x.path}, {"values", map.x_values}}},
-            {"y", {{"path", map.y.path}, {"values", map.y_values}}},
-            {"growth", map.growth}};
+Json map_json(const results::StabilityMap &map, const Units &units) {
+    return {{"x", {{"path", map.x.path}, {"values", written(units, map.x.quantity, map.x_values)}}},
+            {"y", {{"path", map.y.path}, {"values", written(units, map.y.quantity, map.y_values)}}},
+            {"growth", written(units, Quantity::rate, map.growth)}};
 }
 
 Json json_verdicts(const std::vector<Verdict> &verdicts) {
@@ -141,43 +138,47 @@ Json json_verdicts(const std::vector<Verdict> &verdicts) {
     });
 }
 
-Json json_of(const StabilityResult &result, const Units &) {
-    return {{"speeds", result.speeds},
-            {"growth", result.growth},
+Json json_of(const StabilityResult &result, const Units &units) {
+    const auto speeds = [&units](const auto &of) { return written(units, Quantity::speed, of); };
+    const auto rates = [&units](const auto &of) { return written(units, Quantity::rate, of); };
+    return {{"speeds", speeds(result.speeds)},
+            {"growth", rates(result.growth)},
             {"verdict", json_verdicts(result.verdict)},
-            {"unstable", result.unstable},
-            {"unstable_error", result.unstable_error},
-            {"ends", json_rows(end_columns, result.ends)},
-            {"resolved_up_to", result.resolved_up_to},
-            {"unresolved_ends", json_rows(end_columns, result.unresolved_ends)},
-            {"resolved_growth", result.resolved_growth},
+            {"unstable", speeds(result.unstable)},
+            {"unstable_error", speeds(result.unstable_error)},
+            {"ends", json_rows(end_columns, result.ends, units)},
+            {"resolved_up_to", written(units, Quantity::frequency, result.resolved_up_to)},
+            {"unresolved_ends", json_rows(end_columns, result.unresolved_ends, units)},
+            {"resolved_growth", rates(result.resolved_growth)},
             {"resolved_verdict", json_verdicts(result.resolved_verdict)},
-            {"resolved_unstable", result.resolved_unstable},
-            {"resolved_unstable_error", result.resolved_unstable_error},
-            {"unresolved_growth", result.unresolved_growth},
-            {"critical_speeds", result.critical_speeds},
-            {"zero_root_speeds", result.zero_root_speeds},
-            {"additional_speeds", result.additional_speeds},
-            {"permissible", json_rows(permissible_columns, result.permissible)},
+            {"resolved_unstable", speeds(result.resolved_unstable)},
+            {"resolved_unstable_error", speeds(result.resolved_unstable_error)},
+            {"unresolved_growth", rates(result.unresolved_growth)},
+            {"critical_speeds", speeds(result.critical_speeds)},
+            {"zero_root_speeds", speeds(result.zero_root_speeds)},
+            {"additional_speeds", speeds(result.additional_speeds)},
+            {"permissible", json_rows(permissible_columns, result.permissible, units)},
             {"neutral_pairs", result.neutral_pairs},
             {"harmonics", result.harmonics},
-            {"family", result.family ? family_json(*result.family) : Json()},
-            {"map", result.map ? map_json(*result.map) : Json()},
-            {"level1", result.level1 ? json_row(level1_columns, *result.level1) : Json()}};
+            {"family", result.family ? family_json(*result.family, units) : Json()},
+            {"map", result.map ? map_json(*result.map, units) : Json()},
+            {"level1", result.level1 ? json_row(level1_columns, *result.level1, units) : Json()}};
 }
 
-std::string csv_of(const StabilityResult &result, const Units &) {
+std::string csv_of(const StabilityResult &result, const Units &units) {
     const Columns<BandLine> all = file_columns(result);
-    std::vector<std::string> head = csv_head(all);
-    for (const std::string &heading : csv_head(end_columns))
+    std::vector<CsvHeading> head = csv_head(all);
+    for (const CsvHeading &heading : csv_head(end_columns))
         if (std::find(head.begin(), head.end(), heading) == head.end())
             head.push_back(heading);
-    const auto rows = [&](const std::vector<BandLine> &of) { return csv_rows(head, all, of); };
-    std::string csv = csv_head_line(head) + rows(growth_lines(result)) +
+    const auto rows = [&](const std::vector<BandLine> &of) {
+        return csv_rows(head, all, of, units);
+    };
+    std::string csv = csv_head_line(head, units) + rows(growth_lines(result)) +
                       rows(band_lines("unstable", result.unstable, &result.unstable_error)) +
                       rows(band_lines("unstable, resolved", result.resolved_unstable,
                                       &result.resolved_unstable_error)) +
-                      csv_rows(head, end_columns, result.ends) +
+                      csv_rows(head, end_columns, result.ends, units) +
                       rows(speed_lines("critical speed", result.critical_speeds)) +
                       rows(speed_lines("zero root", result.zero_root_speeds)) +
                       rows(speed_lines("additional speed", result.additional_speeds));
@@ -201,28 +202,29 @@ std::vector<BandLine> still_speeds(const StabilityResult &result) {
     return all;
 }
 
-const Columns<BandLine> still_columns{{OnPage("Kind"), &BandLine::kind},
-                                      {OnPage("rad/s", "{:.10g}"), &BandLine::from},
-                                      {OnPage("rpm", "{:.8g}"), in(rpm, &BandLine::from)}};
+const Columns<BandLine> still_columns{
+    {OnPage("Kind"), &BandLine::kind},
+    {OnPage("", "{:.8g}").and_si("{:.10g}"), Quantity::speed, &BandLine::from}};
 
-std::vector<Section> sections_of(const StabilityResult &result, const Units &) {
-    std::vector<Section> sections = headline_sections(result);
+std::vector<Section> sections_of(const StabilityResult &result, const Units &units) {
+    std::vector<Section> sections = headline_sections(result, units);
     if (!result.ends.empty())
-        sections.push_back({"Speeds at which the number of growing motions changes",
-                            page_table(without_empty(end_columns, result.ends), result.ends)});
+        sections.push_back(
+            {"Speeds at which the number of growing motions changes",
+             page_table(without_empty(end_columns, result.ends), result.ends, units)});
     if (!result.unresolved_ends.empty())
         sections.push_back({"The same of motions that the elements do not resolve",
                             page_table(without_empty(end_columns, result.unresolved_ends),
-                                       result.unresolved_ends)});
+                                       result.unresolved_ends, units)});
     if (const std::vector<BandLine> still = still_speeds(result); !still.empty())
         sections.push_back({"Speeds at which something stands still in rotating axes",
-                            page_table(still_columns, still)});
+                            page_table(still_columns, still, units)});
     if (!result.permissible.empty())
         sections.push_back({"Permissible inertial anisotropy",
-                            page_table(permissible_columns, result.permissible)});
+                            page_table(permissible_columns, result.permissible, units)});
     if (result.level1)
         sections.push_back({"Level-I stability: added cross coupling",
-                            page_properties(level1_columns, *result.level1)});
+                            page_properties(level1_columns, *result.level1, units)});
     if (!result.family)
         return sections;
     const results::ArrangementFamily &family = *result.family;
@@ -234,45 +236,47 @@ std::vector<Section> sections_of(const StabilityResult &result, const Units &) {
           std::pair(std::string("Critical speeds over the arrangements"), &family.critical_speeds),
           std::pair(std::string("Additional speeds over the arrangements"),
                     &family.additional_speeds)})
-        sections.push_back({title, bands_section(*bands)});
+        sections.push_back({title, bands_section(*bands, units)});
     return sections;
 }
 
-std::string speeds_text(const std::string &title, const std::vector<double> &speeds) {
+std::string speeds_text(const std::string &title, const std::vector<double> &speeds,
+                        const Units &units) {
     std::string text = title + ":";
     for (const double speed : speeds)
-        text += fmt::format(" {:#.10g}", speed);
-    return speeds.empty() ? "" : text + " rad/s\n";
+        text += fmt::format(" {:#.10g}", units(Quantity::speed, speed));
+    return speeds.empty() ? "" : text + " " + units.name(Quantity::speed) + "\n";
 }
 
-std::string text_of(const model::Case &scene, const StabilityResult &result, const Units &) {
-    std::string text = heading(scene, "Stability, " + range_text(result.speeds));
-    text += headline_text(result) +
+std::string text_of(const model::Case &scene, const StabilityResult &result, const Units &units) {
+    std::string text = heading(scene, "Stability, " + range_text(result.speeds, units));
+    text += headline_text(result, units) +
             text_table("Speeds at which the number of growing motions changes:\n",
-                       without_empty(end_columns, result.ends), result.ends);
+                       without_empty(end_columns, result.ends), result.ends, units);
     if (!result.unresolved_ends.empty())
         text += fmt::format("Not resolved by the elements: {} more {}, of motions with frequencies "
-                            "above {:.6g} rad/s\n",
+                            "above {}\n",
                             result.unresolved_ends.size(),
                             result.unresolved_ends.size() == 1 ? "end" : "ends",
-                            *result.resolved_up_to);
-    text +=
-        speeds_text("Critical speeds, balls held, undamped", result.critical_speeds) +
-        speeds_text("A root is zero at", result.zero_root_speeds) +
-        speeds_text("Additional speeds (rotor pinned at the balancers)", result.additional_speeds);
+                            units.text(Quantity::frequency, *result.resolved_up_to));
+    text += speeds_text("Critical speeds, balls held, undamped", result.critical_speeds, units) +
+            speeds_text("A root is zero at", result.zero_root_speeds, units) +
+            speeds_text("Additional speeds (rotor pinned at the balancers)",
+                        result.additional_speeds, units);
     if (const auto &family = result.family)
         text += "\n" +
                 bands_text(fmt::format("Unstable with some of {} arrangements of the balls",
                                        family->arrangements),
-                           family->unstable) +
-                bands_text("Unstable with every arrangement", family->always_unstable) +
-                bands_text("Critical speeds over the arrangements", family->critical_speeds);
+                           family->unstable, units) +
+                bands_text("Unstable with every arrangement", family->always_unstable, units) +
+                bands_text("Critical speeds over the arrangements", family->critical_speeds, units);
     text += text_table("\nPermissible inertial anisotropy over this range:\n", permissible_columns,
-                       result.permissible);
+                       result.permissible, units);
     if (result.level1)
         text += "\nLevel-I stability, added cross coupling:\n" +
-                text_table(properties(level1_columns, *result.level1, &Column<Level1>::text, "-"));
-    return text + model_text(result.model);
+                text_table(
+                    properties(level1_columns, *result.level1, &Column<Level1>::text, "-", units));
+    return text + model_text(result.model, units);
 }
 
 } // namespace

@@ -29,7 +29,7 @@ if (result.balanced_position) {
   bars("stable", "balanced position stable", "#0072B2");
   if (result.balanced_position.arrangements > 1) bars("some", "stable with some arrangement of the balls", "#A6CBE3");
 }
-const points = result.joint.signature, bodyMass = result.drawn.bodyMass;
+const points = result.joint.signature, bodyMass = result.drawn.body_mass;
 const sizes = points.flatMap(p => p.eigenvalues.map(v => Math.abs(v * bodyMass))).filter(v => v > 1e-7);
 const unit = 10 ** Math.floor(Math.log10(Math.min(1, ...sizes)));
 const fold = v => Math.sign(v) * Math.log10(1 + Math.abs(v) / unit);

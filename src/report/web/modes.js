@@ -12,7 +12,7 @@ drawn.forEach((m, k) => {
     legend: {orientation: "h", x: 1, xanchor: "right", y: 1, yanchor: "bottom"}, xaxis: axis(last ? label("z", "length") : ""), yaxis: axis("", {range: [-1.2, 1.2], dtick: 1}),
     annotations: [{xref: "paper", yref: "paper", x: 0, y: 1, xanchor: "left", yanchor: "bottom", showarrow: false,
       text: `<b>${m.label ?? ""}</b> ${said(m.frequency, "frequency", 7)}, ${m.whirl}${critical}; y ` +
-        (drawnModes[k].atOneInstant ? "at the same instant" : "a quarter period later")}]}, panel);
+        (drawnModes[k].at_one_instant ? "at the same instant" : "a quarter period later")}]}, panel);
 });
 // All show the same part of the shaft: a zoom of one is one of all.
 const panes = Array.from(panels.children);

@@ -94,7 +94,7 @@ function drawSpace() {
     const grid = document.createElement("figure");
     grid.className = "space";
     space.append(grid);
-    modes.forEach((m, k) => panel(m, drawn[k].dampingRatio, grid));
+    modes.forEach((m, k) => panel(m, drawn[k].damping_ratio, grid));
   };
   const controls = document.createElement("p"), button = document.createElement("button"), label = document.createElement("label"), turn = document.createElement("input");
   controls.className = "controls";
