@@ -29,10 +29,10 @@ std::vector<balancers::PlacedPendulums> pendulums_of(const model::Case &scene) {
     std::vector<balancers::PlacedPendulums> out = balancers::pendulums_in(scene.rotor);
     for (const balancers::PlacedPendulums &pendulums : out)
         if (!(pendulums.pivot > 0))
-            throw model::BadInput(
-                fmt::format("{}: balancer[{}].pivot: expected a radius above 0 m (the pendulums "
-                            "stand still nowhere else), got {:.6g} m",
-                            scene.file.string(), pendulums.index, pendulums.pivot));
+            throw model::BadInput(fmt::format(
+                "{}: {}.pivot: expected a radius above 0 m (the pendulums "
+                "stand still nowhere else), got {:.6g} m",
+                scene.file.string(), scene.rotor.balancer_path(pendulums.index), pendulums.pivot));
     return out;
 }
 

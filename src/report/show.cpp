@@ -90,7 +90,8 @@ auto ends(std::optional<results::Interval> BalancerNumbers::*of, Quantity quanti
 }
 
 std::string name_of(const BalancerNumbers &balancer, std::size_t index) {
-    return balancer.name.empty() ? std::to_string(index + 1) : balancer.name;
+    return (balancer.name.empty() ? std::to_string(index + 1) : balancer.name) +
+           (balancer.held ? " (held)" : "");
 }
 
 std::string position_text(const BalancerNumbers &balancer, const Units &units) {
@@ -107,9 +108,10 @@ const Columns<BalancerNumbers> balancer_columns{
     {InText("balancer"), name_of},
     {"name", &BalancerNumbers::name},
     {"z", OnPage("Place, z", "{:.8g}"), InText("z"), Quantity::length, &BalancerNumbers::z},
+    {"held", [](const auto &b) { return b.held; }},
     {"E", OnPage("Capacity E", "{:.8g}", "∞"), InText("E", "{:.6g}", "infinite"), Quantity::number,
      &BalancerNumbers::E},
-    {OnPage("Balanced position of the balls"), position_text},
+    {OnPage("Place of the balls"), position_text},
     {"D_c", OnPage("Second harmonic D: cosine part", "{:.8g}"), InText("D_c"), Quantity::number,
      [](const auto &b) { return b.D ? std::optional(b.D->real()) : std::nullopt; }},
     {"D_s", OnPage("Second harmonic D: sine part", "{:.8g}"), InText("D_s"), Quantity::number,
@@ -289,7 +291,7 @@ std::vector<Section> sections_of(const ShowResult &result, const Units &units) {
         const BalancerNumbers &balancer = result.balancers[i];
         const std::string name =
             balancer.name.empty() ? fmt::format("balancer {}", i + 1) : balancer.name;
-        sections.push_back({"Composite rotor: " + name,
+        sections.push_back({"Composite rotor: " + name + (balancer.held ? " (held)" : ""),
                             page_properties(balancer_columns, balancer, units) +
                                 page_table(dimensionless_columns, std::vector{balancer}, units)});
     }

@@ -85,7 +85,7 @@ std::vector<std::pair<std::string, double>> planes_of(const model::Rotor &rotor)
                                 item.z);
     };
     if (rotor.planes.empty())
-        add(rotor.balancers);
+        add(rotor.balancer_planes());
     else
         add(rotor.planes);
     return planes;

@@ -140,9 +140,10 @@ std::vector<Callout> upper_callouts(const Units &units, const model::Rotor &roto
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
         const auto &balancer = rotor.balancers[i];
         const balancers::Outline outline = balancers::kind_of(balancer)->outline();
-        callouts.push_back(
-            {sheet.across(balancer.z), top(outline.radius()) - 5,
-             name_or(balancer.name, outline.label.c_str(), i, rotor.balancers.size())});
+        const std::string name =
+            name_or(balancer.name, outline.label.c_str(), i, rotor.balancers.size());
+        callouts.push_back({sheet.across(balancer.z), top(outline.radius()) - 5,
+                            name + (balancer.held ? " (held)" : "")});
     }
     add_callouts(callouts, sheet, rotor.anisotropies, "anisotropy",
                  [&](const auto &) { return sheet.axis - 21; });
@@ -198,8 +199,7 @@ std::vector<Callout> bearing_callouts(const Units &units, const model::Rotor &ro
 }
 
 /// Everything of the rotor; `top` pixels stay free above.
-Drawing draw_rotor(const model::Case &scene, const Units &units, const Sheet &sheet) {
-    const model::Rotor &rotor = scene.rotor;
+Drawing draw_rotor(const model::Rotor &rotor, const Units &units, const Sheet &sheet) {
     Drawing drawing;
     drawing.width = sheet_width;
     const double reach = sheet.radius + 12;
@@ -237,9 +237,10 @@ Drawing draw_rotor(const model::Case &scene, const Units &units, const Sheet &sh
 
 /// With room above the rotor for its rows of names: these are drawn once on a scrap sheet.
 Sheet sheet_of(const model::Case &scene, const Units &units) {
-    Sheet sheet(scene, largest_radius(scene.rotor));
+    const model::Rotor rotor = scene.rotor.with_held_among_balancers();
+    Sheet sheet(scene, largest_radius(rotor));
     Drawing scrap;
-    const int rows = draw_callouts(scrap, upper_callouts(units, scene.rotor, sheet), 0, -1);
+    const int rows = draw_callouts(scrap, upper_callouts(units, rotor, sheet), 0, -1);
     sheet.axis = 20 + line * rows + 16 + sheet.radius;
     return sheet;
 }
@@ -248,9 +249,9 @@ Sheet sheet_of(const model::Case &scene, const Units &units) {
 
 Drawing scene_drawing(const model::Case &scene, const Units &units) {
     const Sheet sheet = sheet_of(scene, units);
-    Drawing drawing = draw_rotor(scene, units, sheet);
-    draw_callouts(drawing, upper_callouts(units, scene.rotor, sheet),
-                  sheet.axis - sheet.radius - 18, -1);
+    const model::Rotor rotor = scene.rotor.with_held_among_balancers();
+    Drawing drawing = draw_rotor(rotor, units, sheet);
+    draw_callouts(drawing, upper_callouts(units, rotor, sheet), sheet.axis - sheet.radius - 18, -1);
     return drawing;
 }
 
