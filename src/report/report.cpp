@@ -53,9 +53,7 @@ class Writer {
 
     /// Both files of a picture, in the units that were asked for. The PNG takes longest, so it
     /// starts first; the SVG is announced first. @returns the latter, or nothing without gnuplot
-    fs::path start_both(Figure figure, const std::string &name) {
-        if (!figure.in_units)
-            figure.script = script_in_written_units(figure.script);
+    fs::path start_both(const Figure &figure, const std::string &name) {
         const fs::path svg = _files.reserve(name + ".svg");
         if (!start_png(figure, name)) {
             _files.drop(name + ".svg");

@@ -155,8 +155,7 @@ std::vector<std::filesystem::path> write_comparison(const Comparison &comparison
                                                     const model::OutputUnits &asked) {
     OutputFiles files(folder);
     PlotJobs jobs;
-    Figure figure = comparison_figure(comparison);
-    figure.script = script_in_written_units(figure.script);
+    const Figure figure = comparison_figure(comparison, Units::of_readers(asked));
     std::string still;
     const auto svg = files.reserve("compare.svg");
     if (jobs.start(figure, PictureFormat::svg, svg)) {
