@@ -103,7 +103,6 @@ void run_command(const Arguments &arguments) {
     if (!arguments.json || arguments.out)
         report::check_folder(checked.folder());
     const report::Provenance provenance = provenance_of(file, arguments);
-    report::write_in(scene.units);
     const report::Units units = report::Units::of_readers(scene.units);
     std::optional<ProgressDisplay> display;
     if (!arguments.quiet && process::process_rank() == 0)

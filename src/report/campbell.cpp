@@ -6,6 +6,7 @@
 #include "report/common/error_parts.h"
 #include "report/common/table.h"
 #include "report/common/words.h"
+#include "report/pictures/campbell_panel.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
 
@@ -207,11 +208,29 @@ std::string text_of(const model::Case &scene, const CampbellResult &result, cons
            model_text(result.model, units);
 }
 
+/// What the page draws by the rules of the picture: steps that are no line, growth, the other
+/// frequencies of motions that have two, and the slope of the line of the spin speed.
+Json drawn_of(const CampbellResult &result, const Units &units) {
+    Json grown = json_list(result.modes, [&result](const CampbellMode &mode) {
+        std::vector<bool> at;
+        for (std::size_t i = 0; i < result.speeds.size(); ++i)
+            at.push_back(grows(mode, i));
+        return at;
+    });
+    return {{"sprung", sprung_steps(result)},
+            {"grows", grown},
+            {"others", other_frequencies({units}, result)},
+            {"synchronous", units.factor(Quantity::frequency) / units.factor(Quantity::speed)}};
+}
+
 } // namespace
 
 Report describe(const model::Case &scene, const CampbellResult &result) {
-    return report_of<CampbellResult>("campbell", "Campbell diagram", scene, result,
-                                     {json_of, csv_of, sections_of, text_of, campbell_figure});
+    Report report =
+        report_of<CampbellResult>("campbell", "Campbell diagram", scene, result,
+                                  {json_of, csv_of, sections_of, text_of, campbell_figure});
+    report.drawn = [&result](const Units &units) { return drawn_of(result, units); };
+    return report;
 }
 
 } // namespace whirl::report

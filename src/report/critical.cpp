@@ -70,7 +70,7 @@ constexpr int figure_height = 400;
 constexpr double panel_left = 0.1, panel_right = 0.965, panel_bottom = 0.18, panel_top = 0.76;
 constexpr double rows_from = 0.4, rows_to = 3.9;
 
-/// Speeds of the marks, rpm. Logarithmic where the highest is so much higher than the lowest that
+/// Speeds of the marks. Logarithmic where the highest is so much higher than the lowest that
 /// this would stand at the edge with its neighbours on it.
 struct MarksAxis {
     Range x;
@@ -82,13 +82,13 @@ struct MarksAxis {
     }
 };
 
-MarksAxis axis_of(const model::Case &scene, const CriticalResult &result) {
+MarksAxis axis_of(const model::Case &scene, const Units &units, const CriticalResult &result) {
     constexpr double wide = 100;
-    double highest = scene.operation ? scene.operation->to * rpm : 0;
+    double highest = scene.operation ? units(Quantity::speed, scene.operation->to) : 0;
     double lowest = HUGE_VAL;
     for (const auto &critical : result.critical_speeds) {
-        highest = std::max(highest, critical.speed * rpm);
-        lowest = std::min(lowest, critical.speed * rpm);
+        highest = std::max(highest, units(Quantity::speed, critical.speed));
+        lowest = std::min(lowest, units(Quantity::speed, critical.speed));
     }
     if (lowest > 0 && lowest < HUGE_VAL && highest > wide * lowest)
         return {{lowest / 2, 2 * highest}, true};
@@ -97,7 +97,7 @@ MarksAxis axis_of(const model::Case &scene, const CriticalResult &result) {
 
 /// The speeds beside their marks: above, else below, else farther away; those that find no place
 /// are counted.
-std::string speed_labels(const CriticalResult &result, const MarksAxis &axis) {
+std::string speed_labels(const Units &units, const CriticalResult &result, const MarksAxis &axis) {
     constexpr double size = 10;
     constexpr double wide = (panel_right - panel_left) * figure_width;
     constexpr double high = (panel_top - panel_bottom) * figure_height;
@@ -105,9 +105,9 @@ std::string speed_labels(const CriticalResult &result, const MarksAxis &axis) {
     std::string script;
     int unnamed = 0;
     for (const CriticalSpeed &critical : result.critical_speeds) {
-        const std::string text = short_speed(critical.speed * rpm);
-        const double width = (text_width(with_powers(text), size) + 6) / wide;
-        const double across = axis.across(critical.speed * rpm);
+        const std::string text = drawn_speed(units, critical.speed);
+        const double width = (text_width(text, size) + 6) / wide;
+        const double across = axis.across(units(Quantity::speed, critical.speed));
         bool placed = false;
         for (const double off : {0.33, -0.33, 0.52, -0.52}) { // of the distance of the rows
             const double y = row_of(critical.whirl) + off;
@@ -126,12 +126,12 @@ std::string speed_labels(const CriticalResult &result, const MarksAxis &axis) {
 }
 
 /// The critical speeds as marks on a speed axis, forward and backward in rows of their own.
-Figure critical_figure(const model::Case &scene, const CriticalResult &result, const Units &) {
-    const MarksAxis axis = axis_of(scene, result);
+Figure critical_figure(const model::Case &scene, const CriticalResult &result, const Units &units) {
+    const MarksAxis axis = axis_of(scene, units, result);
     const Range &x = axis.x;
     Curves drawn;
     drawn.add("NaN notitle");
-    drawn.add(operation_key(scene, x));
+    drawn.add(operation_key(scene, units, x));
     std::vector<PlotPoint> heavy;
     for (const auto sense :
          {results::Whirl::forward, results::Whirl::mixed, results::Whirl::backward}) {
@@ -140,7 +140,8 @@ Figure critical_figure(const model::Case &scene, const CriticalResult &result, c
             if (critical.whirl != sense)
                 continue;
             const bool grey = critical.damping.heavy();
-            (grey ? heavy : points).push_back({critical.speed * rpm, row_of(sense)});
+            (grey ? heavy : points)
+                .push_back({units(Quantity::speed, critical.speed), row_of(sense)});
         }
         const LineStyle style = whirl_style(sense);
         drawn.add(points, fmt::format("with points pt {} ps 1.5 lw 1.6 lc rgb '{}'", style.point,
@@ -155,10 +156,11 @@ Figure critical_figure(const model::Case &scene, const CriticalResult &result, c
             (axis.logarithmic ? "set logscale x\nset format x '10^{%L}'\n" : "") +
             fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n"
                         "set ytics ('forward' 3, 'mixed' 2, 'backward' 1)\n"
-                        "set xlabel 'Spin speed (rpm)'\nset grid x lc rgb '#E4E4E4' lt 1\n"
+                        "set xlabel {}\nset grid x lc rgb '#E4E4E4' lt 1\n"
                         "set key at graph 1,1.02 right bottom horizontal samplen 2\n",
-                        x.low, x.high, rows_from, rows_to) +
-            operation_band(scene, x) + speed_labels(result, axis) + drawn.script());
+                        x.low, x.high, rows_from, rows_to,
+                        axis_text(units, "Spin speed", Quantity::speed)) +
+            operation_band(scene, units, x) + speed_labels(units, result, axis) + drawn.script());
 }
 
 } // namespace

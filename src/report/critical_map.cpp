@@ -132,9 +132,6 @@ std::string bearings_text(const model::Case &scene, const std::vector<std::size_
                                     : bearing.name;
     });
 }
-std::string bearings_text(const model::Case &scene, const std::vector<std::size_t> &bearings) {
-    return bearings_text(scene, bearings, Units::of_readers(written_units()));
-}
 
 std::string coefficient_name(const CriticalMapBearing &across, bool x) {
     return across.isotropic ? "k" : x ? "kxx" : "kyy";

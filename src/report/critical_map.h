@@ -25,8 +25,6 @@ namespace whirl::report {
 
 /// "left, right (z = 1.5 m)": the bearings whose stiffness is laid across a map.
 [[nodiscard]] std::string bearings_text(const model::Case &scene,
-                                        const std::vector<std::size_t> &bearings);
-[[nodiscard]] std::string bearings_text(const model::Case &scene,
                                         const std::vector<std::size_t> &bearings,
                                         const Units &units);
 /// "kxx" or "kyy", or "k" where both are the same.

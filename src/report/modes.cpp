@@ -148,54 +148,48 @@ std::string text_of(const model::Case &scene, const ModesResult &result, const U
            model_text(result.model, units);
 }
 
-/// A JavaScript array; five digits are more than a screen shows.
-std::string script_array(const std::vector<double> &values) {
-    std::string text = "[";
-    for (const double value : values)
-        text += (text.size() > 1 ? "," : "") +
-                (std::isfinite(value) ? fmt::format("{:.5g}", value) : "null");
-    return text + "]";
-}
-
-/// What of the rotor is drawn in space, for the script of the page; m.
-std::string drawn_rotor(const model::Rotor &rotor) {
+/// What of the rotor is drawn in space, for the script of the page.
+Json drawn_rotor(const model::Rotor &rotor, const Units &units) {
+    const auto length = [&units](double si) { return units(Quantity::length, si); };
     Json segments = Json::array();
     double z = 0;
     double thickest = 0;
     for (const model::Segment &segment : rotor.shaft.segments) {
-        segments.push_back({z, z + segment.length, segment.outer_start / 2, segment.outer_end / 2});
+        segments.push_back({length(z), length(z + segment.length), length(segment.outer_start / 2),
+                            length(segment.outer_end / 2)});
         z += segment.length;
         thickest = std::max({thickest, segment.outer_start / 2, segment.outer_end / 2});
     }
     Json discs = Json::array();
     for (const model::Disc &disc : rotor.discs)
-        discs.push_back({{"z", disc.z},
-                         {"radius", std::max(disc_radius(disc), 1.3 * thickest)},
-                         {"half", std::max(disc.width / 2, 0.004 * z)},
+        discs.push_back({{"z", length(disc.z)},
+                         {"radius", length(std::max(disc_radius(disc), 1.3 * thickest))},
+                         {"half", length(std::max(disc.width / 2, 0.004 * z))},
                          {"balancer", false}});
     for (const model::Balancer &balancer : rotor.balancers)
-        discs.push_back({{"z", balancer.z},
-                         {"radius", balancers::kind_of(balancer)->outline().radius()},
-                         {"half", 0.004 * z},
+        discs.push_back({{"z", length(balancer.z)},
+                         {"radius", length(balancers::kind_of(balancer)->outline().radius())},
+                         {"half", length(0.004 * z)},
                          {"balancer", true}});
-    const Json bearings = json_list(rotor.bearings, [](const model::Bearing &bearing) {
-        return Json{{"z", bearing.z}, {"seal", bearing.seal}};
+    const Json bearings = json_list(rotor.bearings, [&](const model::Bearing &bearing) {
+        return Json{{"z", length(bearing.z)}, {"seal", bearing.seal}};
     });
-    const Json drawn{
-        {"length", z}, {"segments", segments}, {"discs", discs}, {"bearings", bearings}};
-    return "const rotor = " + drawn.dump() + ";\n";
+    return {
+        {"length", length(z)}, {"segments", segments}, {"discs", discs}, {"bearings", bearings}};
 }
 
-/// The curves of the still picture for the script of the page: at the speed, then at critical ones.
-std::string drawn_modes(const ModesResult &result) {
-    std::string text = "const drawnModes = [";
+/// The curves of the still picture: at the speed, then at critical ones.
+Json drawn_modes(const ModesResult &result) {
+    Json drawn = Json::array();
     for (const std::vector<ModeShape> *list : {&result.modes, &result.critical})
         for (const ModeShape &mode : *list) {
             const ModeCurves curves = mode_curves(mode);
-            text += fmt::format("\n{{x: {}, y: {}, atOneInstant: {}}},", script_array(curves.x),
-                                script_array(curves.y), curves.at_one_instant);
+            drawn.push_back({{"x", curves.x},
+                             {"y", curves.y},
+                             {"at_one_instant", curves.at_one_instant},
+                             {"damping_ratio", damping_ratio(mode)}});
         }
-    return text + "];\n";
+    return drawn;
 }
 
 std::vector<Section> sections_of(const ModesResult &result, const Units &units) {
@@ -233,8 +227,11 @@ Report describe(const model::Case &scene, const ModesResult &result) {
             .sections = [&](const Units &units) { return sections_of(result, units); },
             .text = [&](const Units &units) { return text_of(scene, result, units); },
             .figure = [&](const Units &units) { return modes_figure(scene, result, units); },
-            .script_data =
-                [&](const Units &) { return drawn_rotor(scene.rotor) + drawn_modes(result); },
+            .drawn =
+                [&](const Units &units) {
+                    return Json{{"rotor", drawn_rotor(scene.rotor, units)},
+                                {"modes", drawn_modes(result)}};
+                },
             .vtp = [&] { return to_vtp(scene, result); }};
 }
 

@@ -107,15 +107,12 @@ std::string to_html(const Report &report, const std::string &still, const std::s
             element("p", "This build has no Plotly, so the diagram is a still picture.", "note");
     std::string scripts;
     const std::string of_space = embedded(report.command + "_space.js"); // which needs no library
-    const std::string data = report.script_data ? report.script_data(readers) : "";
     if (moves)
         scripts = script_element(plotly_bundle());
     if (moves || !of_space.empty()) // in a function of its own: names such as `top` belong to the
         scripts +=                  // window outside
-            script_element("(function () {\n" +
-                           page_script_in_written_units(embedded("common.js") + script_units() +
-                                                        data + of_space + (moves ? script : "")) +
-                           "})();\n");
+            script_element("(function () {\n" + embedded("common.js") + of_space +
+                           (moves ? script : "") + "})();\n");
     const bool is_drawing = static_cast<bool>(report.drawing); // the rotor itself
     return with_contents(filled(
         embedded("page.html"),
@@ -137,7 +134,7 @@ std::string to_html(const Report &report, const std::string &still, const std::s
          {"model", formulation(*report.model)},
          {"date", report.provenance.date},
          {"case_text", escaped_lines(report.provenance.case_text)},
-         {"json", json_for_script(to_si_json(report))},
+         {"json", json_for_script(to_page_json(report))},
          {"scripts", scripts}}));
 }
 

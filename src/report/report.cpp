@@ -54,9 +54,7 @@ class Writer {
     /// Both files of a picture, in the units that were asked for. The PNG takes longest, so it
     /// starts first; the SVG is announced first. @returns the name of the latter, or nothing
     /// without gnuplot
-    std::string start_both(Figure figure, const std::string &name) {
-        if (!figure.in_units)
-            figure.script = script_in_written_units(figure.script);
+    std::string start_both(const Figure &figure, const std::string &name) {
         const std::string svg = name + ".svg";
         _files.announce(svg);
         return start(figure, PictureFormat::png, name + ".png") &&

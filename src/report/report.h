@@ -60,8 +60,9 @@ struct Report {
     std::function<std::vector<Picture>(const Units &)> pictures{};
     std::string pictures_heading{}; ///< of their section of the page, after as many others as
     std::size_t pictures_after = 0; ///< this
-    std::function<std::string(const Units &)> script_data{}; ///< for the script of the page
-    std::function<std::string()> vtp{};                      ///< for ParaView
+    /// What the script of the page draws beside the result: the key `drawn` of its data.
+    std::function<nlohmann::ordered_json(const Units &)> drawn{};
+    std::function<std::string()> vtp{}; ///< for ParaView
 };
 
 /// What every command has to say of its result.

@@ -315,6 +315,10 @@ Report describe(const model::Case &scene, const SimulateResult &result) {
         report_of<SimulateResult>("simulate", "Motion in time", scene, result,
                                   {json_of, csv_of, sections_of, text_of,
                                    result.stations.empty() ? simulate_figure : stations_figure});
+    report.drawn = [&result](const Units &) {
+        constexpr std::size_t most_curves = 64;
+        return Json{{"angles", angle_curves(result, most_curves)}};
+    };
     if (result.waterfall) {
         report.pictures = [&scene, &result](const Units &units) {
             return std::vector<Picture>{{"waterfall",

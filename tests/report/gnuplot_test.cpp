@@ -87,21 +87,6 @@ TEST_F(GnuplotTest, PointsOfAnSvgAreAsLargeAsThoseOfAPng) {
     EXPECT_NE(svg.find("ps 7"), std::string::npos) << "a text is left as it is";
 }
 
-TEST_F(GnuplotTest, PowersOfTenOfTextsAreRaisedAndThoseOfDataLeft) {
-    Figure figure;
-    figure.script = "$d << EOD\n1 1e-05\nEOD\nset label " + plot_text("it's 2e+07 N/m") +
-                    " at graph 0.5,0.5\nset label 'left: 3e+08' at graph 0.5,0.3\nplot $d\n";
-    PlotJobs jobs;
-    if (!jobs.start(figure, PictureFormat::svg, "a.svg"))
-        GTEST_SKIP() << "gnuplot is not installed";
-    const std::string picture = jobs.finish().at("a.svg");
-    std::string all;
-    for (const auto &box : whirl::tests::svg_texts(picture))
-        all += box.text + "\n";
-    EXPECT_NE(all.find("it's 2·10⁷ N/m"), std::string::npos) << all;
-    EXPECT_NE(all.find("left: 3e+08"), std::string::npos) << "no text of plot_text: " << all;
-}
-
 TEST_F(GnuplotTest, ScriptErrorIsAFailureInGnuplotsWords) {
     PlotJobs jobs;
     if (!jobs.start({"plot nonsense(\n"}, PictureFormat::svg, "a.svg"))

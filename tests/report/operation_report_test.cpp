@@ -41,31 +41,32 @@ results::CriticalResult sample_critical() {
 
 TEST(OperationBand, IsCutAtTheAxis) {
     const model::Case scene = running_case();
-    const double all = 1000 * rpm;
-    EXPECT_NE(operation_band(scene, {0, all})
+    const double all = usual(Quantity::speed, 1000);
+    EXPECT_NE(operation_band(scene, usual, {0, all})
                   .find(fmt::format("first {:.9g},graph 0 to first "
                                     "{:.9g},graph 1 behind",
-                                    100 * rpm, 200 * rpm)),
+                                    usual(Quantity::speed, 100), usual(Quantity::speed, 200))),
               std::string::npos);
-    EXPECT_NE(
-        operation_band(scene, {0, 150 * rpm}).find(fmt::format("to first {:.9g},", 150 * rpm)),
-        std::string::npos);
-    EXPECT_EQ(operation_band(scene, {0, 90 * rpm}), "");
-    EXPECT_EQ(operation_key(scene, {0, 90 * rpm}), "");
-    EXPECT_EQ(operation_band(model::Case{}, {0, all}), "");
-    EXPECT_NE(operation_key(scene, {0, all}).find("'trip'"), std::string::npos);
-    EXPECT_EQ(operation_key(scene, {0, 210 * rpm}).find("'trip'"), std::string::npos);
-    EXPECT_NE(operation_band(scene, {0, all}, SpeedAxis::y).find("graph 0,first"),
+    EXPECT_NE(operation_band(scene, usual, {0, usual(Quantity::speed, 150)})
+                  .find(fmt::format("to first {:.9g},", usual(Quantity::speed, 150))),
+              std::string::npos);
+    EXPECT_EQ(operation_band(scene, usual, {0, usual(Quantity::speed, 90)}), "");
+    EXPECT_EQ(operation_key(scene, usual, {0, usual(Quantity::speed, 90)}), "");
+    EXPECT_EQ(operation_band(model::Case{}, usual, {0, all}), "");
+    EXPECT_NE(operation_key(scene, usual, {0, all}).find("'trip'"), std::string::npos);
+    EXPECT_EQ(operation_key(scene, usual, {0, usual(Quantity::speed, 210)}).find("'trip'"),
+              std::string::npos);
+    EXPECT_NE(operation_band(scene, usual, {0, all}, SpeedAxis::y).find("graph 0,first"),
               std::string::npos);
 }
 
 TEST(OperationBand, HasEdgesForWhatLiesOverIt) {
     const model::Case scene = running_case();
-    const std::string both = operation_edges(scene, {0, 1000 * rpm});
-    for (const double speed : {100 * rpm, 200 * rpm})
+    const std::string both = operation_edges(scene, usual, {0, usual(Quantity::speed, 1000)});
+    for (const double speed : {usual(Quantity::speed, 100), usual(Quantity::speed, 200)})
         EXPECT_NE(both.find(fmt::format("from first {:.9g},graph 0", speed)), std::string::npos);
-    EXPECT_EQ(operation_edges(scene, {0, 90 * rpm}), "");
-    EXPECT_EQ(operation_edges(model::Case{}, {0, 1000 * rpm}), "");
+    EXPECT_EQ(operation_edges(scene, usual, {0, usual(Quantity::speed, 90)}), "");
+    EXPECT_EQ(operation_edges(model::Case{}, usual, {0, usual(Quantity::speed, 1000)}), "");
 }
 
 class OperationReport : public ScratchFolder {};

@@ -29,11 +29,11 @@ TEST(PlotData, GrowingModesAreThoseBeyondTheirOwnError) {
 // nothing was left to draw, and the run ended.
 TEST(PlotData, EndsOfALineLieWithinAnAxisThatEndsThere) {
     for (const double speed : {50., 51., 1. / 3, 8.1, 2e4 / 7}) {
-        std::istringstream block(data_block("line", {{{speed * rpm, 1}}}));
+        std::istringstream block(data_block("line", {{{usual(Quantity::speed, speed), 1}}}));
         std::string text;
         std::getline(block, text);
         block >> text;
-        EXPECT_EQ(std::stod(text), speed * rpm);
+        EXPECT_EQ(std::stod(text), usual(Quantity::speed, speed));
     }
 }
 
@@ -46,7 +46,7 @@ TEST(PlotData, SprungFrequenciesAreNotJoined) {
     mode.frequency = {100., 101., 102., 30., 103., 104., 105.};
     mode.whirl.assign(7, results::Whirl::forward);
     result.modes = {mode};
-    const Panel panel{false, {0, 60}, {0, 20}};
+    const Panel panel{usual, false, {0, 60}, {0, 20}};
     const auto all = [](const auto &, std::size_t) { return true; };
     const auto lines = stretches(panel, result, all);
     ASSERT_EQ(lines.size(), 2U);
@@ -54,7 +54,7 @@ TEST(PlotData, SprungFrequenciesAreNotJoined) {
     EXPECT_EQ(lines[1].size(), 3U);
     const auto points = markers(panel, result, results::Whirl::forward);
     EXPECT_TRUE(std::any_of(points.begin(), points.end(), [](const PlotPoint &point) {
-        return std::abs(point.x - 30 * rpm) < 1e-9;
+        return std::abs(point.x - usual(Quantity::speed, 30)) < 1e-9;
     })) << "the point between is drawn";
     // So at the end of the range.
     result.modes[0].frequency = {100., 101., 102., 103., 104., 105., 30.};
@@ -76,7 +76,7 @@ TEST(PlotData, LinesThatExchangeMotionsAreNotJoined) {
     results::CampbellMode late = mode;
     late.frequency = {{}, {}, 1940., 626.};
     result.modes = {mode, late};
-    const Panel panel{false, {0, 700 * rpm}, {0, 400}};
+    const Panel panel{usual, false, {0, usual(Quantity::speed, 700)}, {0, 400}};
     const auto all = [](const auto &, std::size_t) { return true; };
     ASSERT_EQ(stretches(panel, result, all).size(), 1U);
     EXPECT_EQ(stretches(panel, result, all)[0].size(), 3U);
@@ -97,7 +97,7 @@ TEST(PlotData, TheOtherOneOfTwoFrequenciesIsNotJoined) {
     fast.frequency.assign(7, 7000.);
     fast.frequency_rotating = {6920., 6918., 6916., 6914., 6912., 6910., 6908.};
     result.modes = {mode, fast};
-    const Panel panel{false, {0, 60}, {0, 20}};
+    const Panel panel{usual, false, {0, 60}, {0, 20}};
     const auto lines = stretches(panel, result, [](const auto &, std::size_t) { return true; });
     ASSERT_EQ(lines.size(), 3U);
     EXPECT_EQ(lines[0].size(), 3U);
@@ -113,7 +113,7 @@ TEST(PlotData, TheOtherOneOfTwoFrequenciesIsNotJoined) {
     EXPECT_EQ(others[1].front().y, lines[0].back().y);
     result.modes[0].other_frequency = {{}, {}, 77., {}, {}, {}, {}};
     ASSERT_EQ(other_frequencies(panel, result).size(), 1U);
-    EXPECT_TRUE(other_frequencies(Panel{true, {0, 60}, {0, 1}}, result).empty());
+    EXPECT_TRUE(other_frequencies(Panel{usual, true, {0, 60}, {0, 1}}, result).empty());
 }
 
 // Between two speeds the curve of growth leaves zero at the end of the band, not at the speed
@@ -122,9 +122,8 @@ TEST(PlotData, GrowthIsZeroAtTheEndsOfBands) {
     results::StabilityResult result;
     result.speeds = {0, 10, 20, 30};
     result.growth = {-1, -1, 4, -1};
-    result.unstable = {{18 / rpm, 25 / rpm}};
-    const std::string script =
-        stability_figure(sample_case(), result, Units::of_readers({})).script;
+    result.unstable = {{18 / usual.factor(Quantity::speed), 25 / usual.factor(Quantity::speed)}};
+    const std::string script = stability_figure(sample_case(), result, usual).script;
     const std::string block = script.substr(script.find("$curve0"));
     const std::size_t begins = block.find("\n18 0\n");
     const std::size_t ends = block.find("\n25 0\n");
@@ -133,12 +132,10 @@ TEST(PlotData, GrowthIsZeroAtTheEndsOfBands) {
     EXPECT_LT(begins, ends);
     result.growth = {-0.003351, -0.0033515, -0.003352, -0.0033525};
     result.unstable = {};
-    EXPECT_NE(stability_figure(sample_case(), result, Units::of_readers({}))
-                  .script.find("set format y '%.6g'"),
+    EXPECT_NE(stability_figure(sample_case(), result, usual).script.find("set format y '%.6g'"),
               std::string::npos);
     result.growth = {-100.00001, -100.00002, -100.00003, -100.00004};
-    EXPECT_NE(stability_figure(sample_case(), result, Units::of_readers({}))
-                  .script.find("set format y '%.9g'"),
+    EXPECT_NE(stability_figure(sample_case(), result, usual).script.find("set format y '%.9g'"),
               std::string::npos);
 }
 
@@ -146,9 +143,10 @@ TEST(PlotData, NumbersOfPicturesAreWrittenAsByHand) {
     EXPECT_EQ(with_powers("2e+07 N/m | 1e+10, 1.25e-09"), "2·10⁷ N/m | 10¹⁰, 1.25·10⁻⁹");
     EXPECT_EQ(with_powers("11e+06 and 0.1e+06"), "11·10⁶ and 0.1·10⁶");
     EXPECT_EQ(with_powers("stage 2e, 1e+x, e-07"), "stage 2e, 1e+x, e-07");
-    EXPECT_EQ(short_speed(3.7699), "3.77");
-    EXPECT_EQ(short_speed(12345.6), "12346");
-    EXPECT_EQ(with_powers(short_speed(161403231)), "1.614·10⁸");
+    const Units si;
+    EXPECT_EQ(drawn_speed(si, 3.7699), "3.77");
+    EXPECT_EQ(drawn_speed(si, 12345.6), "12346");
+    EXPECT_EQ(drawn_speed(si, 161403231), "1.614·10⁸");
 }
 
 // One pole: the response runs through a circle. At 16 places around it, as many as a search for
@@ -170,25 +168,26 @@ TEST(PlotData, PolarLoopsAreRound) {
     result.speeds = result.curves.speeds;
     result.nodes[0].amplitude = result.curves.values[0];
     result.nodes[0].phase = result.curves.phases[0];
-    const std::string script = polar_figure(sample_case(), result, Units::of_readers({})).script;
+    const std::string script = polar_figure(sample_case(), result, usual).script;
     const std::size_t from = script.find("$curve0 << EOD\n");
     ASSERT_NE(from, std::string::npos);
     std::istringstream data(script.substr(from + 15, script.find("EOD", from + 15) - from - 15));
     int points = 0;
     for (double x = 0, y = 0; data >> x >> y; ++points)
-        EXPECT_NEAR(std::hypot(x, y + radius * micrometres), radius * micrometres,
-                    0.0025 * radius * micrometres);
+        EXPECT_NEAR(std::hypot(x, y + usual(Quantity::amplitude, radius)),
+                    usual(Quantity::amplitude, radius),
+                    0.0025 * usual(Quantity::amplitude, radius));
     EXPECT_GT(points, 40);
-    EXPECT_NE(script.find("set xlabel 'x ("), std::string::npos);
+    EXPECT_NE(script.find("set xlabel " + plot_text("x (µm)")), std::string::npos);
     // A probe has a phase of its own: it is drawn in the place of the station.
     result.probes.resize(1);
     result.probes[0].name = "1Y";
     result.probes[0].angle = pi / 2;
     result.curves.values.push_back({1e-6, 2e-6, 1e-6});
     result.curves.phases.push_back({0, pi / 2, pi});
-    const std::string read = polar_figure(sample_case(), result, Units::of_readers({})).script;
+    const std::string read = polar_figure(sample_case(), result, usual).script;
     EXPECT_NE(read.find("1Y, z = 0 m at 90°"), std::string::npos);
-    EXPECT_NE(read.find("set xlabel 'in phase ("), std::string::npos);
+    EXPECT_NE(read.find("set xlabel " + plot_text("in phase (µm)")), std::string::npos);
     EXPECT_EQ(read.find("$curve1 << EOD"), std::string::npos);
     EXPECT_NE(read.find("$curve0 << EOD\n1 0\n"), std::string::npos) << "1 um at no angle";
 }

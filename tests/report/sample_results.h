@@ -19,6 +19,9 @@
 
 namespace whirl::report {
 
+/// The units of readers where none are asked for.
+inline const Units usual = Units::of_readers({});
+
 /// A title with everything that could break a script, a page or a table.
 inline const std::string wicked_title = "it's <b>\"odd\"</b> & {a_b^2} `touch x` $(y), @z\nend";
 

@@ -2,7 +2,6 @@
 
 #include "report/common/html.h"
 #include "report/common/text_width.h"
-#include "report/common/words.h"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -33,7 +32,7 @@ void add_text(pugi::xml_node parent, const DrawText &text) {
     node.append_attribute("font-size") = fmt::format("{}", text.size).c_str();
     node.append_attribute("text-anchor") = "middle";
     node.append_attribute("fill") = text.colour.c_str();
-    node.text().set(printable(with_powers(text.text)).c_str());
+    node.text().set(printable(text.text).c_str());
 }
 
 } // namespace

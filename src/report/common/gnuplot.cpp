@@ -1,7 +1,6 @@
 #include "report/common/gnuplot.h"
 
 #include "report/common/text_width.h"
-#include "report/common/words.h"
 
 #include <fmt/format.h>
 
@@ -53,28 +52,26 @@ std::string with_points_as_in_png(const std::string &commands) {
 /// A text of plot_text so that gnuplot makes valid SVG of it that says the same: it leaves entities
 /// such as "&#x41;" and "]]>" as they are.
 std::string for_svg(std::string text) {
-    for (const auto &[from, to] : {std::pair("\\046\\043x", "\\046\\043x26;\\043x"),          // &#x
-                                   std::pair("\\135\\135\\076", "\\135\\135\\046\\043x3e;")}) // ]]>
+    for (const auto &[from, to] :
+         {std::pair("\\0046\\0043x", "\\0046\\0043x26;\\0043x"),            // &#x
+          std::pair("\\0135\\0135\\0076", "\\0135\\0135\\0046\\0043x3e;")}) // ]]>
         for (std::size_t at = text.find(from); at != std::string::npos;
              at = text.find(from, at + std::strlen(to)))
             text.replace(at, std::strlen(from), to);
     return text;
 }
 
-/// The script as it is handed over: powers of ten of its texts (those of plot_text) as they are
-/// written by hand, for the units of the numbers may have been changed before.
+/// The script as it is handed over.
 std::string handed_over(const std::string &script, PictureFormat format) {
-    const bool svg = format == PictureFormat::svg;
+    if (format == PictureFormat::png)
+        return script;
     std::string out;
     bool text = false;
     for (std::size_t from = 0; from <= script.size(); text = !text) {
         const std::size_t to = std::min(script.find('"', from), script.size());
-        std::string piece = script.substr(from, to - from);
-        if (text)
-            piece = with_powers(svg ? for_svg(piece) : piece);
-        else if (svg)
-            piece = with_points_as_in_png(piece);
-        out += piece + (to < script.size() ? "\"" : "");
+        const std::string piece = script.substr(from, to - from);
+        out += text ? for_svg(piece) : with_points_as_in_png(piece);
+        out += to < script.size() ? "\"" : "";
         from = to + 1;
     }
     return out;
@@ -92,7 +89,7 @@ std::string plot_text(const std::string &text) {
         const auto byte = static_cast<unsigned char>(letter);
         const bool plain =
             byte >= 0x80 || std::isalnum(byte) != 0 || std::strchr(" .,:;()+-=/", byte) != nullptr;
-        quoted += plain ? std::string(1, letter) : fmt::format("\\{:03o}", byte);
+        quoted += plain ? std::string(1, letter) : fmt::format("\\0{:03o}", byte);
     }
     return quoted + "\" noenhanced";
 }

@@ -12,11 +12,6 @@
 
 namespace whirl::report {
 
-std::string short_speed(double value) {
-    return std::abs(value) < 1000 || std::abs(value) >= 1e6 ? readable(value, 4)
-                                                            : fmt::format("{:.0f}", value);
-}
-
 std::string with_powers(const std::string &text) {
     static const char *const raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     const auto digit = [&](std::size_t i) {
@@ -51,31 +46,9 @@ std::string title_of(const model::Case &scene) {
     return printable(scene.title.empty() ? scene.name : scene.title);
 }
 
-std::string place(const std::string &name, double z) {
-    const std::string at = fmt::format("z = {:.6g} {}", z * metres, unit_name("length", "m"));
-    return name.empty() ? at : fmt::format("{} ({})", name, at);
-}
-
 std::string place(const std::string &name, double z, const Units &units) {
     const std::string at = "z = " + units.text(Quantity::length, z);
     return name.empty() ? at : fmt::format("{} ({})", name, at);
-}
-
-std::string place_text(const std::string &name, double z) {
-    return place_text(name, z, Units::of_readers(written_units()));
-}
-
-std::string place_text(const std::string &name, double z, const Units &units) {
-    std::vector<std::string> parts;
-    for (std::size_t from = 0; from < name.size();) {
-        const std::size_t to = std::min(name.find(", ", from), name.size());
-        const std::string part = name.substr(from, to - from);
-        if (std::find(parts.begin(), parts.end(), part) == parts.end())
-            parts.push_back(part);
-        from = to + 2;
-    }
-    parts.push_back("z = " + units.text(Quantity::length, z, 4));
-    return joined(parts, ", ");
 }
 
 std::string range_text(const std::vector<double> &speeds, const Units &units) {

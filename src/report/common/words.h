@@ -22,8 +22,6 @@ inline constexpr double degrees = 180 / pi; ///< in one rad
 }
 /// For pictures: numbers with a power of ten as they are written by hand, "2·10⁷" for "2e+07".
 [[nodiscard]] std::string with_powers(const std::string &text);
-/// A speed in rpm or the like beside a mark: "17", "3.77", "12346", "1.614e+08".
-[[nodiscard]] std::string short_speed(double value);
 /// The texts one after another, with something between them.
 [[nodiscard]] std::string joined(const std::vector<std::string> &texts, const std::string &between);
 /// The same of `of(item)` for each item.
@@ -42,15 +40,11 @@ template <class List, class Of>
     return name.empty() ? std::nullopt : std::optional(name);
 }
 /// One place of a rotor: its name, or where it is.
-[[nodiscard]] std::string place(const std::string &name, double z);
 [[nodiscard]] std::string place(const std::string &name, double z, const Units &units);
 /// The same of a row of a table.
 inline constexpr auto place_of = [](const auto &row, const Units &units) {
     return place(row.name, row.z, units);
 };
-/// The same for legends: shorter, each name once ("race, race" of two items there is "race").
-[[nodiscard]] std::string place_text(const std::string &name, double z);
-[[nodiscard]] std::string place_text(const std::string &name, double z, const Units &units);
 /// "at 4000 rpm", "0 to 4000 rpm, 101 speeds".
 [[nodiscard]] std::string range_text(const std::vector<double> &speeds, const Units &units);
 

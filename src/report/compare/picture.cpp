@@ -22,18 +22,22 @@ struct Overlaid {
     std::vector<std::vector<PlotPoint>> lines;
 };
 
-std::vector<PlotPoint> line_of(const Json &speeds, const Json &values, double factor) {
+std::vector<PlotPoint> line_of(const Units &units, const Json &speeds, const Json &values,
+                               Quantity of) {
     std::vector<PlotPoint> line;
     for (std::size_t i = 0; i < speeds.size(); ++i)
-        line.push_back({speeds[i].get<double>() * rpm, times(factor, item(values, i))});
+        line.push_back({units(Quantity::speed, speeds[i].get<double>()),
+                        times(units.factor(of), item(values, i))});
     return line;
 }
 
-std::vector<Overlaid> campbell_curves(const Comparison &comparison, std::size_t index) {
+std::vector<Overlaid> campbell_curves(const Units &units, const Comparison &comparison,
+                                      std::size_t index) {
     const ComparedResult &result = comparison.results[index];
     Overlaid out{result.name, {}};
     for (const Json &mode : result.json.at("modes"))
-        out.lines.push_back(line_of(result.json.at("speeds"), mode.at("frequency"), hertz));
+        out.lines.push_back(
+            line_of(units, result.json.at("speeds"), mode.at("frequency"), Quantity::frequency));
     return {out};
 }
 
@@ -49,8 +53,8 @@ StationCurve station_curve(const ComparedResult &result, std::size_t i) {
     return {curves.at("speeds"), curves.at("nodes")[i].at("amplitude")};
 }
 
-std::string station_name(const Json &node) {
-    return place(node.value("name", ""), node.value("z", 0.0));
+std::string station_name(const Units &units, const Json &node) {
+    return place_text(units, node.value("name", ""), node.value("z", 0.0));
 }
 
 double largest_of(const Json &values) {
@@ -61,11 +65,12 @@ double largest_of(const Json &values) {
 }
 
 /// Names of the stations that move most.
-std::vector<std::string> stations_of(const ComparedResult &result) {
+std::vector<std::string> stations_of(const Units &units, const ComparedResult &result) {
     const Json &nodes = result.json.at("nodes");
     std::vector<std::pair<double, std::string>> sizes;
     for (std::size_t i = 0; i < nodes.size(); ++i)
-        sizes.emplace_back(-largest_of(station_curve(result, i).amplitude), station_name(nodes[i]));
+        sizes.emplace_back(-largest_of(station_curve(result, i).amplitude),
+                           station_name(units, nodes[i]));
     std::sort(sizes.begin(), sizes.end());
     constexpr std::size_t most = 2;
     std::vector<std::string> names;
@@ -76,16 +81,18 @@ std::vector<std::string> stations_of(const ComparedResult &result) {
 
 /// Of the stations that move most in the first result; down to a millionth of the largest
 /// amplitude, below which there is only the start from rest.
-std::vector<Overlaid> response_curves(const Comparison &comparison, std::size_t index) {
+std::vector<Overlaid> response_curves(const Units &units, const Comparison &comparison,
+                                      std::size_t index) {
     std::vector<Overlaid> out;
     const ComparedResult &result = comparison.results[index];
     const Json &nodes = result.json.at("nodes");
-    for (const std::string &station : stations_of(comparison.results.front()))
+    for (const std::string &station : stations_of(units, comparison.results.front()))
         for (std::size_t i = 0; i < nodes.size(); ++i) {
-            if (station_name(nodes[i]) != station)
+            if (station_name(units, nodes[i]) != station)
                 continue;
             const StationCurve curve = station_curve(result, i);
-            std::vector<PlotPoint> line = line_of(curve.speeds, curve.amplitude, micrometres);
+            std::vector<PlotPoint> line =
+                line_of(units, curve.speeds, curve.amplitude, Quantity::amplitude);
             double largest = 0;
             for (const PlotPoint &point : line)
                 largest = std::max(largest, point.y.value_or(0));
@@ -98,7 +105,8 @@ std::vector<Overlaid> response_curves(const Comparison &comparison, std::size_t 
 }
 
 /// Over time, of the balancer or the station that moves most in the first result.
-std::vector<Overlaid> motion_curves(const Comparison &comparison, std::size_t index) {
+std::vector<Overlaid> motion_curves(const Units &units, const Comparison &comparison,
+                                    std::size_t index) {
     const ComparedResult &result = comparison.results[index];
     const Json &all = comparison.results.front().json.at("series").at("amplitude");
     std::size_t place = 0;
@@ -109,37 +117,46 @@ std::vector<Overlaid> motion_curves(const Comparison &comparison, std::size_t in
     std::vector<PlotPoint> line;
     if (place < series.at("amplitude").size())
         for (std::size_t i = 0; i < series.at("time").size(); ++i)
-            line.push_back({series.at("time")[i].get<double>(),
-                            times(micrometres, item(series.at("amplitude")[place], i))});
+            line.push_back(
+                {series.at("time")[i].get<double>(),
+                 times(units.factor(Quantity::amplitude), item(series.at("amplitude")[place], i))});
     return {{result.name, {line}}};
 }
 
-std::vector<Overlaid> growth_curves(const Comparison &comparison, std::size_t index) {
+std::vector<Overlaid> growth_curves(const Units &units, const Comparison &comparison,
+                                    std::size_t index) {
     const ComparedResult &result = comparison.results[index];
-    return {{result.name, {line_of(result.json.at("speeds"), result.json.at("growth"), 1)}}};
+    return {{result.name,
+             {line_of(units, result.json.at("speeds"), result.json.at("growth"), Quantity::rate)}}};
 }
 
 /// A row of marks for each result.
-std::vector<Overlaid> critical_marks(const Comparison &comparison, std::size_t index) {
+std::vector<Overlaid> critical_marks(const Units &units, const Comparison &comparison,
+                                     std::size_t index) {
     Overlaid out{comparison.results[index].name, {}};
     for (const Json &at : comparison.results[index].json.at("critical_speeds"))
-        out.lines.push_back({{at.at("speed").get<double>() * rpm, -static_cast<double>(index)}});
+        out.lines.push_back(
+            {{units(Quantity::speed, at.at("speed").get<double>()), -static_cast<double>(index)}});
     return {out};
 }
 
-/// What a command has above the differences: curves of the index-th result, and the axis y.
+/// What a command has above the differences: curves of the index-th result, and what goes upwards.
 struct UpperPanel {
-    std::vector<Overlaid> (*curves)(const Comparison &comparison, std::size_t index);
-    std::string y_axis;
+    std::vector<Overlaid> (*curves)(const Units &units, const Comparison &comparison,
+                                    std::size_t index);
+    std::string name;
+    Quantity of = Quantity::number;
+    bool logarithmic = false;
 };
 const std::map<std::string, UpperPanel> upper_panels{
-    {"campbell", {campbell_curves, "set ylabel 'Whirl frequency (Hz)'\n"}},
-    {"response", {response_curves, std::string("set ylabel 'Amplitude (µm)'\n") + logarithmic_y}},
-    {"stability", {growth_curves, "set ylabel 'Growth (1/s)'\n"}},
-    {"simulate", {motion_curves, "set ylabel 'Amplitude (µm)'\n"}},
-    {"critical", {critical_marks, "unset ytics\nunset ylabel\n"}}};
+    {"campbell", {campbell_curves, "Whirl frequency", Quantity::frequency}},
+    {"response", {response_curves, "Amplitude", Quantity::amplitude, true}},
+    {"stability", {growth_curves, "Growth", Quantity::rate}},
+    {"simulate", {motion_curves, "Amplitude", Quantity::amplitude}},
+    {"critical", {critical_marks, ""}}};
 
-std::string upper_panel(const Comparison &comparison, double pixel, double bottom, double top) {
+std::string upper_panel(const Units &units, const Comparison &comparison, double pixel,
+                        double bottom, double top) {
     const std::string &command = comparison.command;
     const UpperPanel &panel = upper_panels.at(command);
     const bool marks = command == "critical";
@@ -147,7 +164,7 @@ std::string upper_panel(const Comparison &comparison, double pixel, double botto
     drawn.add("NaN notitle");
     std::size_t count = 0;
     for (std::size_t i = 0; i < comparison.results.size(); ++i)
-        for (const Overlaid &curve : panel.curves(comparison, i)) {
+        for (const Overlaid &curve : panel.curves(units, comparison, i)) {
             const LineStyle style = series_style(count++);
             drawn.add_pieces(curve.lines,
                              marks ? fmt::format("with points pt {} ps 1.5 lw 1.6 lc rgb '{}'",
@@ -155,14 +172,19 @@ std::string upper_panel(const Comparison &comparison, double pixel, double botto
                                    : line_look(style, 2),
                              plot_text(curve.title));
         }
-    return panel_margins(0.09, 0.96, bottom, top) + panel.y_axis +
+    return panel_margins(0.09, 0.96, bottom, top) +
+           (panel.name.empty() ? "unset ytics\nunset ylabel\n"
+                               : "set ylabel " + axis_text(units, panel.name, panel.of) + "\n") +
+           (panel.logarithmic ? logarithmic_y : "") +
            (marks ? fmt::format("set yrange [{}:0.7]\n",
                                 0.3 - static_cast<double>(comparison.results.size()))
                   : std::string("set autoscale y\n")) +
            fmt::format(
-               "set xlabel '{}'\n{}set key at screen 0.525,{} center center vertical maxrows 4 "
+               "set xlabel {}\n{}set key at screen 0.525,{} center center vertical maxrows 4 "
                "samplen 4 font ',10'\n",
-               command == "simulate" ? "Time (s)" : "Spin speed (rpm)", grid, 1 - 112 * pixel) +
+               command == "simulate" ? plot_text("Time (s)")
+                                     : axis_text(units, "Spin speed", Quantity::speed),
+               grid, 1 - 112 * pixel) +
            drawn.script() + "unset logscale\nset format\nset ytics\nset autoscale\nunset label\n";
 }
 
@@ -207,7 +229,7 @@ std::string lower_panel(const Comparison &comparison, double pixel, double botto
 
 } // namespace
 
-Figure comparison_figure(const Comparison &comparison) {
+Figure comparison_figure(const Comparison &comparison, const Units &units) {
     const bool curves = upper_panels.contains(comparison.command);
     const bool marks = comparison.command == "critical";
     const int height = (!curves ? 0 : marks ? 330 : 560) + 430;
@@ -218,7 +240,7 @@ Figure comparison_figure(const Comparison &comparison) {
             (comparison.results.size() == 2
                  ? comparison.results[1].name
                  : fmt::format("{} others", comparison.results.size() - 1)),
-        (curves ? upper_panel(comparison, pixel, (430 + 20) * pixel, 1 - 155 * pixel) : "") +
+        (curves ? upper_panel(units, comparison, pixel, (430 + 20) * pixel, 1 - 155 * pixel) : "") +
             lower_panel(comparison, pixel, 60 * pixel, 340 * pixel));
 }
 

@@ -156,8 +156,7 @@ std::vector<std::filesystem::path> write_comparison(const Comparison &comparison
                                                     const model::OutputUnits &asked) {
     OutputFiles files(folder);
     PlotJobs jobs;
-    Figure figure = comparison_figure(comparison);
-    figure.script = script_in_written_units(figure.script);
+    const Figure figure = comparison_figure(comparison, Units::of_readers(asked));
     std::string still;
     files.announce("compare.svg");
     files.announce("compare.png");

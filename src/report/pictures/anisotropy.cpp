@@ -18,12 +18,13 @@ constexpr const char *limit_look = "with lines lw 2 lc rgb '#B00020'";
 constexpr const char *critical_look = "with lines lw 1.8 dt (12,5) lc rgb '#0072B2'";
 constexpr const char *case_look = "lc rgb '#444444' dt (6,4) front";
 
-/// Speed axis in rad/s on the left and rev/min on the right.
-std::string speed_axes(const AnisotropyChart &chart) {
+/// Speeds in rad/s on the left, as the panel has them, and in the unit of readers on the right.
+std::string speed_axes(const Units &units, const AnisotropyChart &chart) {
     return fmt::format("set yrange [0:{}]\nset ytics nomirror\nset ylabel 'Spin speed (rad/s)'\n"
-                       "set y2range [0:{}]\nset y2tics\nset y2label 'rpm'\n"
+                       "set y2range [0:{}]\nset y2tics\nset y2label {}\n"
                        "set grid lc rgb '#E4E4E4' lt 1\nset key bottom right opaque\n",
-                       chart.speed.back(), chart.speed.back() * rpm);
+                       chart.speed.back(), units(Quantity::speed, chart.speed.back()),
+                       plot_text(units.name(Quantity::speed)));
 }
 
 std::string mark(double x, double y, const char *text) {
@@ -51,7 +52,7 @@ std::string signs_over_anisotropy(const AnisotropyChart &chart, double widest) {
 }
 
 /// The region right of the limit curve is unstable.
-std::string anisotropy_panel(const AnisotropyChart &chart) {
+std::string anisotropy_panel(const Units &units, const AnisotropyChart &chart) {
     const double widest = widest_anisotropy(chart);
     std::vector<PlotPoint> region;
     for (std::size_t i = 0; i < chart.speed.size(); ++i)
@@ -62,7 +63,7 @@ std::string anisotropy_panel(const AnisotropyChart &chart) {
     drawn.add(region, "with filledcurves closed lc rgb '#F6D5D0'", "'unstable (−)'");
     drawn.add(points_over(chart.limit, 1, chart.speed, 1), limit_look, "'stability limit'");
     drawn.add(points_over(chart.undamped, 1, chart.speed, 1), critical_look, "'critical speed'");
-    return speed_axes(chart) + signs_over_anisotropy(chart, widest) +
+    return speed_axes(units, chart) + signs_over_anisotropy(chart, widest) +
            fmt::format("set title 'C = {:.4g} (upright line: the case)'\nset xlabel 'Anisotropy, "
                        "half the difference of the diametral inertias / A'\nset xrange [0:{}]\n",
                        chart.C, widest) +
@@ -92,7 +93,7 @@ std::string signs_over_polar(const AnisotropyChart &chart) {
 }
 
 /// Curves over C; a limit or critical speed above the axis leaves it at its upper edge.
-std::string polar_panel(const AnisotropyChart &chart) {
+std::string polar_panel(const Units &units, const AnisotropyChart &chart) {
     const double top = chart.speed.back();
     std::string region = "$region << EOD\n";
     std::vector<PlotPoint> lower;
@@ -116,33 +117,37 @@ std::string polar_panel(const AnisotropyChart &chart) {
     drawn.add("$region using 1:2:3 with filledcurves lc rgb '#F6D5D0' notitle");
     drawn.add_pieces({lower, upper}, limit_look);
     drawn.add_pieces({first, second}, critical_look);
-    return region + "NaN NaN NaN\nEOD\n" + speed_axes(chart) + signs_over_polar(chart) +
+    return region + "NaN NaN NaN\nEOD\n" + speed_axes(units, chart) + signs_over_polar(chart) +
            fmt::format("set title 'anisotropy {:.4g} (upright line: the case)'\nset xlabel 'Polar "
                        "inertia C / A'\nset xrange [{}:{}]\n",
                        chart.anisotropy, chart.polar.front(), chart.polar.back()) +
            upright(chart.C, case_look) + drawn.script();
 }
 
-std::string subtitle(const AnisotropyChart &chart) {
-    const std::string band = !chart.unstable ? "stable at every speed"
-                             : chart.unstable->to
-                                 ? fmt::format("unstable from {:.5g} to {:.5g} rad/s",
-                                               chart.unstable->from, *chart.unstable->to)
-                                 : fmt::format("unstable above {:.5g} rad/s", chart.unstable->from);
-    return fmt::format(
-        "tilt of the rigid rotor, p = {:.5g} rad/s, h = {:.5g} 1/s; {}; stable at every "
-        "speed up to anisotropy {:.5g}",
-        chart.p, chart.h, band, chart.permissible);
+std::string subtitle(const Units &units, const AnisotropyChart &chart) {
+    const std::string band =
+        !chart.unstable ? "stable at every speed"
+        : chart.unstable->to
+            ? fmt::format("unstable from {} to {}",
+                          drawn_number(units(Quantity::speed, chart.unstable->from)),
+                          drawn_value(units, Quantity::speed, *chart.unstable->to))
+            : "unstable above " + drawn_value(units, Quantity::speed, chart.unstable->from);
+    return fmt::format("tilt of the rigid rotor, p = {}, h = {}; {}; stable at every "
+                       "speed up to anisotropy {}",
+                       drawn_value(units, Quantity::frequency, chart.p),
+                       drawn_value(units, Quantity::rate, chart.h), band,
+                       drawn_number(chart.permissible));
 }
 
 } // namespace
 
-Figure anisotropy_figure(const model::Case &scene, const AnisotropyChart &chart, const Units &) {
+Figure anisotropy_figure(const model::Case &scene, const AnisotropyChart &chart,
+                         const Units &units) {
     return figure_of(1180, 560, "Critical speeds and stability: " + title_of(scene),
-                     subtitle(chart),
-                     panel_margins(0.055, 0.41, 0.13, 0.8) + anisotropy_panel(chart) +
+                     subtitle(units, chart),
+                     panel_margins(0.055, 0.41, 0.13, 0.8) + anisotropy_panel(units, chart) +
                          "unset label\nunset arrow\n" + panel_margins(0.57, 0.925, 0.13, 0.8) +
-                         polar_panel(chart));
+                         polar_panel(units, chart));
 }
 
 } // namespace whirl::report

@@ -32,22 +32,24 @@ std::string tic_text(const std::string &text) {
     return whole.substr(0, whole.rfind(' '));
 }
 
-std::string bars(const std::vector<results::Interval> &bands, double low, double high,
-                 const char *colour) {
+std::string bars(const Units &units, const std::vector<results::Interval> &bands, double low,
+                 double high, const char *colour) {
     std::string out;
     for (const auto &band : bands)
         out += fmt::format("set object rectangle from first {:.9g},{} to first {:.9g},{} "
                            "fillcolor rgb '{}' fillstyle solid noborder front\n",
-                           band.from * rpm, low, band.to * rpm, high, colour);
+                           units(Quantity::speed, band.from), low, units(Quantity::speed, band.to),
+                           high, colour);
     return out;
 }
 
 /// Ends of the bands as numbers above their bars, where neighbours leave room.
-std::string end_labels(const results::BalanceBands &bands, double y, double width) {
+std::string end_labels(const Units &units, const results::BalanceBands &bands, double y,
+                       double width) {
     std::string out;
     double last = -1e300;
     for (const auto &end : bands.ends) {
-        const double x = end.speed * rpm;
+        const double x = units(Quantity::speed, end.speed);
         if (x - last < 0.055 * width)
             continue;
         out +=
@@ -58,12 +60,13 @@ std::string end_labels(const results::BalanceBands &bands, double y, double widt
 }
 
 /// A mark for each motion in time: a full one where it ends balanced, else a cross.
-std::string outcome_marks(const std::vector<results::SimulatedSpeed> &runs, double y) {
+std::string outcome_marks(const Units &units, const std::vector<results::SimulatedSpeed> &runs,
+                          double y) {
     std::string out;
     for (const auto &run : runs) {
         const bool balanced = run.outcome == "balanced";
         out += fmt::format("set label '' at first {:.9g},{} point pt {} ps 1.3 lc rgb '{}' front\n",
-                           run.speed * rpm, y, balanced ? 7 : 2,
+                           units(Quantity::speed, run.speed), y, balanced ? 7 : 2,
                            balanced ? stable_colour : unbalanced_colour);
     }
     return out;
@@ -89,13 +92,13 @@ Curves bands_key(const BalanceResult &result) {
 }
 
 /// The bars of a row; the word `nowhere` at its left without any.
-std::string main_bars(const std::vector<results::Interval> &bands, double base,
+std::string main_bars(const Units &units, const std::vector<results::Interval> &bands, double base,
                       const char *colour) {
     if (bands.empty())
         return fmt::format("set label 'nowhere in this range' at graph 0.01,first {} left "
                            "textcolor '#777777' font ',9' front\n",
                            base + 0.58);
-    return bars(bands, base + 0.42, base + 0.74, colour);
+    return bars(units, bands, base + 0.42, base + 0.74, colour);
 }
 
 /// A row of the upper panel; the first one lies from -1 to 0, the next below it.
@@ -105,40 +108,42 @@ struct Row {
 };
 
 /// @param width  of the axis of speeds
-std::vector<Row> rows_of(const BalanceResult &result, double width) {
+std::vector<Row> rows_of(const Units &units, const BalanceResult &result, double width) {
     std::vector<Row> rows;
     const auto base = [&rows] { return -1 - static_cast<double>(rows.size()); };
     const auto add = [&](const std::string &name, const results::BalanceBands &of) {
-        std::string marks = main_bars(of.bands, base(), balanced_colour);
+        std::string marks = main_bars(units, of.bands, base(), balanced_colour);
         if (of.rigid_bands)
-            marks += bars(*of.rigid_bands, base() + 0.2, base() + 0.36, rigid_colour);
-        rows.push_back({name, marks + end_labels(of, base() + 0.86, width)});
+            marks += bars(units, *of.rigid_bands, base() + 0.2, base() + 0.36, rigid_colour);
+        rows.push_back({name, marks + end_labels(units, of, base() + 0.86, width)});
     };
     for (std::size_t i = 0; i < result.planes.size(); ++i) {
         const auto &plane = result.planes[i];
         const std::string name = plane.name.empty() ? "plane " + std::to_string(i + 1) : plane.name;
         constexpr double most = 280; // pixels
-        add(fitting(name, picture_font, most) + ", z = " + readable(plane.z, 4) + " m",
+        add(fitting(name, picture_font, most) +
+                ", z = " + drawn_value(units, Quantity::length, plane.z, 4),
             plane.bands);
     }
     if (result.planes.size() > 1)
         add("all planes together", result.joint.bands);
     if (const auto &position = result.balanced_position) {
-        std::string marks = bars(position->with_some, base() + 0.42, base() + 0.74, some_colour);
+        std::string marks =
+            bars(units, position->with_some, base() + 0.42, base() + 0.74, some_colour);
         if (position->with_some.empty() || !position->bands.empty())
-            marks += main_bars(position->bands, base(), stable_colour);
+            marks += main_bars(units, position->bands, base(), stable_colour);
         rows.push_back({"real balancers stable", marks});
     }
     if (!result.simulated.empty())
-        rows.push_back({"motions in time", outcome_marks(result.simulated, base() + 0.5)});
+        rows.push_back({"motions in time", outcome_marks(units, result.simulated, base() + 0.5)});
     return rows;
 }
 
-std::string bands_panel(const model::Case &scene, const BalanceResult &result,
+std::string bands_panel(const model::Case &scene, const Units &units, const BalanceResult &result,
                         const std::vector<Row> &rows, Range x) {
-    std::string script = operation_band(scene, x);
+    std::string script = operation_band(scene, units, x);
     for (const double speed : result.critical_speeds)
-        script += upright(speed * rpm, "dt (4,4) lc rgb '#777777' lw 1 back");
+        script += upright(units(Quantity::speed, speed), "dt (4,4) lc rgb '#777777' lw 1 back");
     std::string names;
     double middle = -0.5;
     for (const Row &row : rows) {
@@ -146,7 +151,7 @@ std::string bands_panel(const model::Case &scene, const BalanceResult &result,
         script += row.marks;
     }
     Curves key = bands_key(result);
-    key.add(operation_key(scene, x));
+    key.add(operation_key(scene, units, x));
     return script +
            fmt::format(
                "set yrange [-{}:0]\nset ytics ({}) noenhanced\nset grid noytics\n"
@@ -185,7 +190,8 @@ std::string folded_tics(double unit, double largest) {
 enum class Sign { minus, plus, any };
 
 /// Polylines of the k-th eigenvalue, cut where a critical speed lies between two speeds.
-std::vector<std::vector<PlotPoint>> eigenvalue_lines(const BalanceResult &result, double factor,
+std::vector<std::vector<PlotPoint>> eigenvalue_lines(const Units &units,
+                                                     const BalanceResult &result, double factor,
                                                      double unit, Sign sign) {
     std::vector<std::vector<PlotPoint>> lines;
     const auto &points = result.joint.signature;
@@ -202,15 +208,16 @@ std::vector<std::vector<PlotPoint>> eigenvalue_lines(const BalanceResult &result
                 lines.emplace_back();
             const double value = factor * points[i].eigenvalues[k];
             const bool shown = sign == Sign::any || (sign == Sign::minus) == (value < 0);
-            lines.back().push_back(
-                {points[i].speed * rpm, shown ? std::optional(folded(value, unit)) : std::nullopt});
+            lines.back().push_back({units(Quantity::speed, points[i].speed),
+                                    shown ? std::optional(folded(value, unit)) : std::nullopt});
         }
     }
     return lines;
 }
 
-std::string signature_panel(const model::Case &scene, const BalanceResult &result, Range x) {
-    const double mass = result.rigid ? result.rigid->mass : 1;
+std::string signature_panel(const model::Case &scene, const Units &units,
+                            const BalanceResult &result, Range x) {
+    const double mass = result.rigid ? result.rigid->mass : units.factor(Quantity::inverse_mass);
     const double unit = unit_of(result, mass);
     double largest = 10 * unit;
     for (const auto &point : result.joint.signature)
@@ -218,31 +225,33 @@ std::string signature_panel(const model::Case &scene, const BalanceResult &resul
             largest = std::max(largest, std::min(std::abs(value) * mass, 1e3));
     const double top = 1.05 * folded(largest, unit);
     Curves drawn;
-    drawn.add_pieces(eigenvalue_lines(result, mass, unit, Sign::any),
+    drawn.add_pieces(eigenvalue_lines(units, result, mass, unit, Sign::any),
                      "with lines lw 1.2 lc rgb '#B5B5B5'");
-    drawn.add_pieces(eigenvalue_lines(result, mass, unit, Sign::minus),
+    drawn.add_pieces(eigenvalue_lines(units, result, mass, unit, Sign::minus),
                      fmt::format("with linespoints pt 7 ps 0.3 lw 2 lc rgb '{}'", balanced_colour),
                      "'negative'");
     drawn.add_pieces(
-        eigenvalue_lines(result, mass, unit, Sign::plus),
+        eigenvalue_lines(units, result, mass, unit, Sign::plus),
         fmt::format("with linespoints pt 7 ps 0.3 lw 2 lc rgb '{}'", unbalanced_colour),
         "'positive'");
-    return "unset object\nunset label\nunset arrow\n" + operation_band(scene, x) +
-           fmt::format("set yrange [{}:{}]\nset ytics ({}) enhanced\nset ylabel '{}'\n"
-                       "set xlabel 'Spin speed (rpm)'\n"
+    return "unset object\nunset label\nunset arrow\n" + operation_band(scene, units, x) +
+           fmt::format("set yrange [{}:{}]\nset ytics ({}) enhanced\nset ylabel {}\n"
+                       "set xlabel {}\n"
                        "set key at graph 1,1.02 right bottom horizontal samplen 2\n"
                        "set arrow from graph 0,first 0 to graph 1,first 0 nohead lc rgb '#555555' "
                        "lw 1 back\n",
                        -top, top, folded_tics(unit, largest),
-                       result.rigid ? "Eigenvalues × mass of the rotor" : "Eigenvalues (1/kg)") +
+                       result.rigid ? plot_text("Eigenvalues × mass of the rotor")
+                                    : axis_text(units, "Eigenvalues", Quantity::inverse_mass),
+                       axis_text(units, "Spin speed", Quantity::speed)) +
            drawn.script();
 }
 
 } // namespace
 
-Figure balance_figure(const model::Case &scene, const BalanceResult &result, const Units &) {
-    const Range x = speed_range(result.speeds);
-    const std::vector<Row> rows = rows_of(result, x.high - x.low);
+Figure balance_figure(const model::Case &scene, const BalanceResult &result, const Units &units) {
+    const Range x = speed_range(units, result.speeds);
+    const std::vector<Row> rows = rows_of(units, result, x.high - x.low);
     if (rows.empty())
         return {"set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\n"};
     const double bands_height = 60.0 + 62.0 * static_cast<double>(rows.size());
@@ -258,13 +267,14 @@ Figure balance_figure(const model::Case &scene, const BalanceResult &result, con
     return figure_of(
         width, height, "Where auto-balancers work: " + title_of(scene),
         "the empirical criterion beside the rigid closed form, the real balancers at their "
-        "balanced position, and motions in time; numbers: ends in rpm",
+        "balanced position, and motions in time; numbers: ends in " +
+            units.name(Quantity::speed),
         fmt::format("set grid xtics lc rgb '#E4E4E4' lt 1 lw 0.6\nset xrange [{}:{}]\n", x.low,
                     x.high) +
             panel_margins(left, 0.965, split, 1 - 100 * pixel) + "set format x ''\n" +
-            bands_panel(scene, result, rows, x) + "set format x '%g'\n" +
+            bands_panel(scene, units, result, rows, x) + "set format x '%g'\n" +
             panel_margins(left, 0.965, 70 * pixel, split - 55 * pixel) +
-            signature_panel(scene, result, x));
+            signature_panel(scene, units, result, x));
 }
 
 } // namespace whirl::report

@@ -47,7 +47,7 @@ std::vector<PlotPoint> lone_growth(const Panel &panel, const CampbellResult &res
     for (const CampbellMode &mode : result.modes)
         for (std::size_t i = 0; i < result.speeds.size(); ++i)
             if (grows(mode, i) && !(i > 0 && grows(mode, i - 1)) && !grows(mode, i + 1))
-                points.push_back({result.speeds[i] * rpm, panel.value(mode, i)});
+                points.push_back({panel.speed(result.speeds[i]), panel.value(mode, i)});
     return points;
 }
 
@@ -104,7 +104,8 @@ std::string end_labels(const Panel &panel, const model::Case &scene, const Campb
         double height;
     };
     std::vector<End> ends;
-    const double last = result.speeds.empty() ? 0 : result.speeds.back() * rpm;
+    const double last = result.speeds.empty() ? 0 : result.speeds.back();
+    const double end_of_curves = panel.across(panel.speed(last));
     for (const CampbellMode &mode : result.modes) {
         const auto value = panel.value(mode, result.speeds.size() - 1);
         if (value && *value >= panel.y.low && *value <= panel.y.high && !mode.whirl.empty())
@@ -112,9 +113,8 @@ std::string end_labels(const Panel &panel, const model::Case &scene, const Campb
     }
     if (!panel.damping)
         for (const double multiple : multiples_of(scene))
-            if (multiple * last * hertz / rpm <= panel.y.high)
-                ends.push_back(
-                    {readable(multiple) + "×", "#555555", panel.up(multiple * last * hertz / rpm)});
+            if (const double value = panel.frequency(multiple * last); value <= panel.y.high)
+                ends.push_back({drawn_number(multiple) + "×", "#555555", panel.up(value)});
     std::vector<double> wanted;
     for (const End &end : ends)
         wanted.push_back(end.height);
@@ -126,35 +126,35 @@ std::string end_labels(const Panel &panel, const model::Case &scene, const Campb
     const auto places = spread(wanted, gap, {border, 1 - border});
     std::string script;
     for (std::size_t i = 0; i < ends.size(); ++i) {
-        script += fmt::format("set label {} at graph {},{} left font ',11' textcolor '{}'\n",
-                              plot_text(ends[i].text), panel.across(last) + 0.022, places[i],
-                              ends[i].colour);
+        script +=
+            fmt::format("set label {} at graph {},{} left font ',11' textcolor '{}'\n",
+                        plot_text(ends[i].text), end_of_curves + 0.022, places[i], ends[i].colour);
         // From the end of the curve to a name that had to give way.
         if (std::abs(places[i] - ends[i].height) * panel.pixels_high > 5)
             script += fmt::format("set arrow from graph {},{} to graph {},{} nohead lw 0.6 "
                                   "lc rgb '{}'\n",
-                                  panel.across(last) + 0.001, ends[i].height,
-                                  panel.across(last) + 0.02, places[i], ends[i].colour);
+                                  end_of_curves + 0.001, ends[i].height, end_of_curves + 0.02,
+                                  places[i], ends[i].colour);
     }
     return script;
 }
 
 /// Lines y = multiple * speed; the name stands inside the top where the line leaves there.
 std::string multiple_lines(const Panel &panel, const model::Case &scene, double last) {
+    const double slope = panel.frequency(1) / panel.speed(1);
     std::string script;
     for (const double multiple : multiples_of(scene)) {
-        const double end = std::min(last, panel.y.high * rpm / hertz / multiple);
+        const double end = std::min(last, panel.y.high / slope / multiple);
         if (end <= panel.x.low)
             continue;
         const double start = std::max(panel.x.low, 0.0);
-        script +=
-            fmt::format("set arrow from {},{} to {},{} nohead back dt (9,7) lw 1.2 "
-                        "lc rgb '#777777'\n",
-                        start, multiple * start * hertz / rpm, end, multiple * end * hertz / rpm);
+        script += fmt::format("set arrow from {},{} to {},{} nohead back dt (9,7) lw 1.2 "
+                              "lc rgb '#777777'\n",
+                              start, multiple * slope * start, end, multiple * slope * end);
         if (end < last)
             script += fmt::format("set label {} at {}, graph 0.975 right offset -1.2,0 "
                                   "font ',11' textcolor '#555555'\n",
-                                  plot_text(readable(multiple) + "×"), end);
+                                  plot_text(drawn_number(multiple) + "×"), end);
     }
     return script;
 }
@@ -162,29 +162,29 @@ std::string multiple_lines(const Panel &panel, const model::Case &scene, double 
 /// Keeps labels off the curves, the spin lines and the crossings themselves.
 LabelPlacer occupied(const Panel &panel, const model::Case &scene, const CampbellResult &result) {
     LabelPlacer placer;
-    const auto block = [&](double rpm_value, double hertz_value, double pixels) {
+    const auto block = [&](double speed, double frequency, double pixels) {
         const double width = pixels / panel.pixels_wide;
         const double height = pixels / panel.pixels_high;
-        placer.block({panel.across(rpm_value) - width / 2, panel.up(hertz_value) - height / 2,
-                      width, height});
+        placer.block(
+            {panel.across(speed) - width / 2, panel.up(frequency) - height / 2, width, height});
     };
     for (const CampbellMode &mode : result.modes)
         for (std::size_t i = 0; i < result.speeds.size(); ++i)
             if (const auto value = panel.value(mode, i))
-                block(result.speeds[i] * rpm, *value, 5);
+                block(panel.speed(result.speeds[i]), *value, 5);
     for (const double multiple : multiples_of(scene))
         for (int i = 0; i <= 120; ++i) {
             const double speed = i / 120.0 * panel.x.high;
-            block(speed, multiple * speed * hertz / rpm, 5);
+            block(speed, multiple * speed * panel.frequency(1) / panel.speed(1), 5);
         }
     for (const auto &crossing : result.crossings)
-        block(crossing.speed * rpm, crossing.frequency * hertz, 12);
+        block(panel.speed(crossing.speed), panel.frequency(crossing.frequency), 12);
     placer.block({0.93, 0, 0.07, 1}); // the strip of the mode names
     return placer;
 }
 
 /// Circles at the crossings, black where a margin counts, grey where damping is so heavy that none
-/// is needed; and from a frequency (Hz) on their speeds at places clear of curves.
+/// is needed; and from a frequency on, in its unit, their speeds at places clear of curves.
 std::string crossing_marks(const Panel &panel, const model::Case &scene,
                            const CampbellResult &result, double named_above, bool key,
                            Curves &drawn) {
@@ -194,15 +194,16 @@ std::string crossing_marks(const Panel &panel, const model::Case &scene,
     std::vector<PlotPoint> heavy;
     int unnamed = 0;
     for (const auto &crossing : result.crossings) {
-        const double x = panel.across(crossing.speed * rpm);
-        const double y = panel.up(crossing.frequency * hertz);
+        const PlotPoint at{panel.speed(crossing.speed), panel.frequency(crossing.frequency)};
+        const double x = panel.across(at.x);
+        const double y = panel.up(*at.y);
         if (y <= 0 || y >= 1)
             continue;
-        (crossing.damping.heavy() ? heavy : points)
-            .push_back({crossing.speed * rpm, crossing.frequency * hertz});
-        if (crossing.frequency * hertz < named_above)
+        (crossing.damping.heavy() ? heavy : points).push_back(at);
+        if (*at.y < named_above)
             continue;
-        const std::string text = short_speed(crossing.speed * rpm) + " rpm";
+        const std::string text =
+            drawn_speed(panel.units, crossing.speed) + " " + panel.units.name(Quantity::speed);
         const auto box = placer.place(x, y, (text_width(text, 10) + 8) / panel.pixels_wide,
                                       17 / panel.pixels_high);
         if (!box) {
@@ -236,32 +237,35 @@ std::string crossing_marks(const Panel &panel, const model::Case &scene,
 std::string axes(const Panel &panel, bool first, bool last) {
     std::string script =
         axes_over(panel.x, panel.y) + "set xtics nomirror\nset ytics nomirror\n" + grid;
-    script += last ? "set xlabel 'Spin speed (rpm)'\n" : "unset xlabel\n";
+    const Units &units = panel.units;
+    script += last ? "set xlabel " + axis_text(units, "Spin speed", Quantity::speed) + "\n"
+                   : "unset xlabel\n";
     if (first)
         script += fmt::format("set x2range [{}:{}]\nset x2tics\nset x2label 'Spin speed (rad/s)' "
                               "offset 0,-0.4\n",
-                              panel.x.low / rpm, panel.x.high / rpm);
+                              panel.x.low / panel.speed(1), panel.x.high / panel.speed(1));
     else
         script += "unset x2tics\nunset x2label\n";
     // Long numbers would push the name of the axis out, which is then not drawn at all.
-    const double longest = written_factor("frequency") ? 2e4 : 1e6;
+    const double longest = units.asked(Quantity::frequency) ? 2e4 : 1e6;
     script += panel.y.high >= longest && !panel.damping
                   ? "set format y '%.1s%c'\nset format y2 '%.1s%c'\n"
                   : "set format y\nset format y2\n";
     if (panel.damping)
         return script + "set ytics mirror\nunset y2tics\nunset y2label\n"
                         "set ylabel 'Logarithmic decrement'\n";
-    return script +
-           fmt::format("set y2range [{}:{}]\nset y2tics\nset ylabel 'Whirl frequency (Hz)'\n"
-                       "set y2label 'Whirl frequency (cycles/min)'\n",
-                       30 / pi / hertz * panel.y.low, 30 / pi / hertz * panel.y.high);
+    return script + fmt::format("set y2range [{}:{}]\nset y2tics\nset ylabel {}\n"
+                                "set y2label 'Whirl frequency (cycles/min)'\n",
+                                30 / pi / panel.frequency(1) * panel.y.low,
+                                30 / pi / panel.frequency(1) * panel.y.high,
+                                axis_text(units, "Whirl frequency", Quantity::frequency));
 }
 
 std::string draw(const Panel &panel, const model::Case &scene, const CampbellResult &result,
                  bool first, bool last, double named_above) {
-    const double end = result.speeds.empty() ? 0 : result.speeds.back() * rpm;
+    const double end = result.speeds.empty() ? 0 : panel.speed(result.speeds.back());
     std::string script = panel_margins(0.088, 0.892, panel.bottom, panel.top);
-    script += operation_band(scene, {panel.x.low, end});
+    script += operation_band(scene, panel.units, {panel.x.low, end});
     script += axes(panel, first, last) + end_labels(panel, scene, result);
     Curves drawn;
     add_curves(panel, result, first, drawn);
@@ -278,39 +282,39 @@ std::string draw(const Panel &panel, const model::Case &scene, const CampbellRes
                                   panel.top + 84 * pixel)
                     : "unset key\n";
     if (first)
-        drawn.add(operation_key(scene, {panel.x.low, end}));
+        drawn.add(operation_key(scene, panel.units, {panel.x.low, end}));
     return script + drawn.script() + "unset label\nunset arrow\nunset object\n";
 }
 
 /// The panels this result needs, from top to bottom, without their places in the figure.
-std::vector<Panel> panels_of(const CampbellResult &result) {
+std::vector<Panel> panels_of(const CampbellResult &result, const Units &units) {
     double highest = 0;
     double largest_decrement = 0;
     double smallest_decrement = 0;
     for (const CampbellMode &mode : result.modes) {
         for (const auto &frequency : mode.frequency)
-            highest = std::max(highest, frequency.value_or(0) * hertz);
+            highest = std::max(highest, units(Quantity::frequency, frequency.value_or(0)));
         for (const auto &decrement : mode.log_dec) {
             largest_decrement = std::max(largest_decrement, decrement.value_or(0));
             smallest_decrement = std::min(smallest_decrement, decrement.value_or(0));
         }
     }
-    Range x = range_of(result.speeds);
-    x = {x.low * rpm, (x.high + label_strip * (x.high - x.low)) * rpm};
-    std::vector<Panel> panels{{false, x, {0, highest > 0 ? 1.05 * highest : 1}}};
+    Range x = speed_range(units, result.speeds);
+    x.high += label_strip * (x.high - x.low);
+    std::vector<Panel> panels{{units, false, x, {0, highest > 0 ? 1.05 * highest : 1}}};
     // Where what happens at the spin speed is low down, or all crossings are, that part alone.
-    double reach = result.speeds.empty() ? 0 : result.speeds.back() * hertz;
+    double reach = result.speeds.empty() ? 0 : units(Quantity::frequency, result.speeds.back());
     double crossed = 0;
     for (const auto &crossing : result.crossings)
-        crossed = std::max(crossed, crossing.frequency * hertz);
+        crossed = std::max(crossed, units(Quantity::frequency, crossing.frequency));
     if (crossed > 0 && crossed < 0.3 * reach)
         reach = 1.5 * crossed;
     if (reach > 0 && reach < 0.22 * highest)
-        panels.push_back({false, x, {0, 1.35 * reach}});
+        panels.push_back({units, false, x, {0, 1.35 * reach}});
     if (largest_decrement > 1e-9 || smallest_decrement < -1e-9) {
         const double top = 1.08 * std::min(largest_decrement, log_dec_limit);
         const double bottom = 1.35 * std::max(smallest_decrement, -log_dec_limit);
-        panels.push_back({true, x, {std::min(bottom, -0.04 * top), std::max(top, 0.02)}});
+        panels.push_back({units, true, x, {std::min(bottom, -0.04 * top), std::max(top, 0.02)}});
     }
     return panels;
 }
@@ -327,8 +331,8 @@ bool grows(const CampbellMode &mode, std::size_t index) {
     return *real > std::max(1e-9, doubt) * modulus;
 }
 
-Figure campbell_figure(const model::Case &scene, const CampbellResult &result, const Units &) {
-    std::vector<Panel> panels = panels_of(result);
+Figure campbell_figure(const model::Case &scene, const CampbellResult &result, const Units &units) {
+    std::vector<Panel> panels = panels_of(result, units);
     constexpr int width = 1080;
     const double head = 172; // two rows of the key
     const double foot = 62;

@@ -15,7 +15,7 @@ using results::Whirl;
 
 std::optional<double> Panel::value(const CampbellMode &mode, std::size_t i) const {
     const auto value = entry(damping ? mode.log_dec : mode.frequency, i);
-    return value && !damping ? *value * hertz : value;
+    return value && !damping ? std::optional(frequency(*value)) : value;
 }
 
 namespace {
@@ -57,10 +57,7 @@ bool exchanged(const CampbellMode &mode, const CampbellResult &result, std::size
     });
 }
 
-/// Which steps between neighbouring speeds are no line of a motion: its frequency springs by far
-/// more than before and after. Of an anisotropic rotor a motion has two frequencies, whirl and
-/// twice the spin speed less whirl, of which the larger share is drawn; and between the given
-/// speeds two motions may have exchanged their places.
+/// sprung_steps() of one mode.
 std::vector<bool> springs(const CampbellMode &mode, const CampbellResult &result, double highest) {
     const std::size_t speeds = result.speeds.size();
     constexpr double seen = 0.04; // of the highest frequency
@@ -96,31 +93,35 @@ void end_line(std::vector<PlotPoint> &line, std::vector<std::vector<PlotPoint>> 
     line.clear();
 }
 
-double highest_frequency(const CampbellResult &result) {
+} // namespace
+
+std::vector<std::vector<bool>> sprung_steps(const CampbellResult &result) {
     double highest = 0;
     for (const CampbellMode &mode : result.modes)
         for (const auto &frequency : mode.frequency)
             highest = std::max(highest, frequency.value_or(0));
-    return highest;
+    std::vector<std::vector<bool>> steps;
+    for (const CampbellMode &mode : result.modes)
+        steps.push_back(springs(mode, result, highest));
+    return steps;
 }
-
-} // namespace
 
 std::vector<std::vector<PlotPoint>>
 stretches(const Panel &panel, const CampbellResult &result,
           const std::function<bool(const CampbellMode &, std::size_t)> &belongs) {
     std::vector<std::vector<PlotPoint>> lines;
-    const double highest = highest_frequency(result);
-    for (const CampbellMode &mode : result.modes) {
-        const std::vector<bool> sprung = springs(mode, result, highest);
+    const std::vector<std::vector<bool>> steps = sprung_steps(result);
+    for (std::size_t m = 0; m < result.modes.size(); ++m) {
+        const CampbellMode &mode = result.modes[m];
+        const std::vector<bool> &sprung = steps[m];
         std::vector<PlotPoint> line;
         for (std::size_t i = 0; i + 1 < result.speeds.size(); ++i) {
             const auto here = panel.value(mode, i);
             const auto next = panel.value(mode, i + 1);
             if (here && next && !sprung[i] && belongs(mode, i)) {
                 if (line.empty())
-                    line.push_back({result.speeds[i] * rpm, here});
-                line.push_back({result.speeds[i + 1] * rpm, next});
+                    line.push_back({panel.speed(result.speeds[i]), here});
+                line.push_back({panel.speed(result.speeds[i + 1]), next});
             } else {
                 end_line(line, lines);
             }
@@ -143,16 +144,16 @@ std::vector<std::vector<PlotPoint>> other_frequencies(const Panel &panel,
             if (!value)
                 end_line(line, lines);
             else
-                line.push_back({result.speeds[i] * rpm, *value * hertz});
+                line.push_back({panel.speed(result.speeds[i]), panel.frequency(*value)});
             if (!changes[i])
                 continue;
             // There the frequency that was drawn becomes the other one: the lines meet.
             if (const auto next = entry(mode.frequency, i + 1); value && next)
-                line.push_back({result.speeds[i + 1] * rpm, *next * hertz});
+                line.push_back({panel.speed(result.speeds[i + 1]), panel.frequency(*next)});
             end_line(line, lines);
             if (const auto here = entry(mode.frequency, i);
                 here && entry(mode.other_frequency, i + 1))
-                line.push_back({result.speeds[i] * rpm, *here * hertz});
+                line.push_back({panel.speed(result.speeds[i]), panel.frequency(*here)});
         }
         end_line(line, lines);
     }
@@ -161,18 +162,18 @@ std::vector<std::vector<PlotPoint>> other_frequencies(const Panel &panel,
 
 std::vector<PlotPoint> markers(const Panel &panel, const CampbellResult &result, Whirl sense) {
     std::vector<PlotPoint> points;
-    const double highest = highest_frequency(result);
+    const std::vector<std::vector<bool>> steps = sprung_steps(result);
     const std::size_t step = std::max<std::size_t>(1, result.speeds.size() / 10);
     for (std::size_t m = 0; m < result.modes.size(); ++m) {
         const CampbellMode &mode = result.modes[m];
-        const std::vector<bool> sprung = springs(mode, result, highest);
+        const std::vector<bool> &sprung = steps[m];
         for (std::size_t i = 0; i < result.speeds.size() && i < mode.whirl.size(); ++i) {
             const auto value = panel.value(mode, i);
             const bool lone =
                 (i == 0 || sprung[i - 1] || !panel.value(mode, i - 1)) &&
                 (i + 1 >= result.speeds.size() || sprung[i] || !panel.value(mode, i + 1));
             if (value && mode.whirl[i] == sense && (lone || (i + m * step / 3) % step == step / 2))
-                points.push_back({result.speeds[i] * rpm, value});
+                points.push_back({panel.speed(result.speeds[i]), value});
         }
     }
     return points;

@@ -18,19 +18,28 @@ std::optional<T> entry(const std::vector<std::optional<T>> &list, std::size_t i)
 
 /// What a panel shows over the spin speed, and where.
 struct Panel {
+    const Units &units;
     bool damping = false;
-    Range x;                    ///< rpm
-    Range y;                    ///< Hz, or logarithmic decrement
+    Range x{};                  ///< speeds, in their unit
+    Range y{};                  ///< frequencies in theirs, or logarithmic decrements
     double bottom = 0, top = 1; ///< fractions of the figure
     double pixels_wide = 1, pixels_high = 1;
 
     [[nodiscard]] std::optional<double> value(const results::CampbellMode &mode,
                                               std::size_t i) const;
-    [[nodiscard]] double across(double rpm_value) const {
-        return (rpm_value - x.low) / (x.high - x.low);
+    [[nodiscard]] double speed(double si) const { return units(Quantity::speed, si); }
+    [[nodiscard]] double frequency(double si) const { return units(Quantity::frequency, si); }
+    [[nodiscard]] double across(double speed_value) const {
+        return (speed_value - x.low) / (x.high - x.low);
     }
     [[nodiscard]] double up(double value) const { return (value - y.low) / (y.high - y.low); }
 };
+
+/// Of each mode the steps between neighbouring speeds that are no line of a motion: its frequency
+/// springs by far more than before and after. Of an anisotropic rotor a motion has two frequencies,
+/// whirl and twice the spin speed less whirl, of which the larger share is drawn; and between the
+/// given speeds two motions may have exchanged their places.
+[[nodiscard]] std::vector<std::vector<bool>> sprung_steps(const results::CampbellResult &result);
 
 /// Polylines of the stretches between neighbouring speeds that belong to a class.
 [[nodiscard]] std::vector<std::vector<PlotPoint>>

@@ -126,14 +126,14 @@ std::string hodograph_panel(const BalancerNumbers &balancer) {
 } // namespace
 
 Figure composite_figure(const model::Case &scene, const results::ShowResult &result,
-                        std::size_t index, const Units &) {
+                        std::size_t index, const Units &units) {
     const BalancerNumbers &balancer = result.balancers.at(index);
     const std::string name =
         balancer.name.empty() ? fmt::format("balancer {}", index + 1) : balancer.name;
     return figure_of(1180, 940, "Composite rotor: " + title_of(scene),
-                     fmt::format("{} at z = {} m, capacity E = {}; dashed upright line: the case",
-                                 name, readable(balancer.z),
-                                 std::isinf(balancer.E) ? "infinite" : readable(balancer.E)),
+                     fmt::format("{} at z = {}, capacity E = {}; dashed upright line: the case",
+                                 name, drawn_value(units, Quantity::length, balancer.z),
+                                 std::isinf(balancer.E) ? "infinite" : drawn_number(balancer.E)),
                      panel_margins(0.07, 0.47, 0.56, 0.87) + inertia_panel(balancer) +
                          panel_margins(0.56, 0.97, 0.56, 0.87) + anisotropy_panel(balancer) +
                          panel_margins(0.07, 0.47, 0.08, 0.43) + polar_panel(balancer) +

@@ -24,15 +24,15 @@ namespace {
 constexpr double map_left = 0.085;
 constexpr double map_right = 0.955;
 
-/// Speeds of the map, rpm, with room above and below on a logarithmic axis.
-Range map_speeds(const CriticalMap &map) {
+/// Speeds of the map with room above and below on a logarithmic axis.
+Range map_speeds(const Units &units, const CriticalMap &map) {
     double low = HUGE_VAL;
     double high = 0;
     for (const CriticalMapCurve &curve : map.curves)
         for (const double speed : curve.speed)
             if (speed > 0) {
-                low = std::min(low, speed * rpm);
-                high = std::max(high, speed * rpm);
+                low = std::min(low, units(Quantity::speed, speed));
+                high = std::max(high, units(Quantity::speed, speed));
             }
     return high > 0 ? Range{low / 1.3, high * 1.3} : Range{1, 10};
 }
@@ -42,16 +42,18 @@ double along(double value, Range range) {
     return std::log(value / range.low) / std::log(range.high / range.low);
 }
 
-std::string bearing_words(const model::Case &scene, const CriticalMapBearing &across) {
+std::string bearing_words(const model::Case &scene, const Units &units,
+                          const CriticalMapBearing &across) {
     const std::size_t count = across.bearings.size();
     if (count <= 2)
-        return bearings_text(scene, across.bearings);
-    return fmt::format("{} and {} more", bearings_text(scene, {across.bearings.front()}),
+        return bearings_text(scene, across.bearings, units);
+    return fmt::format("{} and {} more", bearings_text(scene, {across.bearings.front()}, units),
                        count - 1);
 }
 
 /// The stiffness of a bearing over speed: kxx full, kyy broken.
-void add_bearings(const model::Case &scene, const CriticalMap &map, Curves &drawn) {
+void add_bearings(const model::Case &scene, const Units &units, const CriticalMap &map,
+                  Curves &drawn) {
     for (std::size_t i = 0; i < map.bearings.size(); ++i) {
         const CriticalMapBearing &across = map.bearings[i];
         LineStyle style = series_style(i + 2); // the first two are those of whirl
@@ -59,23 +61,25 @@ void add_bearings(const model::Case &scene, const CriticalMap &map, Curves &draw
             if (!x && across.isotropic)
                 continue;
             std::vector<PlotPoint> points =
-                points_over(x ? across.kxx : across.kyy, newtons_per_metre, across.speeds, rpm);
+                points_over(x ? across.kxx : across.kyy, units.factor(Quantity::stiffness),
+                            across.speeds, units.factor(Quantity::speed));
             for (PlotPoint &point : points)
                 if (!(point.x > 0)) // outside of what a logarithmic axis shows: the line ends
                     point = {1, std::nullopt};
             style.dash = x ? "1" : "(3,4)";
             drawn.add(points, line_look(style, 2),
                       plot_text(fmt::format("{}, {}", coefficient_name(across, x),
-                                            bearing_words(scene, across))));
+                                            bearing_words(scene, units, across))));
         }
     }
 }
 
 /// Names of the curves at their stiff ends, apart from one another.
-std::string curve_labels(const CriticalMap &map, Range y) {
+std::string curve_labels(const Units &units, const CriticalMap &map, Range y) {
     std::vector<double> wanted;
     for (const CriticalMapCurve &curve : map.curves)
-        wanted.push_back(curve.speed.back() > 0 ? along(curve.speed.back() * rpm, y) : -1);
+        wanted.push_back(
+            curve.speed.back() > 0 ? along(units(Quantity::speed, curve.speed.back()), y) : -1);
     const auto places = spread(wanted, 0.036, {0.02, 0.98});
     std::string labels;
     for (std::size_t i = 0; i < map.curves.size(); ++i)
@@ -107,41 +111,46 @@ std::string crossing_marks(const std::vector<PlotPoint> &crossings, Range x, Ran
     return labels;
 }
 
-std::string map_panel(const model::Case &scene, const CriticalMap &map, double pixel) {
-    const Range x{map.stiffness.front() * newtons_per_metre,
-                  map.stiffness.back() * newtons_per_metre};
-    const Range y = map_speeds(map);
+std::string map_panel(const model::Case &scene, const Units &units, const CriticalMap &map,
+                      double pixel) {
+    const Range x{units(Quantity::stiffness, map.stiffness.front()),
+                  units(Quantity::stiffness, map.stiffness.back())};
+    const Range y = map_speeds(units, map);
     Curves drawn;
     for (std::size_t i = 0; i < map.curves.size(); ++i) {
         const CriticalMapCurve &curve = map.curves[i];
         const LineStyle style = whirl_style(curve.whirl);
         const bool first = i == 0 || map.curves[i - 1].whirl != curve.whirl;
-        drawn.add(points_over(map.stiffness, newtons_per_metre, curve.speed, rpm),
+        drawn.add(points_over(map.stiffness, units.factor(Quantity::stiffness), curve.speed,
+                              units.factor(Quantity::speed)),
                   line_look(style, 2), first ? "'" + style.name + "'" : "");
     }
     if (map.curves.empty())
         drawn.add("NaN notitle");
-    add_bearings(scene, map, drawn);
-    drawn.add(operation_key(scene, y));
+    add_bearings(scene, units, map, drawn);
+    drawn.add(operation_key(scene, units, y));
     std::vector<PlotPoint> crossings;
     for (const auto &at : map.crossings)
-        crossings.push_back({at.stiffness * newtons_per_metre, at.speed * rpm});
+        crossings.push_back(
+            {units(Quantity::stiffness, at.stiffness), units(Quantity::speed, at.speed)});
     if (!crossings.empty())
         drawn.add(crossings, "with points pt 6 ps 1.2 lw 1.4 lc rgb '#000000'",
                   "'crossing, number in the table'");
     return panel_margins(map_left, map_right, 330 * pixel, 1 - 112 * pixel) + axes_over(x, y) +
            fmt::format("set logscale xy\nset format x '10^{{%L}}'\nset format y '{}'\n"
-                       "set xlabel 'Stiffness of the supports (N/m)'\n"
-                       "set ylabel 'Critical speed (rpm)'\n{}"
+                       "set xlabel {}\nset ylabel {}\n{}"
                        "set key at screen 0.5,{} center center horizontal samplen 3 font ',10'\n",
-                       y.high < 1e6 ? "%g" : "10^{%L}", grid, 1 - 84 * pixel) +
-           operation_band(scene, y, SpeedAxis::y) + curve_labels(map, y) +
+                       y.high < 1e6 ? "%g" : "10^{%L}",
+                       axis_text(units, "Stiffness of the supports", Quantity::stiffness),
+                       axis_text(units, "Critical speed", Quantity::speed), grid, 1 - 84 * pixel) +
+           operation_band(scene, units, y, SpeedAxis::y) + curve_labels(units, map, y) +
            crossing_marks(crossings, x, y) + drawn.script() +
            "unset label\nunset object\nunset arrow\nunset logscale\nset format\n";
 }
 
 /// Deflections of the lowest forward motions at one end of the map.
-std::string shape_panel(const model::Case &scene, const CriticalMap &map, bool soft, double pixel) {
+std::string shape_panel(const model::Case &scene, const Units &units, const CriticalMap &map,
+                        bool soft, double pixel) {
     constexpr std::size_t most = 4;
     Curves drawn;
     std::size_t count = 0;
@@ -149,40 +158,45 @@ std::string shape_panel(const model::Case &scene, const CriticalMap &map, bool s
         const std::vector<double> &shape = soft ? curve.soft : curve.stiff;
         if (curve.whirl != Whirl::forward || shape.empty() || count == most)
             continue;
-        drawn.add(points_over(map.z, metres, shape, 1), line_look(series_style(count++), 2),
-                  plot_text(fmt::format(
-                      "{}, {} rpm", curve_name(curve.whirl, curve.number),
-                      readable((soft ? curve.speed.front() : curve.speed.back()) * rpm, 6))));
+        drawn.add(points_over(map.z, units.factor(Quantity::length), shape, 1),
+                  line_look(series_style(count++), 2),
+                  plot_text(fmt::format("{}, {}", curve_name(curve.whirl, curve.number),
+                                        drawn_value(units, Quantity::speed,
+                                                    soft ? curve.speed.front() : curve.speed.back(),
+                                                    6))));
     }
     std::vector<PlotPoint> bearings;
     for (const auto &bearing : scene.rotor.supports())
-        bearings.push_back({bearing.z * metres, -1.12});
+        bearings.push_back({units(Quantity::length, bearing.z), -1.12});
     drawn.add(bearings, "with points pt 9 ps 1.4 lc rgb '#555555'");
-    const double length = std::max(map.z.empty() ? 1 : map.z.back(), 1e-12) * metres;
+    const double length =
+        units(Quantity::length, std::max(map.z.empty() ? 1 : map.z.back(), 1e-12));
     const double left = soft ? map_left : 0.54;
     return panel_margins(left, left + 0.415, 60 * pixel, 186 * pixel) +
            axes_over({-0.03 * length, 1.03 * length}, {-1.25, 1.25}) +
            fmt::format("set title {} font ',12' offset 0,1.3\nset ytics -1,1,1\n"
-                       "set xlabel 'z (m)'\nset ylabel ''\n"
+                       "set xlabel {}\nset ylabel ''\n"
                        "set key at screen {},{} center center horizontal samplen 2.5 font ',10'\n",
                        plot_text(fmt::format(
-                           "Shapes at the {} end, {} N/m", soft ? "soft" : "stiff",
-                           readable(soft ? map.stiffness.front() : map.stiffness.back(), 4))),
-                       left + 0.2075, 204 * pixel) +
+                           "Shapes at the {} end, {}", soft ? "soft" : "stiff",
+                           drawn_value(units, Quantity::stiffness,
+                                       soft ? map.stiffness.front() : map.stiffness.back(), 4))),
+                       axis_text(units, "z", Quantity::length), left + 0.2075, 204 * pixel) +
            drawn.script();
 }
 
 } // namespace
 
-Figure critical_map_figure(const model::Case &scene, const CriticalMap &map, const Units &) {
+Figure critical_map_figure(const model::Case &scene, const CriticalMap &map, const Units &units) {
     constexpr int height = 960;
     constexpr double pixel = 1.0 / height;
     return figure_of(1200, height, "Critical speed map: " + title_of(scene),
                      "undamped critical speeds over the stiffness of " +
-                         (map.bearing ? bearings_text(scene, {*map.bearing})
+                         (map.bearing ? bearings_text(scene, {*map.bearing}, units)
                                       : std::string("all bearings together")),
-                     map_panel(scene, map, pixel) + shape_panel(scene, map, true, pixel) +
-                         shape_panel(scene, map, false, pixel));
+                     map_panel(scene, units, map, pixel) +
+                         shape_panel(scene, units, map, true, pixel) +
+                         shape_panel(scene, units, map, false, pixel));
 }
 
 } // namespace whirl::report

@@ -6,6 +6,7 @@
 #include "report/common/drawing.h"
 #include "report/common/gnuplot.h"
 #include "report/common/units.h"
+#include "report/pictures/style.h"
 
 #include <string>
 #include <vector>
@@ -91,6 +92,11 @@ struct ModeCurves {
 /// changes.
 [[nodiscard]] Figure simulate_figure(const model::Case &scene,
                                      const results::SimulateResult &result, const Units &units);
+
+/// Its lower curves: angles of balls or pendulums in the rotor, in degrees, or for balls that lag
+/// their speed over that of the rotor; over time. @param most  of them
+[[nodiscard]] std::vector<NamedCurve> angle_curves(const results::SimulateResult &result,
+                                                   std::size_t most);
 
 /// Motion of a rotor without balancers: amplitudes of the stations over time, their peaks marked;
 /// where the speed changes over it too, beside the steady response, else deflections over time.

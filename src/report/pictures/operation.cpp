@@ -28,59 +28,63 @@ std::string line_at(double speed, Range range, SpeedAxis axis, const std::string
 }
 
 /// The part of the band that the axis shows.
-std::optional<Range> shown_band(const model::Case &scene, Range range) {
+std::optional<Range> shown_band(const model::Case &scene, const Units &units, Range range) {
     if (!scene.operation)
         return std::nullopt;
-    const Range band{std::max(scene.operation->from * rpm, range.low),
-                     std::min(scene.operation->to * rpm, range.high)};
+    const Range band{std::max(units(Quantity::speed, scene.operation->from), range.low),
+                     std::min(units(Quantity::speed, scene.operation->to), range.high)};
     return band.high > band.low ? std::optional(band) : std::nullopt;
 }
 
 } // namespace
 
-std::string operation_band(const model::Case &scene, Range range, SpeedAxis axis) {
+std::string operation_band(const model::Case &scene, const Units &units, Range range,
+                           SpeedAxis axis) {
     std::string out;
-    if (const auto band = shown_band(scene, range))
+    if (const auto band = shown_band(scene, units, range))
         out +=
             fmt::format("set object rectangle from {} to {} behind fs solid noborder fc rgb '{}'\n",
                         at(band->low, axis, 0), at(band->high, axis, 1), band_colour);
     if (scene.operation && scene.operation->trip)
-        out += line_at(*scene.operation->trip * rpm, range, axis,
+        out += line_at(units(Quantity::speed, *scene.operation->trip), range, axis,
                        fmt::format("back lc rgb '{}'", trip_colour));
     return out;
 }
 
-std::string operation_edges(const model::Case &scene, Range range) {
+std::string operation_edges(const model::Case &scene, const Units &units, Range range) {
     if (!scene.operation)
         return "";
     std::string out;
     for (const double speed : {scene.operation->from, scene.operation->to})
-        out += line_at(speed * rpm, range, SpeedAxis::x, "back lc rgb '#5B8C3A' dt (6,3)");
+        out += line_at(units(Quantity::speed, speed), range, SpeedAxis::x,
+                       "back lc rgb '#5B8C3A' dt (6,3)");
     return out;
 }
 
-std::string operation_lines(const model::Case &scene, Range range, SpeedAxis axis) {
+std::string operation_lines(const model::Case &scene, const Units &units, Range range,
+                            SpeedAxis axis) {
     if (!scene.operation)
         return "";
     const model::Operation &running = *scene.operation;
     std::string out;
     for (const double speed : {running.from, running.to, running.trip.value_or(running.to)})
-        out += line_at(speed * rpm, range, axis, "front lc rgb '#FFC83D' dt (9,5)");
-    if (shown_band(scene, range) && axis == SpeedAxis::y)
+        out +=
+            line_at(units(Quantity::speed, speed), range, axis, "front lc rgb '#FFC83D' dt (9,5)");
+    if (shown_band(scene, units, range) && axis == SpeedAxis::y)
         out += fmt::format("set label 'operating speeds' at graph 0.015,first {:.9g} left offset "
                            "0,-0.6 font ',9' front textcolor '#FFC83D'\n",
-                           shown_band(scene, range)->high);
+                           shown_band(scene, units, range)->high);
     return out;
 }
 
-std::string operation_key(const model::Case &scene, Range range) {
+std::string operation_key(const model::Case &scene, const Units &units, Range range) {
     std::vector<std::string> entries;
-    if (shown_band(scene, range))
+    if (shown_band(scene, units, range))
         entries.push_back(fmt::format("keyentry with boxes fs solid fc rgb '{0}' lc rgb '{0}' "
                                       "title 'operating speeds'",
                                       band_colour));
     const auto trip = scene.operation ? scene.operation->trip : std::nullopt;
-    if (trip && within(range, *trip * rpm))
+    if (trip && within(range, units(Quantity::speed, *trip)))
         entries.push_back(
             fmt::format("keyentry with lines lw 1.4 lc rgb '{}' title 'trip'", trip_colour));
     return joined(entries, ", ");

@@ -26,11 +26,11 @@ constexpr const char *efficiency_meaning =
 std::string efficiency_axes(Range x, const std::string &x_name) {
     return grid + axes_over(x, {0, highest_efficiency}) +
            fmt::format(
-               "set xlabel '{}'\nset ylabel 'Efficiency n'\n"
+               "set xlabel {}\nset ylabel 'Efficiency n'\n"
                "set key at graph 1.02,1 left top reverse Left vertical samplen 2.5 spacing 1.3\n"
                "set arrow from graph 0,first 1 to graph 1,first 1 nohead lc rgb '#555555' dt "
                "(4,4)\n",
-               x_name);
+               plot_text(x_name));
 }
 
 /// Efficiencies over the speed, with gaps where they are far off the picture.
@@ -48,19 +48,19 @@ std::vector<PlotPoint> efficiencies(const std::vector<double> &x, double factor,
 }
 
 /// Points of the steady motions with this stability, apart from or with colliding pendulums.
-std::vector<PlotPoint> motion_points(const results::PendulumBalance &of, bool stable,
-                                     bool collision) {
+std::vector<PlotPoint> motion_points(const Units &units, const results::PendulumBalance &of,
+                                     bool stable, bool collision) {
     std::vector<PlotPoint> points;
     for (std::size_t i = 0; i < of.states.size(); ++i)
         for (const auto &state : of.states[i])
             if (state.stable == stable && state.collision == collision &&
                 state.ratio < 1.2 * highest_efficiency)
-                points.push_back({of.speeds[i] * rpm, state.ratio});
+                points.push_back({units(Quantity::speed, of.speeds[i]), state.ratio});
     return points;
 }
 
 /// The steady motions, kind by kind, those that there are: a legend names nothing else.
-void add_motions(const results::PendulumBalance &balancer, Curves &drawn) {
+void add_motions(const Units &units, const results::PendulumBalance &balancer, Curves &drawn) {
     struct Kind {
         bool stable, collision;
         const char *look, *title;
@@ -71,7 +71,8 @@ void add_motions(const results::PendulumBalance &balancer, Curves &drawn) {
         {true, true, "pt 5 ps 0.6 lc rgb '#3C97CF'", "'stable, pendulums collide'"},
         {false, true, "pt 2 ps 0.6 lc rgb '#A8527F'", "'unstable, pendulums collide'"}};
     for (const Kind &kind : kinds) {
-        const std::vector<PlotPoint> points = motion_points(balancer, kind.stable, kind.collision);
+        const std::vector<PlotPoint> points =
+            motion_points(units, balancer, kind.stable, kind.collision);
         if (!points.empty())
             drawn.add(points, std::string("with points ") + kind.look, kind.title);
     }
@@ -80,26 +81,27 @@ void add_motions(const results::PendulumBalance &balancer, Curves &drawn) {
 } // namespace
 
 Figure pendulum_figure(const model::Case &scene, const results::PendulumBalance &balancer,
-                       const Units &) {
-    const Range x = speed_range(balancer.speeds);
-    const double threshold = balancer.threshold * balancer.omega_0 * rpm;
+                       const Units &units) {
+    const Range x = speed_range(units, balancer.speeds);
+    const double threshold = units(Quantity::speed, balancer.threshold * balancer.omega_0);
     Curves drawn;
-    drawn.add(efficiencies(balancer.speeds, rpm, balancer.approximate, 3),
+    drawn.add(efficiencies(balancer.speeds, units.factor(Quantity::speed), balancer.approximate, 3),
               "with lines lw 2 dt (12,5) lc rgb '#7A7A7A'", "'planar, small angles'");
-    drawn.add(efficiencies(balancer.speeds, rpm, balancer.planar, 3),
+    drawn.add(efficiencies(balancer.speeds, units.factor(Quantity::speed), balancer.planar, 3),
               "with lines lw 2 lc rgb '#B77F00'", "'planar, exact'");
-    add_motions(balancer, drawn);
+    add_motions(units, balancer, drawn);
     drawn.add(fmt::format("{:.6g} with lines dt (2,4) lc rgb '#007D5A' title 'fast rotation "
                           "1/(1 + ρ)'",
                           balancer.limit));
-    drawn.add(operation_key(scene, x));
+    drawn.add(operation_key(scene, units, x));
     constexpr int height = 620;
     return figure_of(
         1080, height, "Four-pendulum balancer: " + title_of(scene),
-        fmt::format("z = {} m, ρ = {}; {}", readable(balancer.z, 4), readable(balancer.rho, 4),
-                    efficiency_meaning),
-        panel_margins(0.075, 0.74, 70.0 / height, 1 - 75.0 / height) + operation_band(scene, x) +
-            efficiency_axes(x, "Spin speed (rpm)") +
+        fmt::format("z = {}, ρ = {}; {}", drawn_value(units, Quantity::length, balancer.z, 4),
+                    drawn_number(balancer.rho, 4), efficiency_meaning),
+        panel_margins(0.075, 0.74, 70.0 / height, 1 - 75.0 / height) +
+            operation_band(scene, units, x) +
+            efficiency_axes(x, units.label("Spin speed", Quantity::speed)) +
             upright(threshold, "lc rgb '#5B2A86' dt (2,4)") +
             fmt::format("set label 'threshold' at first {:.9g},{} left offset 0.5,0 textcolor "
                         "'#5B2A86'\n",
@@ -142,18 +144,18 @@ std::string panel(const std::string &heading, const std::vector<PendulumCurve> &
     return fmt::format("set title {} offset 0,-0.5\n", plot_text(heading)) + drawn.script();
 }
 
-std::string design_title(const PendulumCurve &of) {
-    return fmt::format("l {} m, a {} m, ρ {}", readable(of.arm, 3), readable(of.pivot, 3),
-                       readable(of.rho, 3));
+std::string design_title(const Units &units, const PendulumCurve &of) {
+    return fmt::format("l {}, a {}, ρ {}", drawn_value(units, Quantity::length, of.arm, 3),
+                       drawn_value(units, Quantity::length, of.pivot, 3), drawn_number(of.rho, 3));
 }
 std::string damping_title(const PendulumCurve &of) {
-    return "H = " + readable(of.external_damping, 3);
+    return "H = " + drawn_number(of.external_damping, 3);
 }
 
 } // namespace
 
 Figure pendulum_designs_figure(const model::Case &scene, const results::PendulumBalance &balancer,
-                               const Units &) {
+                               const Units &units) {
     const bool both = !balancer.designs.empty();
     const LegendedFigure room{1080, 0.075, 0.70, both ? 1010 : 560};
     const auto &shown = balancer.dampings.front();
@@ -162,15 +164,17 @@ Figure pendulum_designs_figure(const model::Case &scene, const results::Pendulum
     if (both)
         panels += room.panel(105, 480) +
                   panel("Designs, external damping " + damping_title(balancer.designs.front()),
-                        balancer.designs, design_title) +
+                        balancer.designs,
+                        [&](const PendulumCurve &of) { return design_title(units, of); }) +
                   "unset label\n";
-    panels +=
-        room.panel(both ? 590 : 105, both ? 940 : 490) +
-        panel("External damping, ρ = " + readable(shown.rho, 4), balancer.dampings, damping_title);
+    panels += room.panel(both ? 590 : 105, both ? 940 : 490) +
+              panel("External damping, ρ = " + drawn_number(shown.rho, 4), balancer.dampings,
+                    damping_title);
     return figure_of(room.width, room.height,
                      "Efficiency of the pendulum balancer: " + title_of(scene),
-                     fmt::format("planar rotor, z = {} m, h = {}; {}", readable(balancer.z, 4),
-                                 readable(balancer.hinge_damping, 3), efficiency_meaning),
+                     fmt::format("planar rotor, z = {}, h = {}; {}",
+                                 drawn_value(units, Quantity::length, balancer.z, 4),
+                                 drawn_number(balancer.hinge_damping, 3), efficiency_meaning),
                      panels);
 }
 

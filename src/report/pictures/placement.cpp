@@ -49,7 +49,7 @@ std::string contour(const std::string &name, const std::string &target) {
 }
 
 /// Outline of shaft and discs below z = 0 of an axis, bearings as triangles.
-std::string rotor_panel(const model::Case &scene) {
+std::string rotor_panel(const model::Case &scene, const Units &units) {
     const auto &rotor = scene.rotor;
     const double length = rotor.shaft.length();
     std::vector<PlotPoint> upper;
@@ -57,7 +57,7 @@ std::string rotor_panel(const model::Case &scene) {
     for (int i = 0; i <= 400; ++i) {
         const double z = length * i / 400;
         const double radius = shaft_radius(rotor.shaft, z);
-        upper.push_back({z * metres, radius});
+        upper.push_back({units(Quantity::length, z), radius});
         widest = std::max(widest, radius);
     }
     const double thickest = widest;
@@ -68,12 +68,13 @@ std::string rotor_panel(const model::Case &scene) {
         const double half = std::max(disc.width / 2, 0.006 * length);
         discs += fmt::format("set object rectangle from first {},{} to first {},{} fillcolor rgb "
                              "'#8FA3B5' fillstyle solid border lc rgb '#44525F' front\n",
-                             (disc.z - half) * metres, -radius, (disc.z + half) * metres, radius);
+                             units(Quantity::length, disc.z - half), -radius,
+                             units(Quantity::length, disc.z + half), radius);
     }
     std::vector<PlotPoint> bearings;
     for (const auto &bearing : rotor.supports())
-        bearings.push_back(
-            {bearing.z * metres, -shaft_radius(rotor.shaft, bearing.z) - 0.25 * widest});
+        bearings.push_back({units(Quantity::length, bearing.z),
+                            -shaft_radius(rotor.shaft, bearing.z) - 0.25 * widest});
     Curves drawn;
     drawn.add(upper, "using 1:2:(-$2) with filledcurves lc rgb '#C5D0DA'");
     drawn.add(bearings, "with points pt 9 ps 2 lc rgb '#333333'");
@@ -100,44 +101,49 @@ std::string best_marks(const std::vector<double> &z, double low, double high) {
     return out;
 }
 
-std::string best_place_text(const results::BestPlace &place) {
+std::string best_place_text(const Units &units, const results::BestPlace &place) {
     std::string text;
     for (const double z : place.z)
-        text += (text.empty() ? "z = " : " and ") + readable(z, 4);
-    return text + (place.share > 0 ? fmt::format(" m: {:.0f} % of the speeds", 100 * place.share)
-                                   : std::string(" m, the least bad"));
+        text += (text.empty() ? "z = " : " and ") + drawn_number(units(Quantity::length, z), 4);
+    return text + " " + units.name(Quantity::length) +
+           (place.share > 0 ? fmt::format(": {:.0f} % of the speeds", 100 * place.share)
+                            : ", the least bad");
 }
 
 /// The panel of two planes, with a cross at the best two.
-std::string two_planes(const results::Placement &map, double length, double pixel) {
+std::string two_planes(const Units &units, const results::Placement &map, double length,
+                       double pixel) {
     return panel_margins(0.575, 0.985, 1 - 585 * pixel, 1 - 100 * pixel) +
            fmt::format(
-               "set yrange [0:{}]\nset ylabel 'z of the other plane (m)'\nset xlabel 'z of one "
-               "plane (m)'\nset label 1 {} at graph 0,1.03 left\nset label 2 {} at screen 0.575,{} "
+               "set yrange [0:{}]\nset ylabel {}\nset xlabel {}\nset label 1 {} at graph 0,1.03 "
+               "left\nset label 2 {} at screen 0.575,{} "
                "left\n"
                "set label 4 {} at screen 0.575,{} left\n",
-               length,
-               plot_text(fmt::format("two planes at {} rpm", readable(map.pair_speed * rpm))),
+               length, axis_text(units, "z of the other plane", Quantity::length),
+               axis_text(units, "z of one plane", Quantity::length),
+               plot_text("two planes at " + drawn_value(units, Quantity::speed, map.pair_speed)),
                plot_text(map.best_pair.share > 0 ? "cross: best two over all speeds,"
                                                  : "no two balance at any of the speeds; cross:"),
-               1 - 665 * pixel, plot_text(best_place_text(map.best_pair)), 1 - 685 * pixel) +
+               1 - 665 * pixel, plot_text(best_place_text(units, map.best_pair)), 1 - 685 * pixel) +
            (map.best_pair.z.size() == 2
                 ? fmt::format("set label 3 '' at first {0:.9g},{1:.9g} point pt 7 ps 2.6 lc rgb "
                               "'#FFFFFF' front\nset label 5 '' at first {0:.9g},{1:.9g} point pt 2 "
                               "ps 2 lw 2 lc rgb '#5B2A86' front\n",
-                              map.best_pair.z[0] * metres, map.best_pair.z[1] * metres)
+                              units(Quantity::length, map.best_pair.z[0]),
+                              units(Quantity::length, map.best_pair.z[1]))
                 : "") +
            heat_plot("two");
 }
 
 } // namespace
 
-Figure placement_figure(const model::Case &scene, const results::Placement &map, const Units &) {
+Figure placement_figure(const model::Case &scene, const results::Placement &map,
+                        const Units &units) {
     constexpr int height = 760;
     constexpr double pixel = 1.0 / height;
-    const std::vector<double> speeds = scaled(map.speeds, rpm);
-    const double length = scene.rotor.shaft.length() * metres;
-    // A speed alone has no area: its colours go up to the edge of the panel, 1 rpm higher.
+    const std::vector<double> speeds = scaled(map.speeds, units.factor(Quantity::speed));
+    const double length = units(Quantity::length, scene.rotor.shaft.length());
+    // A speed alone has no area: its colours go up to the edge of the panel, 1 higher.
     std::vector<double> drawn_speeds = speeds;
     auto drawn = map.criterion;
     if (speeds.size() == 1) {
@@ -147,25 +153,29 @@ Figure placement_figure(const model::Case &scene, const results::Placement &map,
     return figure_of(
         1180, height, "Where along the shaft auto-balancers work: " + title_of(scene),
         "green: balances; orange: does not; dark: as strongly as a free rigid body",
-        palette + matrix_block("one", scaled(map.z, metres), drawn_speeds, drawn) +
-            matrix_block("two", scaled(map.pair_z, metres), scaled(map.pair_z, metres),
-                         map.pair_value) +
+        palette +
+            matrix_block("one", scaled(map.z, units.factor(Quantity::length)), drawn_speeds,
+                         drawn) +
+            matrix_block("two", scaled(map.pair_z, units.factor(Quantity::length)),
+                         scaled(map.pair_z, units.factor(Quantity::length)), map.pair_value) +
             (speeds.size() > 1 ? contour("$one", "$oneline") : "$oneline << EOD\nNaN NaN\nEOD\n") +
             contour("$two", "$twoline") +
             fmt::format("unset colorbox\nset xrange [0:{}]\nset format x ''\n", length) +
             panel_margins(0.09, 0.5, 1 - 585 * pixel, 1 - 100 * pixel) +
-            fmt::format(
-                "set yrange [{}:{}]\nset ylabel 'Spin speed (rpm)'\nset label 1 {} at graph "
-                "0,1.03 left\n",
-                speeds.front(), speeds.size() > 1 ? speeds.back() : speeds.front() + 1,
-                plot_text("one plane; best (dashed) " + best_place_text(map.best))) +
-            best_marks(scaled(map.best.z, metres), speeds.front(), speeds.back()) +
-            operation_lines(scene, {speeds.front(), speeds.back()}, SpeedAxis::y) +
+            fmt::format("set yrange [{}:{}]\nset ylabel {}\nset label 1 {} at graph "
+                        "0,1.03 left\n",
+                        speeds.front(), speeds.size() > 1 ? speeds.back() : speeds.front() + 1,
+                        axis_text(units, "Spin speed", Quantity::speed),
+                        plot_text("one plane; best (dashed) " + best_place_text(units, map.best))) +
+            best_marks(scaled(map.best.z, units.factor(Quantity::length)), speeds.front(),
+                       speeds.back()) +
+            operation_lines(scene, units, {speeds.front(), speeds.back()}, SpeedAxis::y) +
             heat_plot("one") +
             "\nunset object\nunset arrow\nunset ylabel\nunset label\nset format x '%g'\n"
-            "set xlabel 'z (m)'\n" +
-            panel_margins(0.09, 0.5, 60 * pixel, 1 - 600 * pixel) + rotor_panel(scene) +
-            two_planes(map, length, pixel) + "\n");
+            "set xlabel " +
+            axis_text(units, "z", Quantity::length) + "\n" +
+            panel_margins(0.09, 0.5, 60 * pixel, 1 - 600 * pixel) + rotor_panel(scene, units) +
+            two_planes(units, map, length, pixel) + "\n");
 }
 
 } // namespace whirl::report

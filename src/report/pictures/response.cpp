@@ -18,9 +18,10 @@ namespace {
 
 constexpr std::size_t most_curves = 8;
 
-std::vector<PlotPoint> over_speed(const std::vector<double> &speeds,
-                                  const std::vector<double> &values, double factor) {
-    std::vector<PlotPoint> points = points_over(speeds, rpm, values, factor);
+std::vector<PlotPoint> over_speed(const Units &units, const std::vector<double> &speeds,
+                                  const std::vector<double> &values, Quantity of) {
+    std::vector<PlotPoint> points =
+        points_over(speeds, units.factor(Quantity::speed), values, units.factor(of));
     for (PlotPoint &point : points)
         if (!std::isfinite(*point.y) || *point.y <= 0) // the response at rest is zero, which a
             point.y.reset();                           // logarithmic axis has no place for
@@ -124,9 +125,9 @@ Curves curves_of(const SpeedPanel &panel) {
 
 /// Up to three panels one below the other.
 /// @param marks  in the first one
-Figure stacked(const model::Case &scene, const ResponseResult &result, const std::string &heading,
-               const std::string &subtitle, const std::vector<SpeedPanel> &panels,
-               const PeakMarks &marks) {
+Figure stacked(const model::Case &scene, const Units &units, const ResponseResult &result,
+               const std::string &heading, const std::string &subtitle,
+               const std::vector<SpeedPanel> &panels, const PeakMarks &marks) {
     struct Place {
         int top, bottom, height; ///< of the panel; of the figure where it is the last; pixels
     };
@@ -136,29 +137,30 @@ Figure stacked(const model::Case &scene, const ResponseResult &result, const std
         for (const NamedCurve &curve : panel.curves)
             names.push_back(curve.name);
     const LegendedFigure room = beside_legend(842, 1080, places[panels.size() - 1].height, names);
-    const Range x = speed_range(result.speeds);
-    std::string script = grid + operation_band(scene, x) +
+    const Range x = speed_range(units, result.speeds);
+    std::string script = grid + operation_band(scene, units, x) +
                          fmt::format("set xrange [{}:{}]\n{}", x.low, x.high, marks.before);
     for (std::size_t i = 0; i < panels.size(); ++i) {
         Curves drawn = curves_of(panels[i]);
         if (i == 0) {
             drawn.add(marks.plots);
-            drawn.add(operation_key(scene, x));
+            drawn.add(operation_key(scene, units, x));
         }
-        script +=
-            panels[i].axis + room.panel(places[i].top, places[i].bottom) +
-            axes_beside_legend(panels[i].label, i + 1 == panels.size() ? "Spin speed (rpm)" : "") +
-            drawn.script() + (i == 0 ? marks.after : "") + "unset label\n";
+        script += panels[i].axis + room.panel(places[i].top, places[i].bottom) +
+                  axes_beside_legend(
+                      panels[i].label,
+                      i + 1 == panels.size() ? units.label("Spin speed", Quantity::speed) : "") +
+                  drawn.script() + (i == 0 ? marks.after : "") + "unset label\n";
     }
     return figure_of(room.width, room.height, heading + title_of(scene), subtitle, script);
 }
 
 /// The values at the speeds of the case, or those of the i-th dense curve where there is one.
-std::vector<PlotPoint> dense(const results::ResponseCurves &curves, std::size_t i,
-                             const std::vector<double> &speeds, const std::vector<double> &values,
-                             double factor) {
-    return i < curves.values.size() ? over_speed(curves.speeds, curves.values[i], factor)
-                                    : over_speed(speeds, values, factor);
+std::vector<PlotPoint> dense(const Units &units, const results::ResponseCurves &curves,
+                             std::size_t i, const std::vector<double> &speeds,
+                             const std::vector<double> &values, Quantity of) {
+    return i < curves.values.size() ? over_speed(units, curves.speeds, curves.values[i], of)
+                                    : over_speed(units, speeds, values, of);
 }
 
 std::string name_or(const std::string &name, const char *kind) {
@@ -168,72 +170,77 @@ std::string name_or(const std::string &name, const char *kind) {
 /// Forces in the bearings: `largest` of each over the speeds of the case.
 /// @param before  dense curves of other places in front of theirs
 template <class Bearing>
-std::vector<NamedCurve> forces_of(const std::vector<Bearing> &bearings,
+std::vector<NamedCurve> forces_of(const Units &units, const std::vector<Bearing> &bearings,
                                   std::vector<double> Bearing::*largest,
                                   const results::ResponseCurves &curves, std::size_t before,
                                   const std::vector<double> &speeds) {
     std::vector<NamedCurve> forces;
     for (std::size_t i = 0; i < bearings.size() && i < most_curves; ++i)
-        forces.push_back({place_text(name_or(bearings[i].name, "bearing"), bearings[i].z),
-                          dense(curves, before + i, speeds, bearings[i].*largest, newtons)});
+        forces.push_back(
+            {place_text(units, name_or(bearings[i].name, "bearing"), bearings[i].z),
+             dense(units, curves, before + i, speeds, bearings[i].*largest, Quantity::force)});
     return forces;
 }
 
 } // namespace
 
-Figure response_figure(const model::Case &scene, const ResponseResult &result, const Units &) {
+Figure response_figure(const model::Case &scene, const ResponseResult &result, const Units &units) {
     const results::ResponseCurves &curves = result.curves;
     std::vector<NamedCurve> amplitude;
     std::vector<NamedCurve> phase;
     const auto add = [&](std::size_t i, const std::string &name, const auto &of) {
-        amplitude.push_back({name, dense(curves, i, result.speeds, of.amplitude, micrometres)});
+        amplitude.push_back(
+            {name, dense(units, curves, i, result.speeds, of.amplitude, Quantity::amplitude)});
         const bool fine = i < curves.values.size();
-        phase.push_back({"", angles_over(fine ? curves.speeds : result.speeds, rpm,
-                                         fine ? curves.phases[i] : of.phase)});
+        phase.push_back(
+            {"", angles_over(fine ? curves.speeds : result.speeds, units.factor(Quantity::speed),
+                             fine ? curves.phases[i] : of.phase)});
     };
     const std::vector<std::size_t> nodes = drawn_nodes(result);
     for (const std::size_t i : nodes)
-        add(i, place_text(result.nodes[i].name, result.nodes[i].z), result.nodes[i]);
+        add(i, place_text(units, result.nodes[i].name, result.nodes[i].z), result.nodes[i]);
     for (std::size_t i = 0; i < result.probes.size() && amplitude.size() < 2 * most_curves; ++i) {
         const auto &probe = result.probes[i];
         add(result.nodes.size() + result.bearings.size() + i,
-            fmt::format("{} at {}°", place_text(name_or(probe.name, "probe"), probe.z),
-                        readable(probe.angle * 180 / pi, 4)),
+            fmt::format("{} at {}", place_text(units, name_or(probe.name, "probe"), probe.z),
+                        degrees_text(probe.angle)),
             probe);
     }
     std::vector<SpeedPanel> panels{
-        logarithmic_panel("Amplitude (µm)", amplitude),
-        {result.probes.empty() ? "Phase of x (deg)" : "Phase of x, of a probe (deg)",
+        logarithmic_panel(units.label("Amplitude", Quantity::amplitude), amplitude),
+        {units.label(result.probes.empty() ? "Phase of x" : "Phase of x, of a probe",
+                     Quantity::angle),
          std::string(linear_y) + "set yrange [-190:190]\nset ytics 90\n", phase}};
     if (!result.bearings.empty())
         panels.push_back(
-            logarithmic_panel("Largest bearing force (N)",
-                              forces_of(result.bearings, &results::ResponseBearing::force, curves,
-                                        result.nodes.size(), result.speeds)));
+            logarithmic_panel(units.label("Largest bearing force", Quantity::force),
+                              forces_of(units, result.bearings, &results::ResponseBearing::force,
+                                        curves, result.nodes.size(), result.speeds)));
     PeakMarks marks;
     if (const auto largest = largest_station(result))
-        marks = peak_marks(result, *largest,
-                           {speed_range(result.speeds), logarithmic_range(amplitude), 750, 355},
-                           amplitude);
-    return stacked(scene, result, "Unbalance response: ",
+        marks = peak_marks(
+            units, result, *largest,
+            {speed_range(units, result.speeds), logarithmic_range(amplitude), 750, 355}, amplitude);
+    return stacked(scene, units, result, "Unbalance response: ",
                    fmt::format("{} stations drawn of {}", nodes.size(), result.nodes.size()),
                    panels, marks);
 }
 
-Figure gravity_figure(const model::Case &scene, const ResponseResult &result, const Units &) {
+Figure gravity_figure(const model::Case &scene, const ResponseResult &result, const Units &units) {
     const results::GravityResponse &of = *result.gravity;
     std::vector<NamedCurve> circle;
     std::vector<NamedCurve> still;
     const std::vector<std::size_t> drawn = drawn_of(of.stations);
     for (const std::size_t i : drawn) {
         const auto &station = of.stations[i];
-        circle.push_back({place_text(station.name, station.z),
-                          dense(of.curves, i, result.speeds, station.twice, micrometres)});
-        still.push_back({"", over_speed(result.speeds, station.sag, still_micrometres)});
+        circle.push_back(
+            {place_text(units, station.name, station.z),
+             dense(units, of.curves, i, result.speeds, station.twice, Quantity::amplitude)});
+        still.push_back({"", over_speed(units, result.speeds, station.sag, Quantity::deflection)});
     }
     const std::string subtitle =
-        fmt::format("gravity {} m/s² towards −y, {} stations drawn of {}", readable(of.gravity, 5),
-                    drawn.size(), of.stations.size());
+        fmt::format("gravity {} m/s² towards −y, {} stations drawn of {}",
+                    drawn_number(of.gravity, 5), drawn.size(), of.stations.size());
     const bool moves = std::ranges::any_of(of.stations, [](const auto &station) {
         return std::ranges::any_of(station.twice, [](double value) { return value != 0; });
     });
@@ -241,15 +248,16 @@ Figure gravity_figure(const model::Case &scene, const ResponseResult &result, co
     if (!moves) {
         for (std::size_t i = 0; i < still.size(); ++i)
             still[i].name = circle[i].name;
-        return stacked(scene, result, "Sag under the weight: ", subtitle,
-                       {{"Static deflection (µm)", "", still}}, {});
+        return stacked(scene, units, result, "Sag under the weight: ", subtitle,
+                       {{units.label("Static deflection", Quantity::deflection), "", still}}, {});
     }
-    return stacked(scene, result, "Motion under the weight: ", subtitle,
-                   {logarithmic_panel("Circle at twice the spin speed (µm)", circle),
-                    {"Static deflection (µm)",
+    return stacked(scene, units, result, "Motion under the weight: ", subtitle,
+                   {logarithmic_panel(
+                        units.label("Circle at twice the spin speed", Quantity::amplitude), circle),
+                    {units.label("Static deflection", Quantity::deflection),
                      std::string(linear_y) + "set autoscale y\nset ytics auto\n", still},
-                    logarithmic_panel("Bearing force at 2x (N)",
-                                      forces_of(of.bearings, &results::GravityBearing::twice,
+                    logarithmic_panel(units.label("Bearing force at 2x", Quantity::force),
+                                      forces_of(units, of.bearings, &results::GravityBearing::twice,
                                                 of.curves, of.stations.size(), result.speeds))},
                    {});
 }

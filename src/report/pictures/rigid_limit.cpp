@@ -25,11 +25,11 @@ LineStyle style_of(const std::string &quantity, Styles &styles) {
     return series_style(styles.emplace(quantity, styles.size()).first->second);
 }
 
-std::vector<PlotPoint> points_of(const RigidLimitRow &row) {
+std::vector<PlotPoint> points_of(const Units &units, const RigidLimitRow &row) {
     std::vector<PlotPoint> points;
     for (std::size_t k = 0; k < row.relative_difference.size(); ++k) {
         const double x =
-            row.elements.empty() ? row.stiffness[k] * newtons_per_metre : row.elements[k];
+            row.elements.empty() ? units(Quantity::stiffness, row.stiffness[k]) : row.elements[k];
         if (std::isfinite(x) && row.relative_difference[k])
             points.push_back({x, std::max(*row.relative_difference[k], least_shown)});
     }
@@ -64,11 +64,11 @@ struct Panel {
     }
 };
 
-std::string stiffness_panel(const RigidLimitResult &result, Styles &styles) {
+std::string stiffness_panel(const Units &units, const RigidLimitResult &result, Styles &styles) {
     Panel panel;
     for (const RigidLimitRow &row : result.rows)
         if (row.elements.empty())
-            panel.add("", style_of(row.quantity, styles), true, points_of(row));
+            panel.add("", style_of(row.quantity, styles), true, points_of(units, row));
     std::string text;
     std::string guide;
     if (panel.largest_x > panel.least_x) {
@@ -83,10 +83,11 @@ std::string stiffness_panel(const RigidLimitResult &result, Styles &styles) {
         text += "set label 1 'a rigid shaft: no stiffness to vary' at graph 0.5,0.5 center\n"
                 "unset xtics\nunset ytics\n";
     if (result.one_percent)
-        text += upright(result.one_percent->stiffness * newtons_per_metre,
+        text += upright(units(Quantity::stiffness, result.one_percent->stiffness),
                         "back lw 1 dt (8,4) lc rgb '#999999'");
-    return text +
-           "set xlabel 'Stiffness of the shaft, 48 EI/L^3 (N/m)'\n"
+    return text + "set xlabel " +
+           axis_text(units, "Stiffness of the shaft, 48 EI/L³", Quantity::stiffness) +
+           "\n"
            "set ylabel 'Relative difference from the closed form'\nunset key\n" +
            panel.script(guide) + "unset arrow\nunset label\nset autoscale\nset xtics\nset ytics\n";
 }
@@ -106,7 +107,7 @@ std::vector<PlotPoint> inertia_points(const RigidLimitResult &result, int order)
     return points;
 }
 
-std::string mesh_panel(const RigidLimitResult &result, Styles &styles) {
+std::string mesh_panel(const Units &units, const RigidLimitResult &result, Styles &styles) {
     Panel panel;
     std::vector<int> orders;
     for (const RigidLimitRow &row : result.rows) {
@@ -117,7 +118,7 @@ std::string mesh_panel(const RigidLimitResult &result, Styles &styles) {
         const bool main = row.order == result.model.order;
         if (!row.inertia)
             panel.add(main ? row.quantity : "", style_of(row.quantity, styles), main,
-                      points_of(row));
+                      points_of(units, row));
     }
     for (const int order : orders) {
         const bool main = order == result.model.order;
@@ -147,20 +148,21 @@ std::string mesh_panel(const RigidLimitResult &result, Styles &styles) {
 
 } // namespace
 
-Figure rigid_limit_figure(const model::Case &scene, const RigidLimitResult &result, const Units &) {
+Figure rigid_limit_figure(const model::Case &scene, const RigidLimitResult &result,
+                          const Units &units) {
     const std::string subtitle =
         std::isfinite(result.mesh_factor)
             ? fmt::format("left: while the shaft stiffens; right: while the mesh coarsens, E and G "
                           "times {}",
-                          readable(result.mesh_factor))
+                          drawn_number(result.mesh_factor))
             : "the shaft is rigid";
     Styles styles;
     const std::string left =
-        panel_margins(0.07, 0.375, 0.115, 0.87) + stiffness_panel(result, styles);
-    return figure_of(1400, 620, "Flexible model and rigid closed forms: " + title_of(scene),
-                     subtitle,
-                     std::string("set logscale xy\nset format xy '10^{%L}'\n") + grid + left +
-                         panel_margins(0.425, 0.7, 0.115, 0.87) + mesh_panel(result, styles));
+        panel_margins(0.07, 0.375, 0.115, 0.87) + stiffness_panel(units, result, styles);
+    return figure_of(
+        1400, 620, "Flexible model and rigid closed forms: " + title_of(scene), subtitle,
+        std::string("set logscale xy\nset format xy '10^{%L}'\n") + grid + left +
+            panel_margins(0.425, 0.7, 0.115, 0.87) + mesh_panel(units, result, styles));
 }
 
 } // namespace whirl::report

@@ -18,26 +18,20 @@ namespace {
 
 constexpr std::size_t most_panels = 12;
 
-/// The numbers of an answer as they are drawn: speeds in rpm, amplitudes in µm.
-double factor_of(const SampledAnswer &answer) {
-    return answer.quantity == Quantity::speed       ? rpm
-           : answer.quantity == Quantity::amplitude ? double(micrometres)
-           : answer.quantity == Quantity::force     ? double(newtons)
-                                                    : 1.0;
+std::string axis_of(const Units &units, const SampledAnswer &answer) {
+    const Quantity quantity = answer.quantity;
+    const char *what = quantity == Quantity::speed       ? "Spin speed"
+                       : quantity == Quantity::amplitude ? "Amplitude"
+                       : quantity == Quantity::force     ? "Force"
+                                                         : "Share";
+    return axis_text(units, what, quantity);
 }
 
-std::string axis_of(const SampledAnswer &answer) {
-    return answer.quantity == Quantity::speed       ? "Spin speed (rpm)"
-           : answer.quantity == Quantity::amplitude ? "Amplitude (µm)"
-           : answer.quantity == Quantity::force     ? "Force (N)"
-                                                    : "Share";
-}
-
-std::vector<double> shown_values(const SampledAnswer &answer) {
+std::vector<double> shown_values(const Units &units, const SampledAnswer &answer) {
     std::vector<double> values;
     for (const std::optional<double> &value : answer.values)
         if (value)
-            values.push_back(*value * factor_of(answer));
+            values.push_back(units(answer.quantity, *value));
     return values;
 }
 
@@ -68,8 +62,8 @@ Histogram histogram_of(const std::vector<double> &values) {
 }
 
 /// Lines at the quantiles, their intervals shaded, and the case as it is.
-std::string marks_of(const SampledAnswer &answer) {
-    const double factor = factor_of(answer);
+std::string marks_of(const Units &units, const SampledAnswer &answer) {
+    const double factor = units.factor(answer.quantity);
     std::string text;
     for (const results::SampleQuantile &quantile : answer.quantiles) {
         const auto place = [&](const std::optional<double> &end, const char *border) {
@@ -81,15 +75,15 @@ std::string marks_of(const SampledAnswer &answer) {
         text += upright(quantile.value * factor, "front lw 1.8 lc rgb '#D55E00'");
         text += fmt::format("set label '{} %' at first {:.9g},graph 1.05 center font ',11' "
                             "textcolor '#B04E00'\n",
-                            readable(100 * quantile.share), quantile.value * factor);
+                            drawn_number(100 * quantile.share), quantile.value * factor);
     }
     if (answer.nominal)
         text += upright(*answer.nominal * factor, "front lw 1.4 dt (6,4) lc rgb '#000000'");
     return text;
 }
 
-std::string panel_of(const model::Case &scene, const SampledAnswer &answer) {
-    const Histogram histogram = histogram_of(shown_values(answer));
+std::string panel_of(const model::Case &scene, const Units &units, const SampledAnswer &answer) {
+    const Histogram histogram = histogram_of(shown_values(units, answer));
     const auto [low, high] = histogram.range;
     std::vector<PlotPoint> bars;
     for (std::size_t i = 0; i < histogram.counts.size(); ++i)
@@ -101,13 +95,14 @@ std::string panel_of(const model::Case &scene, const SampledAnswer &answer) {
     Curves drawn;
     drawn.add(bars, "using 1:2 with boxes lc rgb '#3C97CF' fs transparent solid 0.45 border lc rgb "
                     "'#0072B2'");
-    return marks_of(answer) + (answer.quantity == Quantity::speed ? operation_band(scene, x) : "") +
+    return marks_of(units, answer) +
+           (answer.quantity == Quantity::speed ? operation_band(scene, units, x) : "") +
            axes_over(x, {0, 1.08 * most}) +
            fmt::format(
-               "set title {} font ',12' offset 0,0.2\nset xlabel '{}' font ',11' offset 0,0.4\n"
+               "set title {} font ',12' offset 0,0.2\nset xlabel {} font ',11' offset 0,0.4\n"
                "set ylabel 'samples' font ',11' offset 1.5,0\n"
                "set xtics {:.9g} font ',11'\nset ytics font ',11'\nset boxwidth {:.9g}\n",
-               plot_text(std::string(answer.name)), axis_of(answer), step_of(high - low),
+               plot_text(units.text(answer.name)), axis_of(units, answer), step_of(high - low),
                histogram.width) +
            drawn.script() + "unset object\nunset arrow\nunset label\nunset title\n";
 }
@@ -127,7 +122,7 @@ std::string subtitle_of(const model::Case &scene, const SamplesResult &result, s
 
 } // namespace
 
-Figure samples_figure(const model::Case &scene, const SamplesResult &result, const Units &) {
+Figure samples_figure(const model::Case &scene, const SamplesResult &result, const Units &units) {
     std::vector<const SampledAnswer *> drawn;
     std::size_t all = 0;
     for (const SampledAnswer &answer : result.answers) {
@@ -151,7 +146,7 @@ Figure samples_figure(const model::Case &scene, const SamplesResult &result, con
         const double upper = top - static_cast<double>(row) * down;
         panels += panel_margins(left + 0.2 * across, left + 0.94 * across, upper - 0.8 * down,
                                 upper - 0.2 * down) +
-                  panel_of(scene, *drawn[i]);
+                  panel_of(scene, units, *drawn[i]);
     }
     if (drawn.empty())
         panels += "set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\n";

@@ -102,15 +102,21 @@ std::string name_or(const std::string &name, const char *kind, std::size_t index
     return count == 1 ? kind : fmt::format("{} {}", kind, index + 1);
 }
 
-std::string stiffness_text(const model::Bearing &bearing) {
+std::string stiffness_text(const Units &units, const model::Bearing &bearing) {
     if (bearing.depends_on_speed())
         return "speed table";
     if (bearing.rows.empty())
         return "";
     const auto &k = bearing.rows[0].k;
-    const auto number = [](double value) { return readable(value * newtons_per_metre, 3); };
-    return (k(0, 0) == k(1, 1) ? number(k(0, 0)) : number(k(0, 0)) + " | " + number(k(1, 1))) +
-           " " + unit_name("stiffness", "N/m");
+    const std::string both = drawn_value(units, Quantity::stiffness, k(1, 1), 3);
+    return k(0, 0) == k(1, 1) ? both
+                              : drawn_number(units(Quantity::stiffness, k(0, 0)), 3) + " | " + both;
+}
+
+/// As balancing machines say it: in g mm.
+std::string imbalance_text(const Units &units, double mr) {
+    return units.asked(Quantity::imbalance) ? drawn_value(units, Quantity::imbalance, mr, 4)
+                                            : drawn_number(1e6 * mr, 4) + " g mm";
 }
 
 /// A callout for each of a kind: its place and its name, or its number among them.
@@ -122,15 +128,15 @@ void add_callouts(std::vector<Callout> &callouts, const Sheet &sheet, const auto
                             name_or(parts[i].name, kind, i, parts.size())});
 }
 
-std::vector<Callout> upper_callouts(const model::Rotor &rotor, const Sheet &sheet) {
+std::vector<Callout> upper_callouts(const Units &units, const model::Rotor &rotor,
+                                    const Sheet &sheet) {
     std::vector<Callout> callouts;
     const auto top = [&](double radius) { return sheet.axis - sheet.pixels(radius) - 2; };
     const auto above = [&](const auto &) { return sheet.axis - sheet.radius - 10; };
     add_callouts(callouts, sheet, rotor.discs, "disc",
                  [&](const model::Disc &disc) { return top(disc_radius(disc)); });
     for (std::size_t i = 0; i < rotor.discs.size(); ++i)
-        callouts[i].text += fmt::format(": {} {}", readable(rotor.discs[i].mass * kilograms, 4),
-                                        unit_name("mass", "kg"));
+        callouts[i].text += ": " + drawn_value(units, Quantity::mass, rotor.discs[i].mass, 4);
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
         const auto &balancer = rotor.balancers[i];
         const balancers::Outline outline = balancers::kind_of(balancer)->outline();
@@ -145,28 +151,25 @@ std::vector<Callout> upper_callouts(const model::Rotor &rotor, const Sheet &shee
     add_callouts(callouts, sheet, rotor.seals(), "seal", [&](const model::Bearing &seal) {
         return top(shaft_radius(rotor.shaft, seal.z)) - 9;
     });
-    constexpr Reading gram_millimetres{"imbalance", 1e6};
     for (std::size_t i = 0; i < rotor.imbalances.size(); ++i) {
         const auto &imbalance = rotor.imbalances[i];
         if (imbalance.mr != 0)
             callouts.push_back(
                 {sheet.across(imbalance.z),
                  std::min(sheet.axis, imbalance_place(sheet, rotor.shaft, imbalance).y) - 5,
-                 fmt::format("{}: {} {}",
-                             name_or(imbalance.name, "imbalance", i, rotor.imbalances.size()),
-                             readable(std::abs(imbalance.mr) * gram_millimetres, 4),
-                             unit_name("imbalance", "g mm"))});
+                 name_or(imbalance.name, "imbalance", i, rotor.imbalances.size()) + ": " +
+                     imbalance_text(units, std::abs(imbalance.mr))});
     }
     add_callouts(callouts, sheet, rotor.probes, "probe", above);
     return callouts;
 }
 
 /// Ticks of 1, 2 or 5 times a power of ten along the shaft, in m, or mm for short rotors.
-void draw_ruler(Drawing &drawing, const Sheet &sheet, double length, double y) {
+void draw_ruler(Drawing &drawing, const Units &units, const Sheet &sheet, double length, double y) {
     if (!(length > 0)) // a scene without a shaft has nothing to measure
         return;
-    const bool millimetres = length < 1;
-    const double factor = written_factor("length").value_or(millimetres ? 1000 : 1);
+    const bool millimetres = length < 1 && !units.asked(Quantity::length);
+    const double factor = millimetres ? 1000 : units.factor(Quantity::length);
     // Numbers need some 60 pixels each.
     const double raw =
         factor * length / std::clamp((sheet.across(length) - sheet.across(0)) / 60, 1.0, 6.0);
@@ -179,24 +182,24 @@ void draw_ruler(Drawing &drawing, const Sheet &sheet, double length, double y) {
         drawing.shapes.push_back(stroke({{x, y}, {x, y + 6}}, "#333333", 1));
         drawing.texts.push_back({{x, y + 20}, fmt::format("{:.6g}", i * step), 12});
     }
-    std::string label = fmt::format("z ({})", unit_name("length", millimetres ? "mm" : "m"));
+    std::string label = millimetres ? "z (mm)" : units.label("z", Quantity::length);
     if (sheet.enlarged() > 1)
         label += fmt::format(", diameters drawn {:.0f} times larger", sheet.enlarged());
     drawing.texts.push_back({{sheet_width / 2, y + 40}, label, text_size});
 }
 
-std::vector<Callout> bearing_callouts(const model::Rotor &rotor, const Sheet &sheet,
-                                      double ground) {
+std::vector<Callout> bearing_callouts(const Units &units, const model::Rotor &rotor,
+                                      const Sheet &sheet, double ground) {
     std::vector<Callout> callouts;
     const auto bearings = rotor.supports();
     add_callouts(callouts, sheet, bearings, "bearing", [&](const auto &) { return ground + 7; });
     for (std::size_t i = 0; i < bearings.size(); ++i)
-        callouts[i].text += ": " + stiffness_text(bearings[i]);
+        callouts[i].text += ": " + stiffness_text(units, bearings[i]);
     return callouts;
 }
 
 /// Everything of the rotor; `top` pixels stay free above.
-Drawing draw_rotor(const model::Rotor &rotor, const Sheet &sheet) {
+Drawing draw_rotor(const model::Rotor &rotor, const Units &units, const Sheet &sheet) {
     Drawing drawing;
     drawing.width = sheet_width;
     const double reach = sheet.radius + 12;
@@ -224,43 +227,41 @@ Drawing draw_rotor(const model::Rotor &rotor, const Sheet &sheet) {
         draw_seal(drawing, sheet, rotor.shaft, seal);
     for (const auto &bearing : rotor.supports())
         draw_bearing(drawing, sheet, rotor.shaft, bearing, ground);
-    const int rows = draw_callouts(drawing, bearing_callouts(rotor, sheet, ground), ground + 28, 1);
+    const int rows =
+        draw_callouts(drawing, bearing_callouts(units, rotor, sheet, ground), ground + 28, 1);
     const double ruler = ground + 34 + line * rows;
-    draw_ruler(drawing, sheet, rotor.shaft.length(), ruler);
+    draw_ruler(drawing, units, sheet, rotor.shaft.length(), ruler);
     drawing.height = ruler + 52;
     return drawing;
 }
 
 /// With room above the rotor for its rows of names: these are drawn once on a scrap sheet.
-Sheet sheet_of(const model::Case &scene) {
+Sheet sheet_of(const model::Case &scene, const Units &units) {
     const model::Rotor rotor = scene.rotor.with_held_among_balancers();
     Sheet sheet(scene, largest_radius(rotor));
     Drawing scrap;
-    const int rows = draw_callouts(scrap, upper_callouts(rotor, sheet), 0, -1);
+    const int rows = draw_callouts(scrap, upper_callouts(units, rotor, sheet), 0, -1);
     sheet.axis = 20 + line * rows + 16 + sheet.radius;
     return sheet;
 }
 
 } // namespace
 
-Drawing scene_drawing(const model::Case &scene, const Units &) {
-    const Sheet sheet = sheet_of(scene);
+Drawing scene_drawing(const model::Case &scene, const Units &units) {
+    const Sheet sheet = sheet_of(scene, units);
     const model::Rotor rotor = scene.rotor.with_held_among_balancers();
-    Drawing drawing = draw_rotor(rotor, sheet);
-    draw_callouts(drawing, upper_callouts(rotor, sheet), sheet.axis - sheet.radius - 18, -1);
-    for (DrawText &text : drawing.texts)
-        text.text = in_written_units(text.text);
+    Drawing drawing = draw_rotor(rotor, units, sheet);
+    draw_callouts(drawing, upper_callouts(units, rotor, sheet), sheet.axis - sheet.radius - 18, -1);
     return drawing;
 }
 
 namespace {
 
 /// "shaft 12 kg", and of one that only connects, so light that it counts as none, no number.
-std::string shaft_mass_text(const results::ShowResult &result) {
+std::string shaft_mass_text(const Units &units, const results::ShowResult &result) {
     return result.shaft_mass < 1e-6 * result.mass
                ? "massless shaft"
-               : fmt::format("shaft {} {}", readable(result.shaft_mass * kilograms),
-                             unit_name("mass", "kg"));
+               : "shaft " + drawn_value(units, Quantity::mass, result.shaft_mass);
 }
 
 } // namespace
@@ -278,15 +279,15 @@ Drawing show_drawing(const model::Case &scene, const results::ShowResult &result
     drawing.texts.push_back({{sheet_width / 2, 28}, title_of(scene), 20});
     drawing.texts.push_back(
         {{sheet_width / 2, 52},
-         fmt::format("mass {0} {5} ({1}) · centre of mass z = {2} {6} · Id = {3} {7} · "
-                     "Ip = {4} {7} · {8} rotor",
-                     readable(result.mass * kilograms), shaft_mass_text(result),
-                     readable(result.center_of_mass * metres), readable(result.Id * inertia_si),
-                     readable(result.Ip * inertia_si), unit_name("mass", "kg"),
-                     unit_name("length", "m"), unit_name("inertia", "kg m²"), result.type),
+         fmt::format("mass {} ({}) · centre of mass z = {} · Id = {} · Ip = {} · {} rotor",
+                     drawn_value(units, Quantity::mass, result.mass),
+                     shaft_mass_text(units, result),
+                     drawn_value(units, Quantity::length, result.center_of_mass),
+                     drawn_value(units, Quantity::inertia, result.Id),
+                     drawn_value(units, Quantity::inertia, result.Ip), result.type),
          14,
          "#555555"});
-    const Sheet sheet = sheet_of(scene);
+    const Sheet sheet = sheet_of(scene, units);
     const double x = sheet.across(result.center_of_mass);
     const double y = head + sheet.axis;
     drawing.shapes.push_back(circle(x, y, 7, "#FFFFFF", "#B00020"));

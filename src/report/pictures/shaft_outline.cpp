@@ -1,6 +1,5 @@
 #include "report/pictures/shaft_outline.h"
 
-#include "report/common/units.h"
 #include "report/pictures/style.h"
 
 #include <fmt/format.h>
@@ -23,7 +22,7 @@ double shaft_radius(const model::Shaft &shaft, double z) {
     return radius;
 }
 
-std::string outline_data(const model::Rotor &rotor, double largest) {
+std::string outline_data(const Units &units, const model::Rotor &rotor, double largest) {
     double thickest = 1e-12;
     for (const auto &segment : rotor.shaft.segments)
         thickest = std::max({thickest, segment.outer_start / 2, segment.outer_end / 2});
@@ -32,8 +31,9 @@ std::string outline_data(const model::Rotor &rotor, double largest) {
     const double scale = 0.5 * largest / thickest;
     std::string data = "$outline << EOD\n";
     const auto box = [&](double a, double b, double ra, double rb) {
-        data += fmt::format("{0} {2}\n{1} {3}\n{1} {5}\n{0} {4}\n{0} {2}\n\n", a * metres,
-                            b * metres, scale * ra, scale * rb, -scale * ra, -scale * rb);
+        data += fmt::format("{0} {2}\n{1} {3}\n{1} {5}\n{0} {4}\n{0} {2}\n\n",
+                            units(Quantity::length, a), units(Quantity::length, b), scale * ra,
+                            scale * rb, -scale * ra, -scale * rb);
     };
     double z = 0;
     for (const auto &segment : rotor.shaft.segments) {
@@ -47,7 +47,7 @@ std::string outline_data(const model::Rotor &rotor, double largest) {
     }
     data += "EOD\n$bearings << EOD\n";
     for (const auto &bearing : rotor.supports())
-        data += fmt::format("{} {}\n", bearing.z * metres, -1.12 * largest);
+        data += fmt::format("{} {}\n", units(Quantity::length, bearing.z), -1.12 * largest);
     return data + "NaN NaN\nEOD\n";
 }
 
@@ -62,13 +62,14 @@ std::string curve_legend(double height) {
                        height);
 }
 
-std::string curves_over_outline(const std::vector<double> &z, const std::vector<double> &x,
-                                const std::vector<double> &y, const std::vector<double> &envelope,
-                                double factor) {
+std::string curves_over_outline(const Units &units, const std::vector<double> &z,
+                                const std::vector<double> &x, const std::vector<double> &y,
+                                const std::vector<double> &envelope, double factor) {
     std::string data = "$shape << EOD\n";
     for (std::size_t i = 0; i < std::min(z.size(), x.size()); ++i)
-        data += fmt::format("{} {} {} {}\n", z[i] * metres, plot_number(x[i] * factor),
-                            plot_number(y[i] * factor), plot_number(envelope[i] * factor));
+        data +=
+            fmt::format("{} {} {} {}\n", units(Quantity::length, z[i]), plot_number(x[i] * factor),
+                        plot_number(y[i] * factor), plot_number(envelope[i] * factor));
     return data + "NaN NaN NaN NaN\nEOD\nplot $outline with filledcurves closed fs solid 1 "
                   "noborder fc rgb '#F0F1F3', "
                   "$outline with lines lw 0.7 lc rgb '#C8CDD2', "

@@ -18,16 +18,17 @@ namespace {
 
 constexpr std::size_t most_curves = 16;
 
-std::vector<NamedCurve> amplitude_curves(const SimulateResult &result) {
+std::vector<NamedCurve> amplitude_curves(const Units &units, const SimulateResult &result) {
     std::vector<NamedCurve> curves;
     const std::vector<double> &time = result.series.time;
-    const auto after_rest = [&time](const std::vector<double> &amplitude) {
-        std::vector<PlotPoint> points = points_over(time, 1, amplitude, micrometres);
+    const double factor = units.factor(Quantity::amplitude);
+    const auto after_rest = [&](const std::vector<double> &amplitude) {
+        std::vector<PlotPoint> points = points_over(time, 1, amplitude, factor);
         points.erase(points.begin(), points.begin() + (points.empty() ? 0 : 1));
         return points; // at rest there is nothing to draw
     };
     for (std::size_t i = 0; i < result.balancers.size(); ++i)
-        curves.push_back({place_text(result.balancers[i].name, result.balancers[i].z),
+        curves.push_back({place_text(units, result.balancers[i].name, result.balancers[i].z),
                           after_rest(result.series.amplitude[i])});
     for (std::size_t i = 0; i < result.other_starts.size(); ++i)
         curves.push_back({fmt::format("start {}: {}", i + 2,
@@ -35,11 +36,10 @@ std::vector<NamedCurve> amplitude_curves(const SimulateResult &result) {
                           after_rest(result.other_starts[i].amplitude)});
     for (const results::BalancerMotion &b : result.balancers)
         if (b.reference > 0 && !time.empty())
-            curves.push_back({result.balancers.size() > 1
-                                  ? "without balls, " + place_text(b.name, b.z)
-                                  : "without balls",
-                              {{time.front(), b.reference * micrometres},
-                               {time.back(), b.reference * micrometres}}});
+            curves.push_back(
+                {result.balancers.size() > 1 ? "without balls, " + place_text(units, b.name, b.z)
+                                             : "without balls",
+                 {{time.front(), b.reference * factor}, {time.back(), b.reference * factor}}});
     return curves;
 }
 
@@ -54,25 +54,6 @@ std::vector<PlotPoint> relative_speed(const MotionSeries &series,
             points.push_back({series.time[k], 1 + (angles[k] - angles[k - 1]) / (span * speed)});
     }
     return points;
-}
-
-std::vector<NamedCurve> angle_curves(const SimulateResult &result) {
-    const bool lagging = result.outcome == results::Outcome::lagging;
-    std::vector<NamedCurve> curves;
-    std::size_t number = 0;
-    for (std::size_t i = 0; i < result.balancers.size(); ++i)
-        for (std::size_t j = 0; j < result.balancers[i].angles.size(); ++j, ++number) {
-            const std::vector<double> &angles = result.series.angles[number];
-            const results::BalancerMotion &balancer = result.balancers[i];
-            const std::string of =
-                balancer.name.empty() ? "balancer " + std::to_string(i + 1) : balancer.name;
-            const std::string name =
-                balancer.coordinates.at(j) + (result.balancers.size() > 1 ? ", " + of : "");
-            if (curves.size() < most_curves)
-                curves.push_back({name, lagging ? relative_speed(result.series, angles)
-                                                : angles_over(result.series.time, 1, angles)});
-        }
-    return curves;
 }
 
 std::string draw(const std::vector<NamedCurve> &curves, std::size_t solid) {
@@ -105,13 +86,32 @@ std::string logarithmic_axis(const std::vector<NamedCurve> &curves) {
 
 } // namespace
 
-Figure simulate_figure(const model::Case &scene, const SimulateResult &result, const Units &) {
-    const std::vector<NamedCurve> amplitude = amplitude_curves(result);
+std::vector<NamedCurve> angle_curves(const SimulateResult &result, std::size_t most) {
+    const bool lagging = result.outcome == results::Outcome::lagging;
+    std::vector<NamedCurve> curves;
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < result.balancers.size(); ++i)
+        for (std::size_t j = 0; j < result.balancers[i].angles.size(); ++j, ++number) {
+            const std::vector<double> &angles = result.series.angles[number];
+            const results::BalancerMotion &balancer = result.balancers[i];
+            const std::string of =
+                balancer.name.empty() ? "balancer " + std::to_string(i + 1) : balancer.name;
+            const std::string name =
+                balancer.coordinates.at(j) + (result.balancers.size() > 1 ? ", " + of : "");
+            if (curves.size() < most)
+                curves.push_back({name, lagging ? relative_speed(result.series, angles)
+                                                : angles_over(result.series.time, 1, angles)});
+        }
+    return curves;
+}
+
+Figure simulate_figure(const model::Case &scene, const SimulateResult &result, const Units &units) {
+    const std::vector<NamedCurve> amplitude = amplitude_curves(units, result);
     const std::vector<double> &speed = result.series.speed;
     const bool constant = std::all_of(speed.begin(), speed.end(),
                                       [&](double value) { return value == speed.front(); });
     const bool lagging = result.outcome == results::Outcome::lagging;
-    const std::vector<NamedCurve> angles = angle_curves(result);
+    const std::vector<NamedCurve> angles = angle_curves(result, most_curves);
     std::vector<std::string> names;
     for (const std::vector<NamedCurve> *list : {&amplitude, &angles})
         for (const NamedCurve &curve : *list)
@@ -119,22 +119,26 @@ Figure simulate_figure(const model::Case &scene, const SimulateResult &result, c
     const LegendedFigure room = beside_legend(864, 1080, constant ? 780 : 960, names);
     std::string panels =
         grid + fmt::format("set xrange [0:{}]\n", result.time) + logarithmic_axis(amplitude) +
-        room.panel(75, 400) + axes_beside_legend("Amplitude (µm)", "") +
+        room.panel(75, 400) +
+        axes_beside_legend(units.label("Amplitude", Quantity::amplitude), "") +
         draw(amplitude, result.balancers.size() + result.other_starts.size()) + "unset label\n" +
         linear_y + (lagging ? "set yrange [*:*]\n" : "set yrange [-190:190]\nset ytics 90\n") +
         room.panel(430, 715) +
-        axes_beside_legend(lagging ? "Ball speed / rotor speed" : "Angle in the rotor (deg)",
+        axes_beside_legend(lagging ? "Ball speed / rotor speed"
+                                   : units.label("Angle in the rotor", Quantity::angle),
                            constant ? "Time (s)" : "") +
         draw(angles, most_curves);
     if (!constant)
-        panels += operation_band(scene, speed_range(speed), SpeedAxis::y) +
+        panels += operation_band(scene, units, speed_range(units, speed), SpeedAxis::y) +
                   "set yrange [*:*]\nset ytics auto\n" + room.panel(745, 895) +
-                  axes_beside_legend("Speed (rpm)", "Time (s)") +
-                  draw({{"rotor", points_over(result.series.time, 1, speed, rpm)}}, 1);
+                  axes_beside_legend(units.label("Speed", Quantity::speed), "Time (s)") +
+                  draw({{"rotor",
+                         points_over(result.series.time, 1, speed, units.factor(Quantity::speed))}},
+                       1);
     return figure_of(room.width, room.height, "Motion in time: " + title_of(scene),
-                     fmt::format("outcome: {}, at the end {} rpm",
+                     fmt::format("outcome: {}, at the end {}",
                                  results::outcome_name(result.outcome),
-                                 readable(result.speed * rpm)),
+                                 drawn_value(units, Quantity::speed, result.speed)),
                      panels);
 }
 

@@ -23,44 +23,45 @@ constexpr const char *critical_look = "dt 2 lw 1.3 lc rgb '#0072B2'";
 constexpr const char *additional_look = "dt 4 lw 1.3 lc rgb '#D55E00'";
 
 /// Bands over the whole height of a panel, behind everything.
-std::string shaded(const Bands &bands, const char *colour) {
+std::string shaded(const Units &units, const Bands &bands, const char *colour) {
     std::string text;
     for (const auto &[from, to] : bands)
         text += fmt::format("set object rectangle from first {},graph 0 to first {},graph 1 behind "
                             "fs solid noborder fc rgb '{}'\n",
-                            from * rpm, to * rpm, colour);
+                            units(Quantity::speed, from), units(Quantity::speed, to), colour);
     return text;
 }
 
-std::string marks(const std::vector<double> &speeds, const char *look) {
+std::string marks(const Units &units, const std::vector<double> &speeds, const char *look) {
     std::string text;
     for (const double speed : speeds)
-        text += upright(speed * rpm, look);
+        text += upright(units(Quantity::speed, speed), look);
     return text;
 }
 
 /// One row of bars below the growth: intervals over the arrangements.
-std::string bars(const Bands &bands, double row, const char *colour) {
+std::string bars(const Units &units, const Bands &bands, double row, const char *colour) {
     std::string text;
     for (const auto &[from, to] : bands) // with a line, which shows where the bar is too thin
         text += fmt::format("set object rectangle from first {0},first {1} to first {2},first {3} "
                             "fs solid noborder fc rgb '{4}'\nset arrow from first {0},first {1} "
                             "to first {0},first {3} nohead lw 2 lc rgb '{4}'\n",
-                            from * rpm, row - 0.3, to * rpm, row + 0.3, colour);
+                            units(Quantity::speed, from), row - 0.3, units(Quantity::speed, to),
+                            row + 0.3, colour);
     return text;
 }
 
 /// Growth at the given speeds, and 0 at the ends of the bands, which are exact: between the speeds
 /// the curve leaves zero where they are.
-std::vector<PlotPoint> growth_points(const StabilityResult &result,
+std::vector<PlotPoint> growth_points(const Units &units, const StabilityResult &result,
                                      const std::vector<double> &growth, const Bands &bands) {
     std::vector<PlotPoint> points;
     for (std::size_t i = 0; i < result.speeds.size(); ++i)
-        points.push_back({result.speeds[i] * rpm, growth[i]});
+        points.push_back({units(Quantity::speed, result.speeds[i]), growth[i]});
     for (const auto &[from, to] : bands)
         for (const double end : {from, to})
             if (end > result.speeds.front() && end < result.speeds.back())
-                points.push_back({end * rpm, 0.0});
+                points.push_back({units(Quantity::speed, end), 0.0});
     std::stable_sort(points.begin(), points.end(),
                      [](const PlotPoint &a, const PlotPoint &b) { return a.x < b.x; });
     return points;
@@ -108,52 +109,63 @@ std::string growth_range(const StabilityResult &result) {
                        std::max(0.0, centre) + reach);
 }
 
-std::string growth_panel(const model::Case &scene, const StabilityResult &result) {
+std::string growth_panel(const model::Case &scene, const Units &units,
+                         const StabilityResult &result) {
     const bool one = result.speeds.size() == 1; // a point amid its panel
-    const Range x = speed_range(result.speeds);
-    std::string text = operation_band(scene, x);
+    const Range x = speed_range(units, result.speeds);
+    std::string text = operation_band(scene, units, x);
     if (result.family)
-        text += shaded(result.family->unstable, shade_some);
-    text += shaded(result.unstable, shade) + operation_edges(scene, x) +
-            marks(result.critical_speeds, critical_look) +
-            marks(result.additional_speeds, additional_look) +
+        text += shaded(units, result.family->unstable, shade_some);
+    text += shaded(units, result.unstable, shade) + operation_edges(scene, units, x) +
+            marks(units, result.critical_speeds, critical_look) +
+            marks(units, result.additional_speeds, additional_look) +
             fmt::format("set xrange [{}:{}]\n", x.low, x.high) + growth_range(result);
     Curves drawn;
-    drawn.add(growth_points(result, result.growth, result.unstable),
+    drawn.add(growth_points(units, result, result.growth, result.unstable),
               fmt::format("with {} lw 2 lc rgb '#222222'", one ? "points pt 7" : "lines"),
               "'growth'");
     if (result.resolved_up_to)
-        drawn.add(growth_points(result, result.resolved_growth, result.resolved_unstable),
+        drawn.add(growth_points(units, result, result.resolved_growth, result.resolved_unstable),
                   fmt::format("with {} lw 2 lc rgb '#009E73'", one ? "points pt 7" : "lines dt 2"),
                   "'growth of motions that the elements resolve'");
     add_growth_keys(scene, result, drawn);
-    drawn.add(operation_key(scene, x));
+    drawn.add(operation_key(scene, units, x));
     return text + grid +
            "set xzeroaxis lc rgb '#555555' lw 1\n"
-           "set xlabel 'Spin speed (rpm)'\nset ylabel 'Growth, largest real part (1/s)'\n"
+           "set xlabel " +
+           axis_text(units, "Spin speed", Quantity::speed) + "\nset ylabel " +
+           axis_text(units, "Growth, largest real part", Quantity::rate) +
+           "\n"
            "set key at graph 0,1.02 left bottom horizontal reverse Left samplen 2 maxrows 3\n" +
            drawn.script() +
            "unset label\nunset object\nunset arrow\nunset xzeroaxis\nset autoscale y\n"
            "set format y\n";
 }
 
-std::string family_panel(const model::Case &scene, const StabilityResult &result) {
+std::string family_panel(const model::Case &scene, const Units &units,
+                         const StabilityResult &result) {
     const auto &family = *result.family;
-    return operation_band(scene, speed_range(result.speeds)) +
-           bars(family.anisotropy.empty() ? Bands{} : family.unstable, 4, "#E58AA6") +
-           bars(family.always_unstable, 3, "#B0305C") + bars(family.critical_speeds, 2, "#0072B2") +
-           bars(family.additional_speeds, 1, "#D55E00") +
+    return operation_band(scene, units, speed_range(units, result.speeds)) +
+           bars(units, family.anisotropy.empty() ? Bands{} : family.unstable, 4, "#E58AA6") +
+           bars(units, family.always_unstable, 3, "#B0305C") +
+           bars(units, family.critical_speeds, 2, "#0072B2") +
+           bars(units, family.additional_speeds, 1, "#D55E00") +
            "set yrange [0.3:4.7]\nset ytics ('unstable, some' 4, 'unstable, every' 3, 'critical' "
-           "2, 'additional' 1)\nunset ylabel\nset xlabel 'Spin speed (rpm)'\nunset key\n"
+           "2, 'additional' 1)\nunset ylabel\nset xlabel " +
+           axis_text(units, "Spin speed", Quantity::speed) +
+           "\nunset key\n"
            "plot NaN notitle\nunset object\nunset arrow\nset ytics auto\nset autoscale y\n";
 }
 
-std::string axis_title(const model::MapAxis &axis) {
-    return axis.path == "speed" ? "Spin speed (rpm)" : axis.path;
+std::string axis_title(const Units &units, const model::MapAxis &axis) {
+    return axis.path == "speed" ? units.label("Spin speed", Quantity::speed) : axis.path;
 }
 
-std::string map_panel(const model::Case &scene, const results::StabilityMap &map) {
-    const auto scale = [](const model::MapAxis &axis) { return axis.path == "speed" ? rpm : 1.0; };
+std::string map_panel(const model::Case &scene, const Units &units,
+                      const results::StabilityMap &map) {
+    const auto scale = [&](const model::MapAxis &axis) {
+        return axis.path == "speed" ? units.factor(Quantity::speed) : 1.0;
+    };
     double largest = 0;
     std::string text = "$map << EOD\n";
     for (std::size_t j = 0; j < map.growth.size(); ++j) {
@@ -168,37 +180,42 @@ std::string map_panel(const model::Case &scene, const results::StabilityMap &map
         largest = 1;
     const auto lines = [&](const model::MapAxis &of, const std::vector<double> &at,
                            SpeedAxis axis) {
-        return of.path == "speed"
-                   ? operation_lines(scene, {at.front() * rpm, at.back() * rpm}, axis)
-                   : std::string();
+        return of.path == "speed" ? operation_lines(scene, units,
+                                                    {units(Quantity::speed, at.front()),
+                                                     units(Quantity::speed, at.back())},
+                                                    axis)
+                                  : std::string();
     };
     return text + "EOD\n" + lines(map.x, map.x_values, SpeedAxis::x) +
            lines(map.y, map.y_values, SpeedAxis::y) +
            fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\nset cbrange [{}:{}]\n"
                        "set palette defined (-1 '#2166AC', -0.001 '#E8F1F8', 0 '#FFFFFF', 0.001 "
-                       "'#FBE3EA', 1 '#B0305C')\nset cblabel 'Growth (1/s)'\n"
+                       "'#FBE3EA', 1 '#B0305C')\nset cblabel {}\n"
                        "set xlabel {}\nset ylabel {}\nunset key\nunset grid\nset pm3d map\n"
                        "plot $map using 1:2:3 with image notitle\n",
                        map.x_values.front() * scale(map.x), map.x_values.back() * scale(map.x),
                        map.y_values.front() * scale(map.y), map.y_values.back() * scale(map.y),
-                       -largest, largest, plot_text(axis_title(map.x)),
-                       plot_text(axis_title(map.y)));
+                       -largest, largest, axis_text(units, "Growth", Quantity::rate),
+                       plot_text(axis_title(units, map.x)), plot_text(axis_title(units, map.y)));
 }
 
 } // namespace
 
-Figure stability_figure(const model::Case &scene, const StabilityResult &result, const Units &) {
+Figure stability_figure(const model::Case &scene, const StabilityResult &result,
+                        const Units &units) {
     const int height = 545 + (result.family ? 240 : 0) + (result.map ? 560 : 0);
     const LegendedFigure room{1180, 0.125, 0.95, height};
     const LegendedFigure beside_palette{1180, 0.125, 0.85, height};
     int bottom = 475;
-    std::string panels = room.panel(130, bottom) + growth_panel(scene, result); // 3 rows of the key
+    std::string panels =
+        room.panel(130, bottom) + growth_panel(scene, units, result); // 3 rows of the key
     if (result.family) {
-        panels += room.panel(bottom + 75, bottom + 240) + family_panel(scene, result);
+        panels += room.panel(bottom + 75, bottom + 240) + family_panel(scene, units, result);
         bottom += 240;
     }
     if (result.map)
-        panels += beside_palette.panel(bottom + 95, bottom + 505) + map_panel(scene, *result.map);
+        panels +=
+            beside_palette.panel(bottom + 95, bottom + 505) + map_panel(scene, units, *result.map);
     return figure_of(1180, height, "Stability: " + title_of(scene),
                      result.family || result.map
                          ? "over spin speed, and what the case asks for below"

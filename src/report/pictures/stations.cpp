@@ -48,8 +48,8 @@ std::vector<std::size_t> drawn_stations(const SimulateResult &result) {
     return drawn;
 }
 
-std::string station_name(const StationMotion &station) {
-    return place_text(station.name, station.z);
+std::string station_name(const Units &units, const StationMotion &station) {
+    return place_text(units, station.name, station.z);
 }
 
 bool speed_changes(const SimulateResult &result) {
@@ -69,22 +69,23 @@ std::string peak_look(std::size_t index) {
     return fmt::format("with points lc rgb '{}' pt {} ps 1.1", style.colour, style.point);
 }
 
-std::string amplitude_over_time(const SimulateResult &result) {
+std::string amplitude_over_time(const Units &units, const SimulateResult &result) {
     Curves lines;
     const std::vector<std::size_t> drawn = drawn_stations(result);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const StationMotion &station = result.stations[drawn[i]];
-        lines.add(
-            points_over(result.series.time, 1, result.series.amplitude[drawn[i]], micrometres),
-            station_look(i, "1", 1.4), plot_text(station_name(station)));
-        lines.add({{station.peak.time, station.peak.value * micrometres}}, peak_look(i));
+        lines.add(points_over(result.series.time, 1, result.series.amplitude[drawn[i]],
+                              units.factor(Quantity::amplitude)),
+                  station_look(i, "1", 1.4), plot_text(station_name(units, station)));
+        lines.add({{station.peak.time, units(Quantity::amplitude, station.peak.value)}},
+                  peak_look(i));
     }
-    return axes_beside_legend("Amplitude (µm)", "Time (s)") +
+    return axes_beside_legend(units.label("Amplitude", Quantity::amplitude), "Time (s)") +
            fmt::format("set xrange [0:{}]\nset yrange [0:*]\n", result.time) + lines.script();
 }
 
 /// Linear, or logarithmic where the steady peaks would leave nothing of the motion to see.
-std::string amplitude_range(const SimulateResult &result) {
+std::string amplitude_range(const Units &units, const SimulateResult &result) {
     constexpr double comparable = 4;
     constexpr double decades = 1e-3; ///< of the highest: the least that is drawn
     double steady = 0;
@@ -94,22 +95,24 @@ std::string amplitude_range(const SimulateResult &result) {
     const double peak = result.stations[results::largest_station(result.stations)].peak.value;
     if (steady <= comparable * peak)
         return "set yrange [0:*]\n";
-    return logarithmic_y + fmt::format("set yrange [{}:*]\n", decades * peak * micrometres);
+    return logarithmic_y +
+           fmt::format("set yrange [{}:*]\n", decades * units(Quantity::amplitude, peak));
 }
 
 /// The steady response behind, the motion in front.
-std::string amplitude_over_speed(const SimulateResult &result) {
+std::string amplitude_over_speed(const Units &units, const SimulateResult &result) {
     Curves lines;
     const std::vector<std::size_t> drawn = drawn_stations(result);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         std::vector<PlotPoint> points =
-            points_over(result.steady.speeds, rpm, result.steady.amplitudes[drawn[i]], micrometres);
+            points_over(result.steady.speeds, units.factor(Quantity::speed),
+                        result.steady.amplitudes[drawn[i]], units.factor(Quantity::amplitude));
         const StationMotion &station = result.stations[drawn[i]];
         if (station.steady_peak && std::isfinite(*station.steady_peak)) {
-            const double speed = *station.steady_peak_speed * rpm;
+            const double speed = units(Quantity::speed, *station.steady_peak_speed);
             points.insert(std::find_if(points.begin(), points.end(),
                                        [&](const PlotPoint &p) { return p.x > speed; }),
-                          {speed, *station.steady_peak * micrometres});
+                          {speed, units(Quantity::amplitude, *station.steady_peak)});
         }
         if (!points.empty())
             lines.add(points, station_look(i, "(3,4)", 1),
@@ -117,56 +120,63 @@ std::string amplitude_over_speed(const SimulateResult &result) {
     }
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const StationMotion &station = result.stations[drawn[i]];
-        lines.add(
-            points_over(result.series.speed, rpm, result.series.amplitude[drawn[i]], micrometres),
-            station_look(i, "1", 1.4), i == 0 ? plot_text("in this motion") : "");
-        lines.add({{station.peak.speed * rpm, station.peak.value * micrometres}}, peak_look(i),
-                  i == 0 ? plot_text("its peak") : "");
+        lines.add(points_over(result.series.speed, units.factor(Quantity::speed),
+                              result.series.amplitude[drawn[i]], units.factor(Quantity::amplitude)),
+                  station_look(i, "1", 1.4), i == 0 ? plot_text("in this motion") : "");
+        lines.add({{units(Quantity::speed, station.peak.speed),
+                    units(Quantity::amplitude, station.peak.value)}},
+                  peak_look(i), i == 0 ? plot_text("its peak") : "");
     }
-    const Range x = speed_range(result.series.speed);
-    return axes_beside_legend("Amplitude (µm)", "Spin speed (rpm)") +
-           fmt::format("set xrange [{}:{}]\n", x.low, x.high) + amplitude_range(result) +
+    const Range x = speed_range(units, result.series.speed);
+    return axes_beside_legend(units.label("Amplitude", Quantity::amplitude),
+                              units.label("Spin speed", Quantity::speed)) +
+           fmt::format("set xrange [{}:{}]\n", x.low, x.high) + amplitude_range(units, result) +
            lines.script() + linear_y;
 }
 
 /// x and y of the station that moves most.
-std::string deflection_over_time(const SimulateResult &result) {
+std::string deflection_over_time(const Units &units, const SimulateResult &result) {
     const std::size_t largest = results::largest_station(result.stations);
     Curves lines;
-    const std::string of = " at " + station_name(result.stations[largest]);
-    lines.add(points_over(result.series.time, 1, result.series.x[largest], micrometres),
+    const std::string of = " at " + station_name(units, result.stations[largest]);
+    lines.add(points_over(result.series.time, 1, result.series.x[largest],
+                          units.factor(Quantity::deflection)),
               station_look(0, "1", 1), plot_text("x" + of));
-    lines.add(points_over(result.series.time, 1, result.series.y[largest], micrometres),
+    lines.add(points_over(result.series.time, 1, result.series.y[largest],
+                          units.factor(Quantity::deflection)),
               station_look(1, "1", 1), plot_text("y" + of));
-    return axes_beside_legend("Deflection (µm)", "Time (s)") +
+    return axes_beside_legend(units.label("Deflection", Quantity::deflection), "Time (s)") +
            fmt::format("set xrange [0:{}]\nset yrange [*:*]\n", result.time) + lines.script();
 }
 
-std::string speed_over_time(const SimulateResult &result) {
+std::string speed_over_time(const Units &units, const SimulateResult &result) {
     Curves lines;
-    lines.add(points_over(result.series.time, 1, result.series.speed, rpm),
-              station_look(0, "1", 1.4), plot_text("rotor"));
-    return axes_beside_legend("Speed (rpm)", "Time (s)") +
+    lines.add(
+        points_over(result.series.time, 1, result.series.speed, units.factor(Quantity::speed)),
+        station_look(0, "1", 1.4), plot_text("rotor"));
+    return axes_beside_legend(units.label("Speed", Quantity::speed), "Time (s)") +
            fmt::format("set xrange [0:{}]\nset yrange [*:*]\n", result.time) + lines.script();
 }
 
 } // namespace
 
-Figure stations_figure(const model::Case &scene, const SimulateResult &result, const Units &) {
+Figure stations_figure(const model::Case &scene, const SimulateResult &result, const Units &units) {
     const bool changes = speed_changes(result);
     std::vector<std::string> names;
     for (const StationMotion &station : result.stations)
-        names.push_back("x at " + station_name(station));
+        names.push_back("x at " + station_name(units, station));
     const LegendedFigure room = beside_legend(821, 1080, changes ? 1010 : 760, names);
-    std::string panels = grid + room.panel(75, 380) + amplitude_over_time(result) + "unset label\n";
-    panels += changes
-                  ? operation_band(scene, speed_range(result.series.speed)) + room.panel(445, 750) +
-                        amplitude_over_speed(result) + "unset object\nunset arrow\n" +
-                        room.panel(815, 950) + speed_over_time(result)
-                  : room.panel(445, 700) + deflection_over_time(result);
+    std::string panels =
+        grid + room.panel(75, 380) + amplitude_over_time(units, result) + "unset label\n";
+    panels += changes ? operation_band(scene, units, speed_range(units, result.series.speed)) +
+                            room.panel(445, 750) + amplitude_over_speed(units, result) +
+                            "unset object\nunset arrow\n" + room.panel(815, 950) +
+                            speed_over_time(units, result)
+                      : room.panel(445, 700) + deflection_over_time(units, result);
     return figure_of(room.width, room.height, "Motion in time: " + title_of(scene),
-                     fmt::format("{} after {} s at {} rpm", results::outcome_name(result.outcome),
-                                 readable(result.time), readable(result.speed * rpm)),
+                     fmt::format("{} after {} s at {}", results::outcome_name(result.outcome),
+                                 drawn_number(result.time),
+                                 drawn_value(units, Quantity::speed, result.speed)),
                      panels);
 }
 

@@ -1,7 +1,6 @@
 #include "report/pictures/style.h"
 
 #include "report/common/text_width.h"
-#include "report/common/units.h"
 #include "results/whirl.h"
 
 #include <fmt/format.h>
@@ -39,6 +38,37 @@ LineStyle series_style(std::size_t index) {
     style.dash = further.dash;
     style.point = further.point;
     return style;
+}
+
+std::string drawn_number(double value, int digits) { return with_powers(readable(value, digits)); }
+
+std::string drawn_value(const Units &units, Quantity quantity, double si, int digits) {
+    return drawn_number(units(quantity, si), digits) + " " + units.name(quantity);
+}
+
+std::string degrees_text(double angle) { return drawn_number(angle * degrees, 4) + "°"; }
+
+std::string drawn_speed(const Units &units, double speed) {
+    const double value = units(Quantity::speed, speed);
+    return std::abs(value) < 1000 || std::abs(value) >= 1e6 ? drawn_number(value, 4)
+                                                            : fmt::format("{:.0f}", value);
+}
+
+std::string place_text(const Units &units, const std::string &name, double z) {
+    std::vector<std::string> parts;
+    for (std::size_t from = 0; from < name.size();) {
+        const std::size_t to = std::min(name.find(", ", from), name.size());
+        const std::string part = name.substr(from, to - from);
+        if (std::find(parts.begin(), parts.end(), part) == parts.end())
+            parts.push_back(part);
+        from = to + 2;
+    }
+    parts.push_back("z = " + drawn_value(units, Quantity::length, z, 4));
+    return joined(parts, ", ");
+}
+
+std::string axis_text(const Units &units, const std::string &what, Quantity quantity) {
+    return plot_text(units.label(what, quantity));
 }
 
 std::string plot_number(std::optional<double> value) {
@@ -124,8 +154,8 @@ Figure figure_of(int width, int height, const std::string &title, const std::str
                         "set label 101 {} at screen 0.5,{} center font ',15'\n"
                         "set label 102 {} at screen 0.5,{} center font ',11' textcolor '#555555'\n"
                         "{}unset multiplot\n",
-                        kept_as_written(plot_text(title)), 1 - 22 * pixel, plot_text(subtitle),
-                        1 - 48 * pixel, panels),
+                        plot_text(title), 1 - 22 * pixel, plot_text(subtitle), 1 - 48 * pixel,
+                        panels),
             width, height};
 }
 
@@ -149,7 +179,7 @@ std::string axes_beside_legend(const std::string &left, const std::string &below
 double widest_text(const std::vector<std::string> &texts) {
     double widest = 0;
     for (const std::string &text : texts)
-        widest = std::max(widest, text_width(in_written_units(text), picture_font));
+        widest = std::max(widest, text_width(text, picture_font));
     return widest;
 }
 
@@ -172,9 +202,9 @@ Range range_of(const std::vector<double> &values) {
     return {*low - half, *high + half};
 }
 
-Range speed_range(const std::vector<double> &speeds) {
+Range speed_range(const Units &units, const std::vector<double> &speeds) {
     const Range range = range_of(speeds);
-    return {range.low * rpm, range.high * rpm};
+    return {units(Quantity::speed, range.low), units(Quantity::speed, range.high)};
 }
 
 std::string axes_over(Range x, Range y) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "report/common/gnuplot.h"
+#include "report/common/units.h"
 #include "report/common/words.h"
 #include "results/whirl.h"
 
@@ -26,6 +27,21 @@ inline constexpr const char *heavy_colour = "#A0A0A0";
 /// The index-th of a row of styles that differ in colour, dash and marker.
 [[nodiscard]] LineStyle series_style(std::size_t index);
 
+/// A number in a text of a picture, its power of ten as it is written by hand: "2·10⁷".
+[[nodiscard]] std::string drawn_number(double value, int digits = 5);
+/// The same of a number in SI, with its unit: "2·10⁷ N/m".
+[[nodiscard]] std::string drawn_value(const Units &units, Quantity quantity, double si,
+                                      int digits = 5);
+/// Of an angle in rad: "45°".
+[[nodiscard]] std::string degrees_text(double angle);
+/// A speed beside a mark, in rpm or whatever it is read in: "17", "3.77", "12346", "1.614·10⁸".
+[[nodiscard]] std::string drawn_speed(const Units &units, double speed);
+/// A place of the rotor in a legend, each part of its name once ("race, race" of two items there is
+/// "race"): "race, z = 0.5 m".
+[[nodiscard]] std::string place_text(const Units &units, const std::string &name, double z);
+/// Name of an axis: for `set xlabel`.
+[[nodiscard]] std::string axis_text(const Units &units, const std::string &what, Quantity quantity);
+
 /// Number for gnuplot data; NaN where it is missing or not finite, which leaves a gap.
 [[nodiscard]] std::string plot_number(std::optional<double> value);
 
@@ -34,6 +50,10 @@ struct PlotPoint {
     double x = 0;
     std::optional<double> y;
 };
+/// For the scripts of pages: [x, y].
+template <class Json> void to_json(Json &json, const PlotPoint &point) {
+    json = Json::array({point.x, point.y});
+}
 /// Named data block; each polyline is set apart from the next by an empty line.
 [[nodiscard]] std::string data_block(const std::string &name,
                                      const std::vector<std::vector<PlotPoint>> &polylines);
@@ -77,6 +97,9 @@ struct NamedCurve {
     std::string name;
     std::vector<PlotPoint> points;
 };
+template <class Json> void to_json(Json &json, const NamedCurve &curve) {
+    json = {{"name", curve.name}, {"points", curve.points}};
+}
 /// "with lines lc rgb '#0072B2' lw 2 dt 1"
 [[nodiscard]] std::string line_look(const LineStyle &style, double width);
 
@@ -100,7 +123,7 @@ inline constexpr const char *legend_beside =
 [[nodiscard]] std::string axes_beside_legend(const std::string &left, const std::string &below);
 
 constexpr double picture_font = 14; ///< of gnuplot (common/gnuplot.cpp), pixels
-/// Width of the widest of some texts as they are written, in the units asked for, pixels.
+/// Width of the widest of some texts, pixels.
 [[nodiscard]] double widest_text(const std::vector<std::string> &texts);
 
 /// A figure whose panels have their legends at their right (legend_beside): as wide as the longest
@@ -126,8 +149,8 @@ struct Range {
 };
 /// Smallest and largest of the values, widened where they are equal.
 [[nodiscard]] Range range_of(const std::vector<double> &values);
-/// The same of spin speeds, in rpm.
-[[nodiscard]] Range speed_range(const std::vector<double> &speeds);
+/// The same of spin speeds in the unit in which they are read.
+[[nodiscard]] Range speed_range(const Units &units, const std::vector<double> &speeds);
 /// The ends of both axes.
 [[nodiscard]] std::string axes_over(Range x, Range y);
 

@@ -26,7 +26,7 @@ bool monotonic(const std::vector<double> &speeds) {
             std::is_sorted(speeds.begin(), speeds.end(), std::greater<>()));
 }
 
-/// Highest frequency, Hz, with something to see, and at least twice the spin speed.
+/// Highest frequency, rad/s, with something to see, and at least twice the spin speed.
 double highest_frequency(const Waterfall &waterfall, double largest) {
     std::size_t last = 0;
     for (const std::vector<double> &spectrum : waterfall.amplitude)
@@ -37,14 +37,14 @@ double highest_frequency(const Waterfall &waterfall, double largest) {
     for (const double speed : waterfall.speeds)
         fastest = std::max(fastest, std::abs(speed));
     const double wanted = std::max(1.2 * waterfall.frequencies[last], 2.2 * fastest);
-    return std::min(wanted, waterfall.frequencies.back()) * hertz;
+    return std::min(wanted, waterfall.frequencies.back());
 }
 
 /// Where the lines stand and how high they are.
 class Layout {
   public:
-    explicit Layout(const Waterfall &waterfall)
-        : _waterfall(waterfall), _over_speed(monotonic(waterfall.speeds)) {
+    Layout(const Units &units, const Waterfall &waterfall)
+        : _units(units), _waterfall(waterfall), _over_speed(monotonic(waterfall.speeds)) {
         for (const std::vector<double> &spectrum : waterfall.amplitude)
             _largest = std::max(_largest, *std::max_element(spectrum.begin(), spectrum.end()));
         for (std::size_t k = 0; k < waterfall.times.size(); ++k)
@@ -54,14 +54,14 @@ class Layout {
                   [&](std::size_t a, std::size_t b) { return base(a) > base(b); });
         const double gap = (highest() - lowest()) / static_cast<double>(_order.size());
         _scale = _largest > 0 ? room * gap / _largest : 0;
-        _right = highest_frequency(waterfall, _largest);
+        _right = units(Quantity::frequency, highest_frequency(waterfall, _largest));
     }
 
     [[nodiscard]] bool over_speed() const { return _over_speed; }
     [[nodiscard]] double largest() const { return _largest; } ///< m
-    [[nodiscard]] double right() const { return _right; }     ///< Hz
+    [[nodiscard]] double right() const { return _right; }     ///< a frequency in its unit
     [[nodiscard]] double base(std::size_t k) const {
-        return _over_speed ? _waterfall.speeds[k] * rpm : _waterfall.times[k];
+        return _over_speed ? _units(Quantity::speed, _waterfall.speeds[k]) : _waterfall.times[k];
     }
     [[nodiscard]] double lowest() const { return base(_order.back()); }
     [[nodiscard]] double highest() const { return base(_order.front()); }
@@ -72,21 +72,24 @@ class Layout {
     [[nodiscard]] std::vector<PlotPoint> line(std::size_t k) const {
         std::vector<PlotPoint> points;
         for (std::size_t i = 0; i < _waterfall.frequencies.size(); ++i)
-            if (_waterfall.frequencies[i] * hertz <= _right)
-                points.push_back({_waterfall.frequencies[i] * hertz,
-                                  base(k) + _scale * _waterfall.amplitude[k][i]});
+            if (const double x = _units(Quantity::frequency, _waterfall.frequencies[i]);
+                x <= _right)
+                points.push_back({x, base(k) + _scale * _waterfall.amplitude[k][i]});
         return points;
     }
     /// A multiple of the spin speed across the lines.
     [[nodiscard]] std::vector<PlotPoint> multiple(double order) const {
         std::vector<PlotPoint> points;
         for (const std::size_t k : _order)
-            if (const double x = order * std::abs(_waterfall.speeds[k]) * hertz; x <= _right)
+            if (const double x =
+                    _units(Quantity::frequency, order * std::abs(_waterfall.speeds[k]));
+                x <= _right)
                 points.push_back({x, base(k)});
         return points;
     }
 
   private:
+    const Units &_units;
     const Waterfall &_waterfall;
     bool _over_speed;
     double _largest = 0;
@@ -95,7 +98,7 @@ class Layout {
     std::vector<std::size_t> _order;
 };
 
-std::string order_name(double order) { return readable(order) + "× spin speed"; }
+std::string order_name(double order) { return drawn_number(order) + "× spin speed"; }
 
 /// Data blocks and plot command.
 std::string lines_of(const Layout &layout) {
@@ -117,20 +120,22 @@ std::string lines_of(const Layout &layout) {
 
 } // namespace
 
-Figure waterfall_figure(const model::Case &scene, const Waterfall &waterfall, const Units &) {
-    const Layout layout(waterfall);
-    const std::string place = place_text(waterfall.name, waterfall.z);
+Figure waterfall_figure(const model::Case &scene, const Waterfall &waterfall, const Units &units) {
+    const Layout layout(units, waterfall);
+    const std::string place = place_text(units, waterfall.name, waterfall.z);
     std::vector<std::string> names;
     for (const double order : orders)
         names.push_back(order_name(order));
     const LegendedFigure room = beside_legend(907, 1080, 760, names);
     return figure_of(
         room.width, room.height, "Waterfall: " + title_of(scene),
-        fmt::format("{}, windows of {} s; the highest line is {} µm", place,
-                    readable(waterfall.window, 3), readable(layout.largest() * micrometres, 4)),
+        fmt::format("{}, windows of {} s; the highest line is {}", place,
+                    drawn_number(waterfall.window, 3),
+                    drawn_value(units, Quantity::amplitude, layout.largest(), 4)),
         panel_margins(room.left, room.right, 0.09, 0.885) +
-            axes_beside_legend(layout.over_speed() ? "Spin speed (rpm)" : "Time (s)",
-                               "Frequency (Hz)") +
+            axes_beside_legend(layout.over_speed() ? units.label("Spin speed", Quantity::speed)
+                                                   : "Time (s)",
+                               units.label("Frequency", Quantity::frequency)) +
             axes_over({0, layout.right()}, {layout.lowest(), layout.top()}) + lines_of(layout));
 }
 

@@ -37,11 +37,17 @@ std::vector<const ResponsePeak *> labelled_peaks(const ResponseResult &result, s
     return peaks;
 }
 
+/// "2951 rpm"
+std::string speed_text(const Units &units, const ResponsePeak &peak) {
+    return drawn_speed(units, peak.speed) + " " + units.name(Quantity::speed);
+}
+
 /// "2951 rpm, AF 12.3"
-std::string peak_text(const ResponsePeak &peak) {
-    const std::string speed = short_speed(peak.speed * rpm) + " rpm";
-    return peak.amplification ? fmt::format("{}, AF {}", speed, readable(*peak.amplification, 3))
-                              : speed;
+std::string peak_text(const Units &units, const ResponsePeak &peak) {
+    const std::string speed = speed_text(units, peak);
+    return peak.amplification
+               ? fmt::format("{}, AF {}", speed, drawn_number(*peak.amplification, 3))
+               : speed;
 }
 
 /// Fractions of a panel.
@@ -100,10 +106,10 @@ std::optional<std::size_t> largest_station(const ResponseResult &result) {
     return largest;
 }
 
-PeakMarks peak_marks(const ResponseResult &result, std::size_t station, const BodePanel &panel,
-                     const std::vector<NamedCurve> &busy) {
+PeakMarks peak_marks(const Units &units, const ResponseResult &result, std::size_t station,
+                     const BodePanel &panel, const std::vector<NamedCurve> &busy) {
     const auto &of = result.nodes[station];
-    PeakMarks marks{.name = "peaks of " + place_text(of.name, of.z)};
+    PeakMarks marks{.name = "peaks of " + place_text(units, of.name, of.z)};
     LabelPlacer placer = occupied(panel, busy);
     const Across at{panel};
     std::vector<PlotPoint> tops;
@@ -111,13 +117,16 @@ PeakMarks peak_marks(const ResponseResult &result, std::size_t station, const Bo
     int unnamed = 0;
     int arrow = 500;
     for (const ResponsePeak *peak : labelled_peaks(result, station)) {
-        const double value = peak->value * micrometres;
-        tops.push_back({peak->speed * rpm, value});
-        for (const std::optional<double> &half : {peak->lower, peak->upper})
-            if (half && *half * rpm >= panel.x.low && *half * rpm <= panel.x.high)
-                halves.push_back({*half * rpm, value / std::sqrt(2.0)});
-        const std::string text = peak_text(*peak);
-        const auto box = placer.place(at.x(peak->speed * rpm), at.y(value),
+        const double value = units(Quantity::amplitude, peak->value);
+        const double speed = units(Quantity::speed, peak->speed);
+        tops.push_back({speed, value});
+        for (const std::optional<double> &half : {peak->lower, peak->upper}) {
+            const double x = units(Quantity::speed, half.value_or(NAN));
+            if (x >= panel.x.low && x <= panel.x.high)
+                halves.push_back({x, value / std::sqrt(2.0)});
+        }
+        const std::string text = peak_text(units, *peak);
+        const auto box = placer.place(at.x(speed), at.y(value),
                                       (text_width(text, label_size) + 8) / panel.pixels_wide,
                                       15 / panel.pixels_high);
         unnamed += box ? 0 : 1;
@@ -125,7 +134,7 @@ PeakMarks peak_marks(const ResponseResult &result, std::size_t station, const Bo
             continue;
         marks.before += fmt::format("set label {} at graph {},{} left font ',{}'\n",
                                     plot_text(text), box->x, box->y + box->height / 2, label_size);
-        const std::string line = leader(*box, at.x(peak->speed * rpm), at.y(value), panel);
+        const std::string line = leader(*box, at.x(speed), at.y(value), panel);
         if (!line.empty()) { // numbered, for the trip speed is an arrow too
             marks.before += fmt::format("set arrow {} {}\n", ++arrow, line);
             marks.after += fmt::format("unset arrow {}\n", arrow);
@@ -165,19 +174,19 @@ struct PolarLine {
 };
 
 /// The probes, whose readings have amplitude and phase in one direction; without any the stations.
-std::vector<PolarLine> polar_lines(const ResponseResult &result) {
+std::vector<PolarLine> polar_lines(const Units &units, const ResponseResult &result) {
     std::vector<PolarLine> lines;
     const std::size_t before = result.nodes.size() + result.bearings.size();
     for (std::size_t i = 0; i < result.probes.size(); ++i) {
         const auto &probe = result.probes[i];
         if (before + i < result.curves.values.size())
-            lines.push_back({fmt::format("{} at {:.4g}°", place_text(probe.name, probe.z),
-                                         probe.angle * degrees),
+            lines.push_back({fmt::format("{} at {}", place_text(units, probe.name, probe.z),
+                                         degrees_text(probe.angle)),
                              before + i, labelled_peaks(result, i, "probe")});
     }
     if (lines.empty())
         for (const std::size_t i : drawn_nodes(result))
-            lines.push_back({place_text(result.nodes[i].name, result.nodes[i].z), i,
+            lines.push_back({place_text(units, result.nodes[i].name, result.nodes[i].z), i,
                              labelled_peaks(result, i)});
     return lines;
 }
@@ -191,12 +200,13 @@ double largest_of(const ResponseResult &result, const PolarLine &line) {
     return most;
 }
 
-std::vector<PlotPoint> polar_points(const ResponseResult &result, std::size_t curve) {
+std::vector<PlotPoint> polar_points(const Units &units, const ResponseResult &result,
+                                    std::size_t curve) {
     std::vector<PlotPoint> points;
     const std::vector<double> &amplitude = amplitudes_of(result, curve);
     const std::vector<double> &phase = phases_of(result, curve);
     for (std::size_t k = 0; k < amplitude.size() && k < phase.size(); ++k) {
-        const double size = amplitude[k] * micrometres;
+        const double size = units(Quantity::amplitude, amplitude[k]);
         if (size == 0)
             points.push_back({0, 0});
         else if (std::isfinite(phase[k]))
@@ -259,15 +269,17 @@ std::string rings(double largest) {
     std::string script;
     for (int i = 1; i * step <= largest * (1 + 1e-9); ++i) {
         circles.push_back(circle_points(i * step));
-        script += fmt::format("set label '{:.12g}' at {},{} center font ',9' textcolor '#777777'\n",
-                              i * step, i * step * std::cos(pi / 4), -i * step * std::sin(pi / 4));
+        script += fmt::format("set label {} at {},{} center font ',9' textcolor '#777777'\n",
+                              plot_text(drawn_number(i * step)), i * step * std::cos(pi / 4),
+                              -i * step * std::sin(pi / 4));
     }
     return script + data_block("rings", circles);
 }
 
 /// Peaks of a curve with their speeds, where there is room beside all curves and the marks.
-std::string polar_peaks(const ResponseResult &result, const std::vector<PolarLine> &lines,
-                        const PolarLine &line, double range, double pixels) {
+std::string polar_peaks(const Units &units, const ResponseResult &result,
+                        const std::vector<PolarLine> &lines, const PolarLine &line, double range,
+                        double pixels) {
     LabelPlacer placer;
     std::vector<PlotPoint> tops;
     std::string script;
@@ -277,16 +289,17 @@ std::string polar_peaks(const ResponseResult &result, const std::vector<PolarLin
                       2 * half / pixels, 2 * half / pixels});
     };
     for (const PolarLine &other : lines)
-        for (const PlotPoint &point : smooth(polar_points(result, other.curve)))
+        for (const PlotPoint &point : smooth(polar_points(units, result, other.curve)))
             block(point.x, *point.y, 3);
-    for (const ResponsePeak *peak : line.peaks)
-        block(peak->value * micrometres * std::cos(peak->phase),
-              peak->value * micrometres * std::sin(peak->phase), 9);
     for (const ResponsePeak *peak : line.peaks) {
-        const double size = peak->value * micrometres;
-        const PlotPoint top{size * std::cos(peak->phase), size * std::sin(peak->phase)};
-        tops.push_back(top);
-        const std::string text = short_speed(peak->speed * rpm) + " rpm";
+        const double size = units(Quantity::amplitude, peak->value);
+        tops.push_back({size * std::cos(peak->phase), size * std::sin(peak->phase)});
+        block(tops.back().x, *tops.back().y, 9);
+    }
+    for (std::size_t i = 0; i < tops.size(); ++i) {
+        const PlotPoint &top = tops[i];
+        const double size = std::hypot(top.x, *top.y);
+        const std::string text = speed_text(units, *line.peaks[i]);
         if (size < 0.12 * range) { // amid all loops
             ++unnamed;
             continue;
@@ -306,12 +319,12 @@ std::string polar_peaks(const ResponseResult &result, const std::vector<PolarLin
 
 } // namespace
 
-Figure polar_figure(const model::Case &scene, const ResponseResult &result, const Units &) {
-    const std::vector<PolarLine> lines = polar_lines(result);
+Figure polar_figure(const model::Case &scene, const ResponseResult &result, const Units &units) {
+    const std::vector<PolarLine> lines = polar_lines(units, result);
     const PolarLine *largest = nullptr;
-    double most = 0; // micrometres
+    double most = 0; // in the unit of the axes
     for (const PolarLine &line : lines)
-        if (const double here = largest_of(result, line) * micrometres;
+        if (const double here = units(Quantity::amplitude, largest_of(result, line));
             !largest || here > most * (1 + 1e-9)) { // not for rounding to choose among equal ones
             largest = &line;
             most = here;
@@ -322,8 +335,8 @@ Figure polar_figure(const model::Case &scene, const ResponseResult &result, cons
     drawn.add("$rings with lines lc rgb '#DDDDDD' lw 0.8 notitle");
     for (std::size_t i = 0; i < lines.size(); ++i) {
         names.push_back(lines[i].name);
-        drawn.add(smooth(polar_points(result, lines[i].curve)), line_look(series_style(i), 1.8),
-                  plot_text(lines[i].name));
+        drawn.add(smooth(polar_points(units, result, lines[i].curve)),
+                  line_look(series_style(i), 1.8), plot_text(lines[i].name));
     }
     drawn.add("$tops with points pt 6 ps 1.5 lw 1.6 lc rgb '#000000' title " + plot_text(names[0]));
     constexpr int pixels = 640;
@@ -332,16 +345,18 @@ Figure polar_figure(const model::Case &scene, const ResponseResult &result, cons
     return figure_of(
         room.width, room.height, "Polar plot: " + title_of(scene),
         fmt::format(
-            "{} (µm) at the angle of {}, from {} to {} rpm",
-            probes ? "reading of the probes" : "amplitude", probes ? "its phase" : "the phase of x",
-            short_speed(result.speeds.front() * rpm), short_speed(result.speeds.back() * rpm)),
+            "{} at the angle of {}, from {} to {} {}",
+            units.label(probes ? "reading of the probes" : "amplitude", Quantity::amplitude),
+            probes ? "its phase" : "the phase of x", drawn_speed(units, result.speeds.front()),
+            drawn_speed(units, result.speeds.back()), units.name(Quantity::speed)),
         room.panel(730 - pixels, 730) +
-            fmt::format("set xrange [{0}:{1}]\nset yrange [{0}:{1}]\nset xzeroaxis lc rgb "
-                        "'#BBBBBB'\nset yzeroaxis lc rgb '#BBBBBB'\nset xlabel '{2} (µm)'\n"
-                        "set ylabel '{3} (µm)'\n{4}",
-                        -range, range, probes ? "in phase" : "x", probes ? "a quarter ahead" : "y",
-                        legend_beside) +
-            rings(most) + polar_peaks(result, lines, *largest, range, pixels) + drawn.script());
+            fmt::format(
+                "set xrange [{0}:{1}]\nset yrange [{0}:{1}]\nset xzeroaxis lc rgb "
+                "'#BBBBBB'\nset yzeroaxis lc rgb '#BBBBBB'\nset xlabel {2}\nset ylabel {3}\n{4}",
+                -range, range, axis_text(units, probes ? "in phase" : "x", Quantity::amplitude),
+                axis_text(units, probes ? "90° ahead" : "y", Quantity::amplitude), legend_beside) +
+            rings(most) + polar_peaks(units, result, lines, *largest, range, pixels) +
+            drawn.script());
 }
 
 } // namespace whirl::report

@@ -17,8 +17,8 @@ namespace whirl::report {
 
 /// A panel over spin speed with a logarithmic axis of amplitude, where labels are placed.
 struct BodePanel {
-    Range x; ///< rpm, or the unit that was asked for
-    Range y; ///< micrometres likewise
+    Range x; ///< speeds, in their unit
+    Range y; ///< amplitudes in theirs
     double pixels_wide = 0, pixels_high = 0;
 };
 
@@ -30,7 +30,7 @@ struct PeakMarks {
     std::string after{};  ///< takes away what is not for the next panel, behind it
 };
 /// @param busy  curves that labels should not lie on, in the units of the panel
-[[nodiscard]] PeakMarks peak_marks(const results::ResponseResult &result, std::size_t station,
+[[nodiscard]] PeakMarks peak_marks(const Units &units, const results::ResponseResult &result, std::size_t station,
                                    const BodePanel &panel, const std::vector<NamedCurve> &busy);
 
 /// Whether there is a polar plot: more than one speed, and every amplitude has a limit.

@@ -56,21 +56,19 @@ double round_below(double value) {
 }
 
 /// Deflections here are never from peak to peak: a clearance stands beside them.
-std::string deflection_unit() { return unit_name("deflection", "µm"); }
-std::string axis_name(const char *what) {
-    return plot_text(fmt::format("{} ({})", what, deflection_unit()));
-}
+constexpr Quantity drawn_as = Quantity::deflection;
 
-PlotPoint at_angle(const Orbit &orbit, double angle) {
-    return {orbit.x * std::cos(angle + orbit.x_phase) * still_micrometres,
-            orbit.y * std::cos(angle + orbit.y_phase) * still_micrometres};
+PlotPoint at_angle(const Units &units, const Orbit &orbit, double angle) {
+    return {units(drawn_as, orbit.x * std::cos(angle + orbit.x_phase)),
+            units(drawn_as, orbit.y * std::cos(angle + orbit.y_phase))};
 }
 
 /// A quarter of a turn after the phase mark, the way the orbit is run through.
-std::vector<PlotPoint> arrow_head(const Orbit &orbit, double sign, double size) {
+std::vector<PlotPoint> arrow_head(const Units &units, const Orbit &orbit, double sign,
+                                  double size) {
     constexpr double step = 1e-3; // of a turn
-    const PlotPoint before = at_angle(orbit, sign * (pi / 2 - step));
-    const PlotPoint there = at_angle(orbit, sign * (pi / 2 + step));
+    const PlotPoint before = at_angle(units, orbit, sign * (pi / 2 - step));
+    const PlotPoint there = at_angle(units, orbit, sign * (pi / 2 + step));
     const double dx = there.x - before.x;
     const double dy = *there.y - *before.y;
     const double length = std::hypot(dx, dy);
@@ -93,32 +91,32 @@ std::string orbit_words(const Orbit &orbit) {
 }
 
 /// Half of the side of a panel: the clearance circle where the orbit can be seen in it.
-double reach_of(const Orbit &orbit) {
+double reach_of(const Units &units, const Orbit &orbit) {
     constexpr double seen = 0.25;
     const double share = orbit.share().value_or(0);
     const double size = share >= seen     ? std::max(orbit.major, *orbit.clearance)
                         : orbit.major > 0 ? 1.15 * orbit.major
                                           : orbit.clearance.value_or(1e-6);
-    return 1.12 * size * still_micrometres;
+    return 1.12 * units(drawn_as, size);
 }
 
 /// @param sign  of the spin speed
-std::string orbit_panel(const Orbit &orbit, double sign) {
-    const double reach = reach_of(orbit);
+std::string orbit_panel(const Units &units, const Orbit &orbit, double sign) {
+    const double reach = reach_of(units, orbit);
     const double tic = round_below(0.9 * reach);
     std::string data;
     std::string plots;
-    if (orbit.clearance && *orbit.clearance * still_micrometres <= reach) {
-        data += data_block("c", {circle_points(*orbit.clearance * still_micrometres)});
+    if (orbit.clearance && units(drawn_as, *orbit.clearance) <= reach) {
+        data += data_block("c", {circle_points(units(drawn_as, *orbit.clearance))});
         plots += fmt::format("$c with filledcurves closed fs solid 1 noborder fc rgb '#F4F6F8', "
                              "$c with lines lc rgb '{}' lw 1.6 dt (9,5) notitle, ",
                              clearance_colour);
     }
     std::vector<PlotPoint> path;
     for (int k = 0; k <= 120; ++k)
-        path.push_back(at_angle(orbit, sign * k * pi / 60));
+        path.push_back(at_angle(units, orbit, sign * k * pi / 60));
     data += data_block("o", {path}) + data_block("k", {{path.front()}}) +
-            data_block("a", {arrow_head(orbit, sign, 0.085 * reach)});
+            data_block("a", {arrow_head(units, orbit, sign, 0.085 * reach)});
     return data +
            fmt::format(
                "set xrange [{0}:{1}]\nset yrange [{0}:{1}]\nset xtics ({2}, 0, {3}) font ',9'\n"
@@ -132,7 +130,8 @@ std::string orbit_panel(const Orbit &orbit, double sign) {
 
 } // namespace
 
-Figure orbits_figure(const model::Case &scene, const std::vector<Orbits> &orbits, const Units &) {
+Figure orbits_figure(const model::Case &scene, const std::vector<Orbits> &orbits,
+                     const Units &units) {
     const std::vector<std::size_t> drawn = drawn_places(orbits);
     const std::size_t rows = std::min(orbits.size(), most_rows);
     const int width =
@@ -152,19 +151,22 @@ Figure orbits_figure(const model::Case &scene, const std::vector<Orbits> &orbits
                                    x / wide, 1 - y / high, look);
             };
             if (column == 0)
-                panels += label(1, fmt::format("at {} rpm", readable(orbits[row].speed * rpm, 6)),
-                                20, top + 8, "left font ',12'");
-            panels += label(2, fitting(place_text(orbit.name, orbit.z), 12.5, cell_width - 20),
-                            left + square / 2, top + 32, "center font ',10'") +
-                      label(3, orbit_words(orbit), left + square / 2, top + 51,
-                            "center font ',9' textcolor '#555555'") +
-                      panel_margins(left / wide, (left + square) / wide,
-                                    1 - (top + 64 + square) / high, 1 - (top + 64) / high) +
-                      fmt::format("set xlabel {} font ',9' offset 0,0.5\n{}\n", axis_name("x"),
-                                  column == 0 ? fmt::format("set ylabel {} font ',9' offset 1,0",
-                                                            axis_name("y"))
-                                              : "unset ylabel") +
-                      orbit_panel(orbit, orbits[row].speed < 0 ? -1 : 1);
+                panels +=
+                    label(1, "at " + drawn_value(units, Quantity::speed, orbits[row].speed, 6), 20,
+                          top + 8, "left font ',12'");
+            panels +=
+                label(2, fitting(place_text(units, orbit.name, orbit.z), 12.5, cell_width - 20),
+                      left + square / 2, top + 32, "center font ',10'") +
+                label(3, orbit_words(orbit), left + square / 2, top + 51,
+                      "center font ',9' textcolor '#555555'") +
+                panel_margins(left / wide, (left + square) / wide, 1 - (top + 64 + square) / high,
+                              1 - (top + 64) / high) +
+                fmt::format("set xlabel {} font ',9' offset 0,0.5\n{}\n",
+                            axis_text(units, "x", drawn_as),
+                            column == 0 ? fmt::format("set ylabel {} font ',9' offset 1,0",
+                                                      axis_text(units, "y", drawn_as))
+                                        : "unset ylabel") +
+                orbit_panel(units, orbit, orbits[row].speed < 0 ? -1 : 1);
         }
     return figure_of(
         width, height, "Orbits: " + title_of(scene),
@@ -174,31 +176,34 @@ Figure orbits_figure(const model::Case &scene, const std::vector<Orbits> &orbits
 }
 
 Figure shapes_figure(const model::Case &scene, const std::vector<DeflectedShape> &shapes,
-                     const Units &) {
+                     const Units &units) {
     const std::size_t rows = std::min(shapes.size(), most_rows);
     constexpr double panel = 250;
     const int height = static_cast<int>(125 + panel * static_cast<double>(rows));
     const double high = height;
-    const double length = std::max(scene.rotor.shaft.length(), 1e-9) * metres;
+    const double length = units(Quantity::length, std::max(scene.rotor.shaft.length(), 1e-9));
     std::string panels = panel_margins(0.1, 0.975, 0.01, 0.02) + curve_legend(1 - 78 / high) +
                          "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\n" +
                          fmt::format("set xrange [{}:{}]\nset ylabel {}\n", -0.03 * length,
-                                     1.03 * length, axis_name("Deflection"));
+                                     1.03 * length, axis_text(units, "Deflection", drawn_as));
     for (std::size_t row = 0; row < rows; ++row) {
         const DeflectedShape &shape = shapes[row];
-        const double largest = shape.largest > 0 ? shape.largest * still_micrometres : 1;
+        const double largest = shape.largest > 0 ? units(drawn_as, shape.largest) : 1;
         const double top = 120 + panel * static_cast<double>(row);
         panels +=
-            outline_data(scene.rotor, largest) +
+            outline_data(units, scene.rotor, largest) +
             panel_margins(0.1, 0.975, 1 - (top + 185) / high, 1 - top / high) +
-            fmt::format("set yrange [{}:{}]\nset title {} font ',12' offset 0,-0.4\n{}\n",
-                        -1.25 * largest, 1.25 * largest,
-                        plot_text(fmt::format("at {} rpm · largest {} {} at z = {} m",
-                                              readable(shape.speed * rpm, 6),
-                                              readable(shape.largest * still_micrometres, 4),
-                                              deflection_unit(), readable(shape.largest_z, 4))),
-                        row + 1 == rows ? "set xlabel 'z (m)'" : "unset xlabel") +
-            curves_over_outline(shape.z, shape.x, shape.y, shape.envelope, still_micrometres);
+            fmt::format(
+                "set yrange [{}:{}]\nset title {} font ',12' offset 0,-0.4\n{}\n", -1.25 * largest,
+                1.25 * largest,
+                plot_text(fmt::format("at {} · largest {} at z = {}",
+                                      drawn_value(units, Quantity::speed, shape.speed, 6),
+                                      drawn_value(units, drawn_as, shape.largest, 4),
+                                      drawn_value(units, Quantity::length, shape.largest_z, 4))),
+                row + 1 == rows ? "set xlabel " + axis_text(units, "z", Quantity::length)
+                                : "unset xlabel") +
+            curves_over_outline(units, shape.z, shape.x, shape.y, shape.envelope,
+                                units.factor(drawn_as));
     }
     return figure_of(
         1080, height, "Deflected shapes: " + title_of(scene),

@@ -2,17 +2,17 @@
 const panels = document.getElementById("plot");
 const drawn = [...result.modes, ...result.critical_modes || []];
 drawn.forEach((m, k) => {
-  const critical = k >= result.modes.length ? `, critical at ${short(m.at * rpm, 6)} rpm` : "";
-  const last = k === drawn.length - 1, mode = "lines", x = result.z.map(z => z * metres);
+  const critical = k >= result.modes.length ? `, critical at ${said(m.at, "speed", 6)}` : "";
+  const last = k === drawn.length - 1, mode = "lines", x = result.z;
   const panel = panels.appendChild(document.createElement("div"));
   panel.className = "panel";
   draw([{x, y: drawnModes[k].x, name: "x", mode, line: {color: "#0072B2", width: 2.5}},
     {x, y: drawnModes[k].y, name: "y", mode, line: {color: "#D55E00", dash: "dash", width: 2.5}}],
   {height: 200 + (last ? 30 : 0), margin: {l: 75, r: 30, t: 30, b: last ? 55 : 25}, showlegend: k === 0,
-    legend: {orientation: "h", x: 1, xanchor: "right", y: 1, yanchor: "bottom"}, xaxis: axis(last ? "z (m)" : ""), yaxis: axis("", {range: [-1.2, 1.2], dtick: 1}),
+    legend: {orientation: "h", x: 1, xanchor: "right", y: 1, yanchor: "bottom"}, xaxis: axis(last ? label("z", "length") : ""), yaxis: axis("", {range: [-1.2, 1.2], dtick: 1}),
     annotations: [{xref: "paper", yref: "paper", x: 0, y: 1, xanchor: "left", yanchor: "bottom", showarrow: false,
-      text: `<b>${m.label ?? ""}</b> ${short(m.frequency * hertz, 7)} Hz, ${m.whirl}${critical}; y ` +
-        (drawnModes[k].atOneInstant ? "at the same instant" : "a quarter period later")}]}, panel);
+      text: `<b>${m.label ?? ""}</b> ${said(m.frequency, "frequency", 7)}, ${m.whirl}${critical}; y ` +
+        (drawnModes[k].at_one_instant ? "at the same instant" : "a quarter period later")}]}, panel);
 });
 // All show the same part of the shaft: a zoom of one is one of all.
 const panes = Array.from(panels.children);

@@ -1,5 +1,5 @@
 // Mode shapes in space: the rotor in perspective, all modes in step. No library takes part.
-const space = document.getElementById("space");
+const space = document.getElementById("space"), rotor = result.drawn.rotor, drawnModes = result.drawn.modes;
 function drawSpace() {
   const xmlns = "http://www.w3.org/2000/svg", wide = 520, high = 300;
   const make = (parent, name, attributes) => {
@@ -36,10 +36,9 @@ function drawSpace() {
     bow * (p.yr[order] * Math.cos(phase) - p.yi[order] * Math.sin(phase))];
   const ring = (z, r) => circle.map(([c, s]) => seen(along(z), r * s, r * c));
   const movers = [], still = [];
-  function panel(mode, parent) {
-    const ratio = -mode.real / (Math.hypot(mode.real, mode.frequency) || 1);
-    const words = `${mode.label ? mode.label + ", " : ""}${short(mode.frequency * hertz, 6)} Hz, ${mode.whirl}`, more = [];
-    if (mode.at !== result.speed) more.push(`critical speed ${short(mode.at * rpm, 6)} rpm`);
+  function panel(mode, ratio, parent) {
+    const words = `${mode.label ? mode.label + ", " : ""}${said(mode.frequency, "frequency", 6)}, ${mode.whirl}`, more = [];
+    if (mode.at !== result.speed) more.push(`critical speed ${said(mode.at, "speed", 6)}`);
     if (Math.abs(ratio) > 1e-9) more.push(ratio > 0 ? `damping ratio ${short(ratio, 3)}` : `grows, damping ratio ${short(ratio, 3)}`);
     const svg = make(parent, "svg", {viewBox: `0 0 ${wide} ${high}`, role: "img", "aria-label": ["Mode " + words, ...more].join(", "), "font-family": "DejaVu Sans, Arial, sans-serif"});
     make(svg, "rect", {width: wide, height: high, fill: "#fff"});
@@ -89,13 +88,13 @@ function drawSpace() {
       movers.push(() => { const [x, y] = moved(p, 0), [u, v] = seen(along(z), y, x); point.setAttribute("cx", u.toFixed(1)); point.setAttribute("cy", v.toFixed(1)); });
     });
   }
-  const group = (heading, modes) => {
+  const group = (heading, modes, drawn) => {
     if (!modes.length) return;
     if (heading) { const h = document.createElement("h3"); h.textContent = heading; space.append(h); }
     const grid = document.createElement("figure");
     grid.className = "space";
     space.append(grid);
-    modes.forEach(m => panel(m, grid));
+    modes.forEach((m, k) => panel(m, drawn[k].damping_ratio, grid));
   };
   const controls = document.createElement("p"), button = document.createElement("button"), label = document.createElement("label"), turn = document.createElement("input");
   controls.className = "controls";
@@ -104,8 +103,8 @@ function drawSpace() {
   controls.append(button, " ", label);
   space.append(controls);
   const critical = result.critical_modes || [];
-  group(critical.length ? `At ${short(result.speed * rpm, 6)} rpm` : "", result.modes);
-  group("At the critical speeds", critical);
+  group(critical.length ? `At ${said(result.speed, "speed", 6)}` : "", result.modes, drawnModes);
+  group("At the critical speeds", critical, drawnModes.slice(result.modes.length));
   const show = () => movers.forEach(move => move()), redraw = () => { still.forEach(line => line()); show(); };
   let before = null;
   const frame = now => {
