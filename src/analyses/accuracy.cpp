@@ -276,10 +276,10 @@ void describe(results::AccuracyResult &result, const Study &study, const Referen
         result.reference += fmt::format("; order {} differs from it by {:.1e}", reference.order - 2,
                                         *reference.converged);
     if (const std::size_t still = left_out(study, reference.values); still > 0)
-        result.model.notes.push_back(fmt::format(
+        result.model.notes.emplace_back(
             "errors are those of the other {} modes: {} stand still in the rotor, as balls do that "
             "are free to turn in it",
-            reference.values.size() - still, still));
+            reference.values.size() - still, still);
     for (const std::complex<double> &value : reference.values)
         result.reference_frequencies.push_back(value.imag());
 }
@@ -302,10 +302,10 @@ results::AccuracyResult accuracy(const model::Case &scene) {
     const Reference reference = make_reference(study);
     describe(result, study, reference);
     if (by_full_matrices(scene.rotor, study.form))
-        result.model.notes.push_back(fmt::format(
+        result.model.notes.emplace_back(
             "meshes of more than {} unknowns are left out: with a shaft of hardly any mass each "
             "takes, in rotating axes, the eigenvalues of a full matrix",
-            study.limits().row));
+            study.limits().row);
     const std::vector<double> sweep = sweep_of(range);
     const std::vector<std::pair<int, int>> rungs = ladder(study);
     for (std::size_t i = 0; i < rungs.size(); ++i) {
@@ -318,8 +318,8 @@ results::AccuracyResult accuracy(const model::Case &scene) {
                         followed_row(study, sweep, result.rows.back(), refinement, reference))
                     result.rows.push_back(std::move(*row));
         } catch (const model::AnalysisFailure &failure) {
-            result.model.notes.push_back(fmt::format("order {}, refinement {} left out: {}", order,
-                                                     refinement, failure.what()));
+            result.model.notes.emplace_back("order {}, refinement {} left out: {}", order,
+                                            refinement, failure.sentence());
         }
         process::report_progress(static_cast<double>(i + 1) / static_cast<double>(rungs.size()));
     }

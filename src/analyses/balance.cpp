@@ -20,6 +20,9 @@ namespace whirl::analyses {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 using Errors = decltype(results::BalanceBands::errors);
 
 /// Ends of the bands strictly inside the range, with their errors where these are known.
@@ -146,8 +149,7 @@ void fill_notes(const model::Case &scene, const criterion::BalanceScene &s,
     if (std::ranges::any_of(rotor.bearings, pedestal))
         notes.emplace_back("the rigid closed form leaves out the masses of the pedestals");
     if (rotor.bearings_depend_on_speed())
-        notes.push_back(
-            fmt::format("the rigid closed form takes the bearings as at {:.6g} rad/s", s.from));
+        notes.emplace_back("the rigid closed form takes the bearings as at {}", as::speed(s.from));
     if (!result.rigid)
         notes.emplace_back("no rigid closed form: the supports do not hold a rigid rotor");
     if (result.joint.rank < static_cast<int>(s.planes.size()) && !rotor.shaft.rigid)
@@ -208,7 +210,7 @@ results::BalanceResult balance(const model::Case &scene, bool map) {
         result.findings = balance_findings(result, scene);
         return result;
     } catch (const linalg::SolverError &error) {
-        throw model::AnalysisFailure(fmt::format("balance: {}", error.what()));
+        throw model::AnalysisFailure(Sentence("balance: {}", error.sentence()));
     }
 }
 

@@ -12,11 +12,12 @@ namespace whirl::analyses {
 
 namespace {
 
-std::string speed_text(double speed) { return fmt::format("{:.6g} rad/s", speed); }
+using results::Sentence;
+namespace as = results::as;
 
-std::string plane_text(const results::BalancePlane &plane, std::size_t index) {
-    return plane.name.empty() ? fmt::format("plane {} (z = {:.4g} m)", index + 1, plane.z)
-                              : fmt::format("{} (z = {:.4g} m)", plane.name, plane.z);
+Sentence plane_text(const results::BalancePlane &plane, std::size_t index) {
+    const std::string name = plane.name.empty() ? fmt::format("plane {}", index + 1) : plane.name;
+    return Sentence("{} (z = {})", name, as::length(plane.z, 4));
 }
 
 bool rigid_says_on(const results::BalanceBands &bands, double speed) {
@@ -32,42 +33,40 @@ void joint_ends(const results::BalanceResult &result, std::vector<results::Sente
     for (const results::BandEnd &end : result.joint.bands.ends) {
         if (!end.upper)
             continue;
-        std::string text =
-            fmt::format("The {}band ends at {}", result.planes.size() == 1 ? "" : "joint ",
-                        speed_text(end.speed));
+        Sentence text("The {}band ends at {}", result.planes.size() == 1 ? "" : "joint ",
+                      as::speed(end.speed));
         if (end.pinned)
-            text +=
-                fmt::format(", the critical speed of the rotor pinned {} (the pinned eigenproblem "
-                            "agrees to {:.0e})",
-                            where, std::abs(*end.pinned / end.speed - 1) + 1e-16);
+            text += Sentence(", the critical speed of the rotor pinned {} (the pinned eigenproblem "
+                             "agrees to {})",
+                             where, as::number(std::abs(*end.pinned / end.speed - 1) + 1e-16, 1));
         if (rigid_says_on(result.joint.bands, end.speed) && !end.rigid)
             text += result.model.formulation.form == results::Form::planar
-                        ? "; the rigid form knows no such end: the shaft bends between the planes"
-                        : "; the rigid form, with isotropic bearings, knows no such end";
-        out.push_back(text + ".");
+                        ? "; the rigid form has no such end: the shaft bends between the planes"
+                        : "; the rigid form, with isotropic bearings, has no such end";
+        out.emplace_back("{}.", text);
     }
 }
 
 /// One sentence a plane: its additional speeds, beside the rigid ones.
 void plane_ends(const results::BalanceResult &result, std::vector<results::Sentence> &out) {
     for (std::size_t i = 0; i < result.planes.size() && result.planes.size() > 1; ++i) {
-        std::string text;
+        std::vector<Sentence> ends;
         bool pinned = true;
         for (const results::BandEnd &end : result.planes[i].bands.ends) {
             if (!end.upper)
                 continue;
             pinned = pinned && end.pinned;
-            text += fmt::format("{}{:.6g} rad/s", text.empty() ? "" : " and ", end.speed);
+            ends.emplace_back("{}", as::speed(end.speed));
             if (end.rigid && end.relative_difference)
-                text += fmt::format(" (rigid {:.6g} rad/s, {:+.2g} %)", *end.rigid,
-                                    100 * *end.relative_difference);
+                ends.back() += Sentence(" (rigid {}, {} %)", as::speed(*end.rigid),
+                                        as::number(100 * *end.relative_difference, 2).with_sign());
             else if (result.rigid)
-                text += " (rigid: no end)";
+                ends.back() += " (rigid: no end)";
         }
-        if (!text.empty())
-            out.push_back(fmt::format("{} alone works up to {}{}.", plane_text(result.planes[i], i),
-                                      text,
-                                      pinned ? ", where the rotor pinned there is critical" : ""));
+        if (!ends.empty())
+            out.emplace_back("{} alone works up to {}{}.", plane_text(result.planes[i], i),
+                             joined(ends, " and "),
+                             pinned ? ", where the rotor pinned there is critical" : "");
     }
 }
 
@@ -78,10 +77,10 @@ void excess_planes(const results::BalanceResult &result, bool rigid,
     if (count < 3 || result.joint.signature.empty())
         return;
     if (result.joint.rank < count) {
-        out.push_back(fmt::format("{} planes {} make {} independent imbalances: the form is judged "
-                                  "on those, the other eigenvalues are zero.",
-                                  count, rigid ? "of a rigid rotor" : "of which some coincide",
-                                  result.joint.rank));
+        out.emplace_back("{} planes {} make {} independent imbalances: the form is judged "
+                         "on those, the other eigenvalues are zero.",
+                         count, rigid ? "of a rigid rotor" : "of which some coincide",
+                         result.joint.rank);
         return;
     }
     std::vector<double> sizes; // of the largest eigenvalue over the largest modulus
@@ -95,26 +94,27 @@ void excess_planes(const results::BalanceResult &result, bool rigid,
     if (points.empty())
         return;
     const results::SignaturePoint &middle = *points[points.size() / 2];
-    std::string shape;
+    std::vector<double> shape;
     for (const std::complex<double> &s : middle.worst)
-        shape += fmt::format("{}{:+.2f}", shape.empty() ? "" : ", ", s.real());
-    out.push_back(fmt::format(
+        shape.push_back(s.real());
+    out.emplace_back(
         "With {} planes the form is not definite where the rigid one is: at {} {} of {} "
-        "eigenvalues are negative and the largest is {:+.3g}/kg. Over that range it is {:.1e} to "
-        "{:.1e} of the largest modulus: imbalances ({}) that make little resultant force and bend "
-        "the shaft.",
-        count, speed_text(middle.speed), middle.negative, count, middle.eigenvalues.back(),
-        std::ranges::min(sizes), std::ranges::max(sizes), shape));
+        "eigenvalues are negative and the largest is {}. Over that range it is {} of the largest "
+        "modulus: imbalances ({}) that make little resultant force and bend the shaft.",
+        count, as::speed(middle.speed), middle.negative, count,
+        as::inverse_mass(middle.eigenvalues.back(), 3).with_sign(),
+        as::number.range(std::ranges::min(sizes), std::ranges::max(sizes), 2),
+        as::number.list(shape, 2).with_sign());
 }
 
 void without_bands(const results::BalanceResult &result, std::vector<results::Sentence> &out) {
     if (!result.joint.bands.bands.empty() || result.planes.size() < 2)
         return;
     if (result.rigid && result.rigid->type != "long")
-        out.push_back(fmt::format("No joint band: the rotor is {} (A = {:.4g}, C = {:.4g} kg m2), "
-                                  "and several planes cannot balance it dynamically.",
-                                  result.rigid->type, result.rigid->diametral,
-                                  result.rigid->polar));
+        out.emplace_back("No joint band: the rotor is {} (A = {}, C = {}), and several planes "
+                         "cannot balance it dynamically.",
+                         result.rigid->type, as::inertia(result.rigid->diametral, 4),
+                         as::inertia(result.rigid->polar, 4));
     else if (!result.joint.bands.rigid_bands || result.joint.bands.rigid_bands->empty())
         out.emplace_back("No joint band in this range of speeds.");
 }
@@ -150,26 +150,25 @@ void real_balancers(const results::BalanceResult &result, bool damped,
         return;
     }
     if (result.pendulum.size() == result.planes.size()) { // they reduce, and balance nothing
-        out.push_back(
-            fmt::format("With the pendulums free and outwards, small motions die out over "
-                        "{:.4g} rad/s of the range.",
-                        width_of(real)));
+        out.emplace_back(
+            "With the pendulums free and outwards, small motions die out over {} of the range.",
+            as::speed(width_of(real), 4));
         return;
     }
     const double both = common_width(criterion, real);
     if (real.empty()) {
-        out.push_back(std::string("With the real balancers the balanced position is stable nowhere "
-                                  "in this range") +
-                      (criterion.empty() ? ", as the criterion says."
-                                         : ", where the criterion, for balancers without mass, "
-                                           "holds: lighter balls or more damping in the bearings "
-                                           "bring the two together."));
+        out.emplace_back("With the real balancers the balanced position is stable nowhere in this "
+                         "range{}",
+                         criterion.empty()
+                             ? ", as the criterion says."
+                             : ", where the criterion, for balancers without mass, holds: lighter "
+                               "balls or more damping in the bearings bring the two together.");
         return;
     }
-    std::string text = fmt::format(
-        "With the real balancers the balanced position is stable over {:.4g} rad/s of the range, "
-        "the criterion holds over {:.4g} rad/s, both over {:.4g} rad/s.",
-        width_of(real), width_of(criterion), both);
+    Sentence text(
+        "With the real balancers the balanced position is stable over {} of the range, the "
+        "criterion holds over {}, both over {}.",
+        as::speed(width_of(real), 4), as::speed(width_of(criterion), 4), as::speed(both, 4));
     if (both < 0.98 * width_of(criterion))
         text += " Where the criterion holds and the real balancers fail, their mass shifts the "
                 "critical speeds and their drag drives the rotor just above them.";
@@ -177,25 +176,25 @@ void real_balancers(const results::BalanceResult &result, bool damped,
         text += " Where only the real balancers hold, damping keeps them: the criterion asks for "
                 "every kind of balancer.";
     if (result.balanced_position->arrangements > 1)
-        text += fmt::format(" Over {} arrangements of the balls: stable with every one over {:.4g} "
-                            "rad/s, with some over {:.4g} rad/s.",
-                            result.balanced_position->arrangements,
-                            width_of(result.balanced_position->with_every),
-                            width_of(result.balanced_position->with_some));
+        text += Sentence(" Over {} arrangements of the balls: stable with every one over {}, with "
+                         "some over {}.",
+                         result.balanced_position->arrangements,
+                         as::speed(width_of(result.balanced_position->with_every), 4),
+                         as::speed(width_of(result.balanced_position->with_some), 4));
     out.push_back(text);
 }
 
 /// Why a motion in time ended otherwise than the eigenvalues of the balanced position promise.
-std::string reason(const results::SimulatedSpeed &run, double time) {
+Sentence reason(const results::SimulatedSpeed &run, double time) {
     if (!run.growth)
-        return run.outcome;
+        return Sentence("{}", run.outcome);
     constexpr double slow = 5; // e-fold changes that a motion needs to get somewhere
-    std::string text = fmt::format("{}, growth {:+.2g} 1/s", run.outcome, *run.growth);
+    Sentence text("{}, growth {}", run.outcome, as::rate(*run.growth, 2).with_sign());
     if (std::abs(*run.growth) * time < slow)
-        text += fmt::format(": too slow to be seen in {:.3g} s", time);
+        text += Sentence(": too slow to be seen in {}", as::time(time, 3));
     else
         text += run.outcome == "balanced" ? ": another motion near the balanced one"
-                                          : ": this start leads to a motion beside it";
+                                          : ": this start leads to another motion";
     return text;
 }
 
@@ -205,7 +204,7 @@ void motions_in_time(const results::BalanceResult &result, double time,
     if (result.simulated.empty() || !result.balanced_position)
         return;
     int agree = 0;
-    std::string other;
+    std::vector<Sentence> others;
     for (const results::SimulatedSpeed &run : result.simulated) {
         const bool stable =
             std::ranges::any_of(result.balanced_position->bands, [&](const results::Interval &b) {
@@ -214,12 +213,11 @@ void motions_in_time(const results::BalanceResult &result, double time,
         if (stable == (run.outcome == "balanced"))
             ++agree;
         else
-            other += fmt::format("{}{:.6g} rad/s ({})", other.empty() ? "" : ", ", run.speed,
-                                 reason(run, time));
+            others.emplace_back("{} ({})", as::speed(run.speed), reason(run, time));
     }
-    std::string text = fmt::format("Of {} motions in time {} end as the eigenvalues promise",
-                                   result.simulated.size(), agree);
-    out.push_back(other.empty() ? text + "." : text + "; otherwise at " + other + ".");
+    out.emplace_back(
+        "Of {} motions in time {} end as the eigenvalues promise{}.", result.simulated.size(),
+        agree, others.empty() ? Sentence() : Sentence("; otherwise at {}", joined(others, ", ")));
 }
 
 /// n < 1 is not enough: where the motion of least deflection is unstable.
@@ -234,15 +232,15 @@ void pendulums(const results::BalanceResult &result, std::vector<results::Senten
             if (!p.states[k].front().stable)
                 unstable.push_back(p.speeds[k]);
         }
-        std::string text =
-            fmt::format("The pendulums at z = {:.4g} m reduce the deflection at {} "
-                        "of {} speeds (planar theory: above {})",
-                        p.z, helps, p.speeds.size(), speed_text(p.threshold * p.omega_0));
+        Sentence text("The pendulums at z = {} reduce the deflection at {} of {} speeds (planar "
+                      "theory: above {})",
+                      as::length(p.z, 4), helps, p.speeds.size(),
+                      as::speed(p.threshold * p.omega_0));
         if (!unstable.empty())
-            text += fmt::format("; at {} of them, from {:.6g} to {:.6g} rad/s, that motion is "
-                                "unstable and will not be seen",
-                                unstable.size(), unstable.front(), unstable.back());
-        out.push_back(text + ".");
+            text +=
+                Sentence("; at {} of them, from {}, that motion is unstable and will not be seen",
+                         unstable.size(), as::speed.range(unstable.front(), unstable.back()));
+        out.emplace_back("{}.", text);
     }
 }
 

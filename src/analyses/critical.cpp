@@ -30,6 +30,9 @@ namespace whirl::analyses {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 /// Critical speeds of an asymmetric rotor are those without damping (A. N. Gorbenko's Omega_K);
 /// with it, no motion stands still but at the ends of the unstable ranges.
 model::Case undamped(model::Case scene) {
@@ -79,16 +82,15 @@ void note_completeness(const synchronous::SynchronousModes &found, bool more_wan
                        results::CriticalResult &result) {
     std::vector<results::Sentence> &notes = result.model.notes;
     for (const auto &[from, to] : found.doubtful)
-        notes.push_back(fmt::format("critical speeds between {:.6g} and {:.6g} rad/s may be "
-                                    "missing: the count there is not certain",
-                                    from, to));
+        notes.emplace_back("critical speeds from {} may be missing: the count there is not certain",
+                           as::speed.range(from, to));
     const double last = result.critical_speeds.empty() ? 0 : result.critical_speeds.back().speed;
     if (more_wanted && std::isinf(found.complete_to) && found.doubtful.empty())
         notes.emplace_back(rigid ? "the rotor has no more critical speeds than the ones listed"
                                  : "the model has no more critical speeds than the ones listed "
                                    "(all were counted); a finer mesh can have more");
     else if (more_wanted || found.complete_to < last)
-        notes.push_back(fmt::format("the list is complete up to {:.6g} rad/s", found.complete_to));
+        notes.emplace_back("the list is complete up to {}", as::speed(found.complete_to));
 }
 
 /// A shaft that does not bend: what its bearings let it do is lost in the rounding of its
@@ -102,23 +104,23 @@ void note_rounding(const model::Rotor &rotor, results::CriticalResult &result) {
     const bool lost = std::ranges::any_of(result.critical_speeds,
                                           [](const auto &c) { return !(c.error < 1e-6); });
     if (lost && bearings > 0 && shaft > far * bearings)
-        result.model.notes.push_back(fmt::format(
-            "the shaft (48 EI/L^3 = {:.3g} N/m) is {:.1g} times as stiff as its bearings: rounding "
-            "hides the slow motions, critical speeds can be wrong by their errors or missing; "
-            "shaft.rigid = true gives those of the rigid rotor",
-            shaft, shaft / bearings));
+        result.model.notes.emplace_back(
+            "the shaft (48 EI/L^3 = {}) is {} times as stiff as its bearings: rounding hides the "
+            "slow motions, critical speeds can be wrong by their errors or missing; shaft.rigid = "
+            "true gives those of the rigid rotor",
+            as::stiffness(shaft, 3), as::number(shaft / bearings, 1));
 }
 
 /// A shaft almost without mass: the motions of its elements are far faster than all others.
-std::string light_shaft_text(const model::Rotor &rotor) {
+Sentence light_shaft_text(const model::Rotor &rotor) {
     constexpr double light = 1e-3; // of the rotor
     const double shaft = model::mass_of(rotor.shaft);
     const double all = model::mass_of_shaft_and_discs(rotor);
     if (!(shaft < light * all) || rotor.shaft.segments.empty())
-        return "";
-    return fmt::format("\nnote: the shaft has {:.2g} of {:.4g} kg only, with a density of {:.6g} "
-                       "kg/m3 (rho): steel has 7850 kg/m3",
-                       shaft, all, rotor.shaft.segments.front().material.rho);
+        return {};
+    return Sentence("\nnote: the shaft has {} of {} only, with a density of {} (rho): steel has {}",
+                    as::mass(shaft, 2), as::mass(all, 4),
+                    as::density(rotor.shaft.segments.front().material.rho), as::density(7850));
 }
 
 /// Critical speeds with elements of one order.
@@ -198,11 +200,11 @@ results::CriticalResult critical_of(const model::Case &as_given, bool judged) {
     try {
         result = of_resolved_order(scene, formulation, judged);
     } catch (const linalg::SolverError &) {
-        throw model::AnalysisFailure(
+        throw model::AnalysisFailure(Sentence(
             "the critical speeds could not be found: the eigensolver did not converge or missed "
             "some; stiffnesses, dampings, densities or element lengths may differ by more orders "
-            "of magnitude than double precision holds (campbell shows crossings speed by speed)" +
-            light_shaft_text(scene.rotor));
+            "of magnitude than double precision holds (campbell shows crossings speed by speed){}",
+            light_shaft_text(scene.rotor)));
     }
     if (formulation.form == results::Form::rotating && as_given.rotor.damped())
         for (results::CriticalSpeed &critical : result.critical_speeds)
@@ -231,9 +233,9 @@ std::vector<results::ResponsePeak> peaks_for_margins(const model::Case &scene,
     try {
         return response_peaks(scene, false).peaks;
     } catch (const model::Failure &failure) { // or a form that only the critical speeds have
-        model.notes.push_back(fmt::format(
+        model.notes.emplace_back(
             "margins: amplification factors from damping, as the response is not known: {}",
-            failure.what()));
+            failure.sentence());
         return {};
     }
 }

@@ -28,6 +28,9 @@ namespace whirl::analyses {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 std::vector<std::complex<double>> scaled(const Eigen::VectorXcd &values,
                                          std::complex<double> largest) {
     std::vector<std::complex<double>> out;
@@ -163,7 +166,7 @@ std::vector<results::CriticalSpeed> shown_critical_speeds(const model::Case &sce
         std::erase_if(speeds, [](const results::CriticalSpeed &c) { return c.speed == 0; });
         return speeds;
     } catch (const model::AnalysisFailure &failure) {
-        notes.push_back(fmt::format("no shapes at critical speeds: {}", failure.what()));
+        notes.emplace_back("no shapes at critical speeds: {}", failure.sentence());
         return {};
     }
 }
@@ -177,13 +180,13 @@ void add_critical(results::ModesResult &result, const Shapes &shapes,
             if (shape && !has(result.critical, *shape))
                 result.critical.push_back(std::move(*shape));
             else if (!shape)
-                notes.push_back(fmt::format("no shape at the critical speed {:.6g} rad/s: at this "
-                                            "speed no mode of its whirl has that frequency, as "
-                                            "one that is heavily damped need not",
-                                            critical.speed));
+                notes.emplace_back(
+                    "no shape at the critical speed {}: at this speed no mode of its whirl has "
+                    "that frequency, as one that is heavily damped need not",
+                    as::speed(critical.speed));
         }
     } catch (const model::AnalysisFailure &failure) {
-        notes.push_back(fmt::format("no shapes at critical speeds: {}", failure.what()));
+        notes.emplace_back("no shapes at critical speeds: {}", failure.sentence());
     }
 }
 
@@ -275,17 +278,15 @@ results::ModesResult mode_shapes(const model::Case &scene) {
     for (std::size_t i = 0; i < spectrum.modes.size(); ++i)
         result.modes.push_back(shapes.of(spectrum, i));
     for (const double root : spectrum.growing)
-        result.model.notes.push_back(
-            fmt::format("divergence (static instability): a real eigenvalue of {:+.6g} 1/s, motion "
-                        "grows without whirling",
-                        root));
+        result.model.notes.emplace_back("divergence (static instability): a real eigenvalue of {}, "
+                                        "motion grows without whirling",
+                                        as::rate(root).with_sign());
     if (static_cast<int>(result.modes.size()) < scene.campbell.modes)
-        result.model.notes.push_back(
-            fmt::format("{} modes were asked for, the rotor has {} that oscillate",
-                        scene.campbell.modes, result.modes.size()));
+        result.model.notes.emplace_back("{} modes were asked for, the rotor has {} that oscillate",
+                                        scene.campbell.modes, result.modes.size());
     if (result.model.formulation.form == results::Form::hill)
-        result.model.notes.emplace_back("where modes dissipate is not told of rotors and bearings "
-                                        "that both differ between their directions");
+        result.model.notes.emplace_back("where modes dissipate is not given for rotors and "
+                                        "bearings that both differ between their directions");
     result.model.notes.insert(result.model.notes.end(), critical_notes.begin(),
                               critical_notes.end());
     if (scene.rotor.balancers.empty())

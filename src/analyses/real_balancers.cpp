@@ -23,6 +23,9 @@ namespace whirl::analyses {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 /// What `bands`, ascending and apart, leave of the range.
 std::vector<results::Interval> rest_of(const std::vector<results::Interval> &bands, double from,
                                        double to) {
@@ -78,10 +81,9 @@ results::BalancedPosition stable_speeds(const stability::StabilityModel &model,
             out.bands = rest_of(bands, from, to);
             out.errors = errors_of(out.bands, unstable);
             for (const auto &[a, b] : unstable.doubtful)
-                notes.push_back(fmt::format(
-                    "between {:.10g} and {:.10g} rad/s the motions about the balanced position "
-                    "could not be followed: a narrow unstable band may be missing there",
-                    a, b));
+                notes.emplace_back("from {} the motions about the balanced position could not be "
+                                   "followed: a narrow unstable band may be missing there",
+                                   as::speed.range(a, b, 10));
         }
         always_unstable = first ? bands : stability::common(always_unstable, bands);
         sometimes_unstable.insert(sometimes_unstable.end(), bands.begin(), bands.end());
@@ -110,9 +112,9 @@ JudgedPosition judged_position(const model::Case &scene, std::vector<results::Se
         if (scene.balance.balanced_position)
             out.stable = stable_speeds(*out.model, range, notes);
     } catch (const model::BadInput &error) {
-        notes.push_back(std::string("no balanced position to look at: ") + error.what());
+        notes.emplace_back("no balanced position to look at: {}", error.sentence());
     } catch (const model::AnalysisFailure &failure) {
-        notes.push_back(std::string("the balanced position was not judged: ") + failure.what());
+        notes.emplace_back("the balanced position was not judged: {}", failure.sentence());
     }
     return out;
 }
@@ -153,7 +155,7 @@ simulated_speeds(const model::Case &scene, const std::optional<stability::Stabil
     for (int i = 0; i < count; ++i) {
         const double speed = scene.speeds->from + (i + 0.5) * step; // inside, never at rest
         run.speeds = model::SpeedRange{speed, speed, 1};
-        const process::Stage stage(fmt::format("motion in time at {:.6g} rad/s", speed),
+        const process::Stage stage(Sentence("motion in time at {}", as::speed(speed)),
                                    static_cast<double>(i) / count, (i + 1.0) / count);
         try {
             const results::SimulateResult result = simulate(run);
@@ -162,8 +164,7 @@ simulated_speeds(const model::Case &scene, const std::optional<stability::Stabil
             out.push_back({speed, results::outcome_name(result.outcome), result.residual_ratio,
                            growth_at(position, speed)});
         } catch (const model::AnalysisFailure &failure) {
-            notes.push_back(
-                fmt::format("no motion in time at {:.6g} rad/s: {}", speed, failure.what()));
+            notes.emplace_back("no motion in time at {}: {}", as::speed(speed), failure.sentence());
         }
     }
     return out;

@@ -33,6 +33,9 @@ namespace whirl::analyses {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 using forced::no_value;
 using forced::unlimited;
 
@@ -224,16 +227,14 @@ void prepare_lists(results::ResponseResult &result, const assembly::Discretizati
 }
 
 void note_resonances(results::ResponseResult &result) {
-    const std::string speeds =
+    const std::vector<double> speeds =
         forced::speeds_without_limit(result.speeds, result.nodes.front().amplitude);
     if (!speeds.empty())
-        result.model.notes.push_back(
-            fmt::format("no steady motion at {} rad/s: the rotor is at a resonance without "
-                        "damping, or free to move under its imbalance; amplitudes there have "
-                        "no "
-                        "limit, or are not determined where the imbalance does not drive that "
-                        "mode",
-                        speeds));
+        result.model.notes.emplace_back(
+            "no steady motion at {}: the rotor is at a resonance without damping, or free to move "
+            "under its imbalance; amplitudes there have no limit, or are not determined where the "
+            "imbalance does not drive that mode",
+            as::speed.list(speeds));
 }
 
 /// Coefficients of bearings bend at the rows of their tables, and curves with them: a largest value
@@ -249,10 +250,10 @@ void note_bends(const model::Rotor &rotor, results::ResponseResult &result) {
                     }))
                     bends.insert(row);
     if (!bends.empty())
-        result.model.notes.push_back(fmt::format(
-            "peaks at {:.6g} rad/s are at rows of a bearing table, where its coefficients bend: "
-            "they need not be resonances, and another interpolation may not have them",
-            fmt::join(bends, ", ")));
+        result.model.notes.emplace_back(
+            "peaks at {} are at rows of a bearing table, where its coefficients bend: they need "
+            "not be resonances, and another interpolation may not have them",
+            as::speed.list({bends.begin(), bends.end()}));
 }
 
 /// The case with the imbalances that its balancers are for.
@@ -320,7 +321,7 @@ void add_margins(results::ResponseResult &result, const model::Case &scene) {
     try {
         critical_speeds = unjudged_critical_speeds(scene).critical_speeds;
     } catch (const model::AnalysisFailure &failure) {
-        result.model.notes.push_back(fmt::format("margins of the peaks alone: {}", failure.what()));
+        result.model.notes.emplace_back("margins of the peaks alone: {}", failure.sentence());
     }
     result.margins = operation::separation_margins(*scene.operation, critical_speeds, result.peaks,
                                                    !scene.rotor.bearings_rotation_invariant(),

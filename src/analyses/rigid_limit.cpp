@@ -25,6 +25,9 @@ namespace whirl::analyses {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double one_percent = 0.01;
 using Values = std::vector<std::optional<rigid::ModelValue>>;
@@ -37,7 +40,7 @@ double difference(const rigid::RigidTarget &target, const std::optional<rigid::M
 /// The speed that differs most, and by how much: infinitely where one does not exist.
 struct Worst {
     double difference = 0;
-    std::string quantity;
+    Sentence quantity;
 };
 
 /// The comparison at any stiffness; what has been computed is kept.
@@ -113,8 +116,9 @@ std::optional<double> one_percent_factor(Comparison &comparison) {
         within *= step;
         if (within > stiffest)
             throw model::AnalysisFailure(
-                "the model does not approach the rigid rotor: " + comparison.worst(1).quantity +
-                " stays more than 1 % off, or cannot be found, however stiff the shaft");
+                Sentence("the model does not approach the rigid rotor: {} stays more than 1 % off, "
+                         "or cannot be found, however stiff the shaft",
+                         comparison.worst(1).quantity));
     }
     double beyond = within;
     for (; comparison.worst(beyond).difference <= one_percent; beyond /= step)
@@ -273,32 +277,32 @@ results::RigidShaft shaft_at(Comparison &comparison, const results::RigidLimitRe
             worst.quantity};
 }
 
-std::string percent(double share) {
-    return share >= 1e-4 ? fmt::format("{:.3g} %", 100 * share) : fmt::format("{:.1e}", share);
+Sentence percent(double share) {
+    return share >= 1e-4 ? Sentence("{} %", as::number(100 * share, 3))
+                         : Sentence("{}", as::number(share, 2));
 }
 
-std::string stiffness_text(const results::RigidShaft &shaft) {
-    return fmt::format("48 EI/L^3 = {:.4g} N/m, {:.3g} times the bearings together",
-                       shaft.stiffness, shaft.over_bearings);
+Sentence stiffness_text(const results::RigidShaft &shaft) {
+    return Sentence("48 EI/L^3 = {}, {} times the bearings together",
+                    as::stiffness(shaft.stiffness, 4), as::number(shaft.over_bearings, 3));
 }
 
-std::string sentence_of(const results::RigidLimitResult &result) {
+Sentence sentence_of(const results::RigidLimitResult &result) {
     if (!result.one_percent)
         return "The rigid formulas are within 1 % however soft the shaft: it does not bend.";
     const results::RigidShaft &limit = *result.one_percent;
     if (limit.factor > 1)
-        return fmt::format(
-            "The rigid formulas are within 1 % once the shaft is {:.4g} times as stiff as it is "
-            "({}); {}.",
-            limit.factor, stiffness_text(limit),
-            result.as_is ? fmt::format("with the shaft as it is they err by up to {} ({})",
+        return Sentence("The rigid formulas are within 1 % once the shaft is {} times as stiff as "
+                        "it is ({}); {}.",
+                        as::number(limit.factor, 4), stiffness_text(limit),
+                        result.as_is
+                            ? Sentence("with the shaft as it is they err by up to {} ({})",
                                        percent(result.as_is->largest), result.as_is->quantity)
-                         : "with the shaft as it is not all of these speeds exist");
-    return fmt::format(
-        "The rigid formulas are within 1 % with the shaft as it is ({}): they err by up to {} "
-        "({}); they reach 1 % with a shaft of {:.4g} times its stiffness ({}).",
-        stiffness_text(*result.as_is), percent(result.as_is->largest), result.as_is->quantity,
-        limit.factor, stiffness_text(limit));
+                            : Sentence("with the shaft as it is not all of these speeds exist"));
+    return Sentence("The rigid formulas are within 1 % with the shaft as it is ({}): they err by "
+                    "up to {} ({}); they reach 1 % with a shaft of {} times its stiffness ({}).",
+                    stiffness_text(*result.as_is), percent(result.as_is->largest),
+                    result.as_is->quantity, as::number(limit.factor, 4), stiffness_text(limit));
 }
 
 /// Sweep, 1 % stiffness and sentence of an elastic shaft.
@@ -333,9 +337,8 @@ void compare_rigid(results::RigidLimitResult &result, const model::Rotor &rotor,
     result.mesh_factor = infinite;
     const Values values = rigid::model_values(rotor, result.model.order, forms.targets);
     add_stiffness_rows(result, forms.targets, {infinite}, {values}, values);
-    result.sentence =
-        fmt::format("The shaft is rigid: model and closed forms differ by {:.1e} at most.",
-                    rigid_difference(forms.targets, values));
+    result.sentence = Sentence("The shaft is rigid: model and closed forms differ by {} at most.",
+                               as::number(rigid_difference(forms.targets, values), 2));
 }
 
 } // namespace

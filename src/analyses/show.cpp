@@ -26,6 +26,9 @@ namespace whirl::analyses {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 const char *name_of(model::TorqueKind kind) {
     switch (kind) {
     case model::TorqueKind::semitangential:
@@ -39,15 +42,15 @@ const char *name_of(model::TorqueKind kind) {
 
 void note_shaft(const model::Shaft &shaft, std::vector<results::Sentence> &notes) {
     if (shaft.alpha != 0 || shaft.beta != 0)
-        notes.push_back(fmt::format("the shaft has damping that does not turn: alpha = {:.6g} 1/s "
-                                    "of its mass, beta = {:.6g} s of its stiffness",
-                                    shaft.alpha, shaft.beta));
+        notes.emplace_back("the shaft has damping that does not turn: alpha = {} of its mass, beta "
+                           "= {} of its stiffness",
+                           as::rate(shaft.alpha), as::time(shaft.beta));
     if (!shaft.modal_damping.empty())
-        notes.push_back(fmt::format("damping ratios of the lowest modes at rest in each plane: {}",
-                                    fmt::join(shaft.modal_damping, ", ")));
+        notes.emplace_back("damping ratios of the lowest modes at rest in each plane: {}",
+                           as::number.list(shaft.modal_damping));
     if (shaft.axial_torque != 0)
-        notes.push_back(fmt::format("the shaft carries a torque of {:.6g} N m, {} at its ends",
-                                    shaft.axial_torque, name_of(shaft.torque_kind)));
+        notes.emplace_back("the shaft carries a torque of {}, {} at its ends",
+                           as::moment(shaft.axial_torque), name_of(shaft.torque_kind));
 }
 
 void note_bearings(std::span<const model::Bearing> bearings, const char *kind,
@@ -57,20 +60,20 @@ void note_bearings(std::span<const model::Bearing> bearings, const char *kind,
         const std::string name = b.name.empty() ? fmt::format("{}[{}]", kind, i) : b.name;
         const Eigen::Matrix2d &m = b.rows.front().m;
         if (model::isotropic(m) && m(0, 0) > 0)
-            notes.push_back(fmt::format("{}: mass coefficient {:.6g} kg, no part of the mass above",
-                                        name, m(0, 0)));
+            notes.emplace_back("{}: mass coefficient {}, no part of the mass above", name,
+                               as::mass(m(0, 0)));
         else if (!m.isZero(0))
-            notes.push_back(fmt::format("{}: mass coefficients mxx = {:.6g} kg, mxy = {:.6g} kg, "
-                                        "myx = {:.6g} kg, myy = {:.6g} kg, no part of the mass "
-                                        "above",
-                                        name, m(0, 0), m(0, 1), m(1, 0), m(1, 1)));
+            notes.emplace_back("{}: mass coefficients mxx = {}, mxy = {}, myx = {}, myy = {}, no "
+                               "part of the mass above",
+                               name, as::mass(m(0, 0)), as::mass(m(0, 1)), as::mass(m(1, 0)),
+                               as::mass(m(1, 1)));
         if (!b.pedestal)
             continue;
         const model::Pedestal &p = *b.pedestal;
-        notes.push_back(fmt::format("{}: on a pedestal of k = {:.6g} N/m in x, {:.6g} N/m in y, "
-                                    "mass {:.6g} kg and {:.6g} kg, c = {:.6g} N s/m and {:.6g} "
-                                    "N s/m",
-                                    name, p.k(0), p.k(1), p.mass(0), p.mass(1), p.c(0), p.c(1)));
+        notes.emplace_back("{}: on a pedestal of k = {} in x, {} in y, mass {}, c = {}", name,
+                           as::stiffness(p.k(0)), as::stiffness(p.k(1)),
+                           as::mass.list({p.mass(0), p.mass(1)}),
+                           as::damping.list({p.c(0), p.c(1)}));
     }
 }
 
@@ -80,7 +83,7 @@ void add_static_sag(results::ShowResult &result, const model::Case &scene,
     try {
         result.sag = forced::static_sag(d, gravity != 0 ? gravity : forced::standard_gravity);
     } catch (const linalg::SolverError &failure) {
-        result.model.notes.push_back(std::string("no static sag: ") + failure.what());
+        result.model.notes.emplace_back("no static sag: {}", failure.sentence());
         return;
     }
     const auto supports = scene.rotor.supports();
@@ -115,7 +118,7 @@ results::ShowResult show(const model::Case &scene) {
     try {
         result.formulations.emplace_back("response", forced::response_formulation(scene));
     } catch (const model::AnalysisFailure &none) {
-        result.model.notes.emplace_back(none.what());
+        result.model.notes.push_back(none.sentence());
     }
     result.model.formulation = eigen;
     result.model.order = mesh_error::resolve_order(scene, eigen);

@@ -23,6 +23,9 @@ namespace whirl::analyses {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 void describe_model(const model::Case &scene, const simulation::MotionScene &motion,
                     results::SimulateResult &result) {
     const reduction::ReducedRotor &rotor = motion.parts.rotor;
@@ -42,9 +45,9 @@ void describe_model(const model::Case &scene, const simulation::MotionScene &mot
     result.frequency_error = rotor.frequency_error;
     result.start_angles = motion.start_angles;
     if (std::max(rotor.response_error, rotor.frequency_error) > scene.simulate.reduction_tolerance)
-        result.model.notes.push_back(
-            fmt::format("{} modes of the shaft (simulate.modes) leave a relative error of {:.1e}",
-                        rotor.modes, std::max(rotor.response_error, rotor.frequency_error)));
+        result.model.notes.emplace_back(
+            "{} modes of the shaft (simulate.modes) leave a relative error of {}", rotor.modes,
+            as::number(std::max(rotor.response_error, rotor.frequency_error), 2));
 }
 
 /// Of each balancer, in the rotor, rad.
@@ -72,15 +75,14 @@ int overlapping_pairs(const std::vector<double> &angles, double nearest) {
 }
 
 /// A motion that grows beyond all numbers has an outcome all the same: what was followed is judged.
-void end_early(results::SimulateResult &result, const std::string &failure) {
+void end_early(results::SimulateResult &result, const Sentence &failure) {
     constexpr std::size_t enough = 100; // points of the series
     if (result.series.time.size() < enough)
         throw model::AnalysisFailure(failure);
     result.time = result.series.time.back();
     for (std::size_t i = 0; i < result.balancers.size(); ++i)
         result.balancers[i].amplitude = result.series.amplitude[i].back();
-    result.model.notes.push_back(
-        fmt::format("{}; it was followed for {:.6g} s", failure, result.time));
+    result.model.notes.emplace_back("{}; it was followed for {}", failure, as::time(result.time));
 }
 
 /// Balls that pass through each other are no balls: those that end in one place are named.
@@ -96,11 +98,11 @@ void note_overlaps(const model::Case &scene, results::SimulateResult &result) {
             const auto first = std::exchange(ball, ball + row.n);
             const int pairs = overlapping_pairs({first, ball}, row.touching_angle());
             if (row.diameter > 0 && pairs > 0)
-                result.model.notes.push_back(fmt::format(
+                result.model.notes.emplace_back(
                     "{}: {} {} of balls overlap at the end: their centres are nearer than the "
-                    "diameter of a ball, {:.4g} m; contact = true keeps them apart",
+                    "diameter of a ball, {}; contact = true keeps them apart",
                     b.name.empty() ? scene.rotor.balancer_path(i) : b.name, pairs,
-                    pairs == 1 ? "pair" : "pairs", row.diameter));
+                    pairs == 1 ? "pair" : "pairs", as::length(row.diameter, 4));
         }
     }
 }
@@ -113,8 +115,8 @@ void compare_with_no_balls(const model::Case &scene, int order, results::Simulat
         for (std::size_t i = 0; i < references.size(); ++i)
             result.balancers[i].reference = references[i];
     } catch (const model::AnalysisFailure &no_growth) { // the motion is worth having all the same
-        result.model.notes.push_back(fmt::format(
-            "{}; balanced is judged by the amplitude of a free rotor", no_growth.what()));
+        result.model.notes.emplace_back("{}; balanced is judged by the amplitude of a free rotor",
+                                        no_growth.sentence());
     }
     // Resistance to rolling makes whole intervals of positions stable, which no eigenvalue knows.
     const bool dry = std::ranges::any_of(scene.rotor.balancers, [](const model::Balancer &b) {
@@ -133,17 +135,17 @@ results::SimulateResult motion_from(const model::Case &scene, simulation::Motion
     results::SimulateResult result;
     describe_model(scene, motion, result);
     simulation::Run run(scene, motion);
-    std::string failure;
+    Sentence failure;
     try {
         if (!run.integrate(from))
             result.restart = run.restart();
     } catch (const linalg::SolverError &error) {
-        failure = std::string("the motion cannot be integrated: ") + error.what();
+        failure = Sentence("the motion cannot be integrated: {}", error.sentence());
     }
     run.fill(result);
     if (result.restart && scene.rotor.balancers.empty())
-        throw model::AnalysisFailure(
-            fmt::format("interrupted at {:.6g} s of {:.6g} s", result.time, scene.simulate.time));
+        throw model::AnalysisFailure(Sentence("interrupted at {} of {}", as::time(result.time),
+                                              as::time(scene.simulate.time)));
     if (result.restart)
         return result;
     if (!failure.empty())
@@ -182,9 +184,9 @@ void add_other_starts(const model::Case &scene, simulation::MotionScene &motion,
         motion.start_angles = simulation::start_of(scene.rotor, start);
         const results::SimulateResult other = motion_from(scene, motion, nullptr);
         if (other.restart) {
-            result.model.notes.push_back(
-                fmt::format("interrupted: {} of {} other starts were followed to the end",
-                            result.other_starts.size(), scene.simulate.other_starts.size()));
+            result.model.notes.emplace_back(
+                "interrupted: {} of {} other starts were followed to the end",
+                result.other_starts.size(), scene.simulate.other_starts.size());
             return;
         }
         result.other_starts.push_back(other_start(other));

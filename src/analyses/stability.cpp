@@ -31,6 +31,9 @@ namespace whirl::analyses {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 /// Ends of bands at which a root passes zero are roots of det K too, which are sharper.
 void sharpen(results::StabilityResult &result,
              const std::vector<stability::ZeroRootSpeed> &standing) {
@@ -250,9 +253,9 @@ void add_level1(const model::Case &scene, const stability::StabilityModel &model
         result.level1 =
             operation::level1(scene, model.form_of_lines, model.order, result.model.notes);
     } catch (const model::AnalysisFailure &failure) {
-        result.model.notes.emplace_back(failure.what());
+        result.model.notes.push_back(failure.sentence());
     } catch (const model::BadInput &failure) { // all else is answered
-        result.model.notes.push_back(fmt::format("no answer to {}", failure.what()));
+        result.model.notes.emplace_back("no answer to {}", failure.sentence());
     }
 }
 
@@ -269,10 +272,11 @@ void add_notes(const model::Case &scene, const stability::StabilityModel &model,
             "critical speeds are not listed: with bearings that differ between their directions "
             "nothing stands still in rotating axes");
     if (model.from > 0)
-        notes.push_back(fmt::format(
-            "below {:.6g} rad/s the {} at every speed: nothing is said of these speeds", model.from,
-            model.harmonics > 0 ? "Hill series (its harmonics lie 2 x speed apart) does not settle"
-                                : "motion over half a turn could not be found"));
+        notes.emplace_back("below {} the {} at every speed: nothing is said of these speeds",
+                           as::speed(model.from),
+                           model.harmonics > 0
+                               ? "Hill series (its harmonics lie 2 x speed apart) does not settle"
+                               : "motion over half a turn could not be found");
     const bool has_balancers = !scene.rotor.balancers.empty();
     if (results::in_rotating_axes(model.form) && !scene.rotor.damped() && has_balancers)
         notes.emplace_back("the bearings have no damping: the balls' drag acts as internal damping "
@@ -347,7 +351,7 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
     else
         all_but_map();
     if (result.map && !result.map->why.empty())
-        result.model.notes.push_back("some points of the map are empty: " + result.map->why);
+        result.model.notes.emplace_back("some points of the map are empty: {}", result.map->why);
     add_notes(scene, model, result);
     note_drives(model, result);
     return result;

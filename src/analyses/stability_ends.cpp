@@ -19,6 +19,9 @@ namespace whirl::analyses {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 /// Inside of the bands and between them.
 std::vector<double> looks(const std::vector<results::Interval> &bands) {
     std::vector<double> out;
@@ -74,23 +77,21 @@ std::vector<ends::WholeMotion> add_bands_and_ends(stability::BandFinder &finder,
     const stability::BandsFound bands = finder.find(grid);
     result.unstable = motions != nullptr ? those_that_grow(bands.bands, *motions) : bands.bands;
     for (const auto &[from, to] : bands.doubtful)
-        notes.push_back(
-            fmt::format("between {:.10g} and {:.10g} rad/s the motions could not be followed: an "
-                        "unstable band narrower than that may be missing there",
-                        from, to));
+        notes.emplace_back("from {} the motions could not be followed: an unstable band narrower "
+                           "than that may be missing there",
+                           as::speed.range(from, to, 10));
     const results::Interval range{grid.front(), grid.back()};
     ends::EndsFound found = motions != nullptr ? ends::find_ends(*motions, looks(result.unstable))
                                                : ends::multiplier_ends(at, grid, result.unstable);
     if (!found.doubtful.empty())
-        notes.push_back(fmt::format("the number of growing motions is in doubt at {} speeds, the "
-                                    "first of them {:.10g} rad/s: ends inside of unstable bands "
-                                    "may be missing there",
-                                    found.doubtful.size(), found.doubtful.front().from));
+        notes.emplace_back("the number of growing motions is in doubt at {} speeds, the first of "
+                           "them {}: ends inside of unstable bands may be missing there",
+                           found.doubtful.size(), as::speed(found.doubtful.front().from, 10));
     for (const double edge :
          ends::reconcile(found, result.unstable, at, finder.model().form, range))
-        notes.push_back(fmt::format("at {:.10g} rad/s an unstable band ends, but no change of the "
-                                    "number of growing motions was found",
-                                    edge));
+        notes.emplace_back(
+            "at {} an unstable band ends, but no change of the number of growing motions was found",
+            as::speed(edge, 10));
     if (motions != nullptr) {
         const std::vector<results::Interval> all = result.unstable;
         result.unstable = those_that_grow(all, *motions);
@@ -160,11 +161,10 @@ void add_hill_growth(const stability::BandFinder &finder, double from,
     }
     const stability::PeriodicMotions *periodic = finder.solver().by_monodromy();
     if (periodic != nullptr && periodic->unconfirmed() > 0)
-        result.model.notes.push_back(fmt::format(
-            "up to {:.6g} rad/s, but not at rest, growth at some speeds is that of the rotor on "
-            "few shapes: the motion of the rotor with all unknowns was not found with as many "
-            "terms as a Hill series may have",
-            periodic->unconfirmed()));
+        result.model.notes.emplace_back(
+            "up to {}, but not at rest, growth at some speeds is that of the reduced rotor: the "
+            "motion of the full model was not found with as many terms as a Hill series may have",
+            as::speed(periodic->unconfirmed()));
 }
 
 void add_growth(const ends::AllMotions &motions, results::StabilityResult &result) {

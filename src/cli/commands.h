@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace whirl::report {
@@ -28,8 +29,11 @@ struct Run {
         auto result = analysis();
         result.model.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        result.model.notes.insert(result.model.notes.begin(), scene.remarks.begin(),
-                                  scene.remarks.end());
+        std::vector<model::Sentence> notes; // of the case first
+        for (const std::string &remark : scene.remarks)
+            notes.emplace_back(remark);
+        notes.insert(notes.end(), result.model.notes.begin(), result.model.notes.end());
+        result.model.notes = std::move(notes);
         return result;
     }
 

@@ -1,12 +1,12 @@
 #include "cli/progress_display.h"
 
 #include "process/progress.h"
-#include "report/common/units.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace whirl::cli {
 
@@ -14,8 +14,9 @@ ProgressDisplay::Style ProgressDisplay::style_for(bool terminal) {
     return terminal ? Style{true, 1, 0.2, stderr} : Style{false, 10, 10, stderr};
 }
 
-ProgressDisplay::ProgressDisplay(const Style &style) : _style(style) {
-    process::on_progress([this](double share, const std::string &doing) {
+ProgressDisplay::ProgressDisplay(const Style &style, report::Units units)
+    : _style(style), _units(std::move(units)) {
+    process::on_progress([this](double share, const model::Sentence &doing) {
         const std::lock_guard<std::mutex> guard(_lock);
         _share = std::max(_share, share);
         _doing = doing;
@@ -36,9 +37,8 @@ ProgressDisplay::~ProgressDisplay() {
 }
 
 void ProgressDisplay::write(double seconds) {
-    const std::string text =
-        fmt::format("{:.0f} %{}{}, {:.0f} s", 100 * _share, _doing.empty() ? "" : ", ",
-                    report::note_in_written_units(_doing), seconds);
+    const std::string text = fmt::format("{:.0f} %{}{}, {:.0f} s", 100 * _share,
+                                         _doing.empty() ? "" : ", ", _units.text(_doing), seconds);
     if (_style.terminal)
         fmt::print(_style.to, "\r\033[K{}", text);
     else

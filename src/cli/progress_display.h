@@ -1,9 +1,12 @@
 #pragma once
 
+#include "model/sentence.h"
+#include "report/common/units.h"
+
 #include <condition_variable>
 #include <cstdio>
 #include <mutex>
-#include <string>
+
 #include <thread>
 
 namespace whirl::cli {
@@ -23,7 +26,7 @@ class ProgressDisplay {
     [[nodiscard]] static Style style_for(bool terminal);
 
     /// Listens to process::on_progress while it lives.
-    explicit ProgressDisplay(const Style &style);
+    ProgressDisplay(const Style &style, report::Units units);
     ~ProgressDisplay();
     ProgressDisplay(const ProgressDisplay &) = delete;
     ProgressDisplay &operator=(const ProgressDisplay &) = delete;
@@ -32,11 +35,14 @@ class ProgressDisplay {
 
   private:
     Style _style;
+    report::Units _units;
+
     std::mutex _lock;
     std::condition_variable _ended;
     bool _end = false;
     double _share = 0; ///< the largest so far
-    std::string _doing;
+    model::Sentence _doing;
+
     bool _written = false;
     std::thread _writer;
 

@@ -113,12 +113,14 @@ void run(const Arguments &arguments) {
         report::check_folder(checked.folder());
     const report::Provenance provenance = provenance_of(arguments);
     report::write_in(scene.units);
+    const report::Units units = report::Units::of_readers(scene.units);
+
     process::use_huge_pages();
     const linalg::Session session;
     std::optional<ProgressDisplay> display;
     if (!arguments.quiet && process::process_rank() == 0)
-        display.emplace(ProgressDisplay::style_for(isatty(STDERR_FILENO) != 0));
-    const process::Stage stage(arguments.command, 0, 1);
+        display.emplace(ProgressDisplay::style_for(isatty(STDERR_FILENO) != 0), units);
+    const process::Stage stage(model::Sentence(arguments.command), 0, 1);
     try {
         const Run work{arguments, scene, [&](report::Report report) {
                            display.reset(); // its line must be gone before others are written
@@ -130,10 +132,10 @@ void run(const Arguments &arguments) {
         throw model::BadInput(
             input::with_place(problem.what(), arguments.scene, arguments.overrides));
     } catch (const model::AnalysisFailure &failure) { // what looks like a slip may be why
-        std::string message = failure.what();
+        std::string message = units.text(failure.sentence());
         for (const std::string &remark : scene.remarks)
             message += "\nnote: " + remark;
-        throw model::AnalysisFailure(report::note_in_written_units(message));
+        throw model::AnalysisFailure(message);
     }
 }
 

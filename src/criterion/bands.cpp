@@ -14,6 +14,9 @@ namespace whirl::criterion {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 /// Speeds that differ by less are one: the rounding of eigenvalues of stiff rotors stays below.
 constexpr double one_speed = 1e-8;
 
@@ -267,9 +270,9 @@ void judge(const BalanceScene &scene, const std::string &which, const Judged &cr
             return 0.0;
         const auto error = error_of(end, upper, of.bands, criterion, finer);
         if (!error)
-            notes.push_back(fmt::format("{}: the end of a band at {:.6g} rad/s is not there on a "
-                                        "finer model; its error is not known",
-                                        which, end));
+            notes.emplace_back("{}: the end of a band at {} does not exist on a finer mesh: its "
+                               "error is not known",
+                               which, as::speed(end));
         return error;
     };
     for (const results::Interval &band : of.bands)
@@ -305,10 +308,10 @@ void judge_band_ends(const BalanceScene &scene, BalanceForm &form, results::Bala
         const std::size_t there =
             sharp_bands(fine, points.critical, points.pinned[i], scene.from, scene.to).size();
         if (there != each[i]->bands.size())
-            notes.push_back(fmt::format(
+            notes.emplace_back(
                 "{}: {} bands here, {} on a finer model: some are narrower than the error of the "
                 "mesh",
-                name(i), each[i]->bands.size(), there));
+                name(i), each[i]->bands.size(), there);
     }
 }
 

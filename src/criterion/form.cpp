@@ -58,8 +58,8 @@ const Eigen::MatrixXcd &BalanceForm::at(double speed) {
             continue;
         }
     }
-    throw model::AnalysisFailure(fmt::format(
-        "no steady motion at or beside {:.6g} rad/s: the rotor is free to move", speed));
+    throw model::AnalysisFailure(model::Sentence(
+        "no steady motion at or near {}: the rotor is free to move", model::as::speed(speed)));
 }
 
 Eigen::MatrixXcd BalanceForm::on_range(double speed) {

@@ -23,6 +23,9 @@ namespace whirl::criterion {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 using closed_form::PendulumRotor;
 
 std::vector<balancers::PlacedPendulums> pendulums_of(const model::Case &scene) {
@@ -243,9 +246,9 @@ std::vector<results::PendulumBalance> pendulum_balance(const model::Case &scene,
         notes.emplace_back(
             "the pendulum part takes the mean of the bearings' x and y coefficients");
     if (scene.rotor.bearings_depend_on_speed())
-        notes.push_back(fmt::format("the planar equivalent and the stability of the pendulums take "
-                                    "the bearings as at {:.6g} rad/s",
-                                    shared.from));
+        notes.emplace_back(
+            "the planar equivalent and the stability of the pendulums take the bearings as at {}",
+            as::speed(shared.from));
     for (std::size_t j = 0; j < pendulums.size(); ++j) {
         results::PendulumBalance balance;
         balance.name = pendulums[j].name;

@@ -179,12 +179,12 @@ void add_gravity_response(results::ResponseResult &result, const assembly::Discr
     for (const std::vector<double> &row : rows)
         for (std::size_t i = 0; i < lists.size(); ++i)
             lists[i]->push_back(row.at(i));
-    const std::string infinite = speeds_without_limit(result.speeds, out.stations.front().twice);
+    const std::vector<double> infinite =
+        speeds_without_limit(result.speeds, out.stations.front().twice);
     if (!infinite.empty())
-        result.model.notes.push_back(
-            fmt::format("no steady motion under the weight at {} rad/s: a resonance without "
-                        "damping at twice the spin speed",
-                        infinite));
+        result.model.notes.emplace_back("no steady motion under the weight at {}: a resonance "
+                                        "without damping at twice the spin speed",
+                                        results::as::speed.list(infinite));
     const process::Stage stage("peaks at twice the spin speed", 0.6, 1.0);
     if (form_under_weight(d.rotor()) == results::Form::rotating)
         add_peaks(out.peaks, out.curves, d, results::Form::rotating, watched(d, nodes), range,

@@ -9,12 +9,12 @@
 
 namespace whirl::forced {
 
-std::string speeds_without_limit(const std::vector<double> &speeds,
-                                 const std::vector<double> &amplitudes) {
-    std::string out;
+std::vector<double> speeds_without_limit(const std::vector<double> &speeds,
+                                         const std::vector<double> &amplitudes) {
+    std::vector<double> out;
     for (std::size_t i = 0; i < speeds.size(); ++i)
         if (std::isinf(amplitudes[i]))
-            out += fmt::format("{}{:.6g}", out.empty() ? "" : ", ", speeds[i]);
+            out.push_back(speeds[i]);
     return out;
 }
 

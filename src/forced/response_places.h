@@ -25,9 +25,9 @@ inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// u'' + Omega^2 u = 0.
 [[nodiscard]] results::Form form_under_weight(const model::Rotor &rotor);
 
-/// "120, 240": those at which an amplitude is infinite; empty: none.
-[[nodiscard]] std::string speeds_without_limit(const std::vector<double> &speeds,
-                                               const std::vector<double> &amplitudes);
+/// Those at which an amplitude is infinite.
+[[nodiscard]] std::vector<double> speeds_without_limit(const std::vector<double> &speeds,
+                                                       const std::vector<double> &amplitudes);
 
 /// Nodes of the mesh with the names of what is attached there; the ends are always among them.
 [[nodiscard]] std::map<int, std::string> attached_nodes(const assembly::Discretization &d);

@@ -101,10 +101,10 @@ struct BalanceSettings {
 /// One axis of a map: a numeric entry of the case, or "speed".
 struct MapAxis {
     std::string path;
-    Quantity quantity = Quantity::number; ///< of the entry
     double from = 0;
     double to = 0;
     int count = 1;
+    Quantity quantity = Quantity::number; ///< of the entry
 };
 
 struct MapSettings {

@@ -1,13 +1,27 @@
 #pragma once
 
+#include "model/sentence.h"
+
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace whirl::model {
 
 /// What the program knows to go wrong: each of the following, and linalg::SolverError.
 class Failure : public std::runtime_error {
   public:
-    using std::runtime_error::runtime_error;
+    explicit Failure(Sentence sentence)
+        : std::runtime_error(sentence.text()), _sentence(std::move(sentence)) {}
+
+    explicit Failure(const std::string &words) : Failure(Sentence(words)) {}
+    explicit Failure(const char *words) : Failure(Sentence(words)) {}
+
+    /// What to say in the units of readers; what() is in SI.
+    [[nodiscard]] const Sentence &sentence() const { return _sentence; }
+
+  private:
+    Sentence _sentence;
 };
 
 /// The analysis cannot be done for this scene, or failed; what() is for the user. Exit status 1.

@@ -17,6 +17,7 @@ std::string value_text(const Value &value, const Unit &unit) {
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {
         const bool last = i + 1 == value.numbers.size();
         text += i == 0 ? "" : value.from_to ? " to " : last ? " and " : ", ";
+        text += value.sign && value.numbers[i] > 0 ? "+" : "";
         text += readable(value.numbers[i] * unit.factor, value.digits);
     }
     if (!unit.name.empty())
@@ -37,8 +38,8 @@ std::string readable(double value, int digits) {
     return std::abs(rounded) < long_number ? fmt::format("{:.0f}", rounded) : text; // 1230
 }
 
-Sentence::Sentence(std::string text) : _pieces{{std::move(text), {}}}, _plain(true) {}
-Sentence::Sentence(const char *text) : Sentence(std::string(text)) {}
+Sentence::Sentence(const char *words) : _pieces{{words, {}}} {}
+Sentence::Sentence(const std::string &words) : _pieces{{words, {}}} {}
 
 Sentence Sentence::part(const Value &value) {
     Sentence out;
@@ -67,7 +68,7 @@ void Sentence::take(std::string_view pattern, const std::vector<Sentence> &parts
 
 Sentence &Sentence::operator+=(const Sentence &more) {
     _pieces.insert(_pieces.end(), more._pieces.begin(), more._pieces.end());
-    _plain = _plain || more._plain;
+
     return *this;
 }
 
@@ -80,6 +81,13 @@ std::string Sentence::text(const UnitOf &units) const {
     for (const Piece &piece : _pieces)
         text += piece.value.numbers.empty() ? piece.words
                                             : value_text(piece.value, units(piece.value.of));
+    return text;
+}
+
+std::string Sentence::pattern() const {
+    std::string text;
+    for (const Piece &piece : _pieces)
+        text += piece.value.numbers.empty() ? piece.words : "{}";
     return text;
 }
 

@@ -17,6 +17,13 @@ struct Value {
     Quantity of = Quantity::number;
     int digits = 6;       ///< significant ones
     bool from_to = false; ///< a range; else a list
+    bool sign = false;    ///< of positive numbers too
+
+    [[nodiscard]] Value with_sign() const {
+        Value out = *this;
+        out.sign = true;
+        return out;
+    }
 };
 
 /// Makes values of one quantity: as::speed(x), as::speed.range(a, b), as::speed.list(speeds).
@@ -24,13 +31,13 @@ struct ValueOf {
     Quantity of;
 
     [[nodiscard]] Value operator()(double number, int digits = 6) const {
-        return {{number}, of, digits, false};
+        return {{number}, of, digits};
     }
     [[nodiscard]] Value range(double from, double to, int digits = 6) const {
         return {{from, to}, of, digits, true};
     }
     [[nodiscard]] Value list(const std::vector<double> &numbers, int digits = 6) const {
-        return {numbers, of, digits, false};
+        return {numbers, of, digits};
     }
 };
 namespace as {
@@ -50,6 +57,8 @@ inline constexpr ValueOf imbalance{Quantity::imbalance};
 inline constexpr ValueOf moment{Quantity::moment};
 inline constexpr ValueOf time{Quantity::time};
 inline constexpr ValueOf angle{Quantity::angle};
+inline constexpr ValueOf density{Quantity::density};
+inline constexpr ValueOf inverse_mass{Quantity::inverse_mass};
 } // namespace as
 
 /// The units in which a sentence is written.
@@ -64,9 +73,11 @@ using UnitOf = std::function<Unit(Quantity)>;
 class Sentence {
   public:
     Sentence() = default;
-    // While notes are converted: a whole text.
-    Sentence(std::string text); // NOLINT(google-explicit-constructor)
-    Sentence(const char *text); // NOLINT(google-explicit-constructor)
+    /// Without values.
+    Sentence(const char *words); // NOLINT(google-explicit-constructor)
+    /// What somebody else says, as it is: input, a library.
+    explicit Sentence(const std::string &words);
+
     template <class First, class... More>
     Sentence(std::string_view pattern, const First &first, const More &...more) {
         take(pattern, {Sentence::part(first), Sentence::part(more)...});
@@ -83,8 +94,8 @@ class Sentence {
     [[nodiscard]] bool starts_with(std::string_view words) const {
         return text().starts_with(words);
     }
-    /// Not made of values: its units are still to be found in the text.
-    [[nodiscard]] bool plain() const { return _plain; }
+    /// The words alone, with {} for values.
+    [[nodiscard]] std::string pattern() const;
 
     friend std::ostream &operator<<(std::ostream &stream, const Sentence &sentence);
     friend bool operator==(const Sentence &a, const Sentence &b) { return a.text() == b.text(); }
@@ -110,7 +121,6 @@ class Sentence {
     static Sentence part(double) = delete; // say what it is: as::number(x), as::speed(x)
 
     Pieces _pieces;
-    bool _plain = false;
 };
 
 /// Sentences one after another, with words between.

@@ -249,10 +249,10 @@ Spectrum SpectrumSolver::at(double speed, int wanted, Errors errors) const {
         classify(spectrum);
         return spectrum;
     } catch (const linalg::SolverError &) {
-        throw model::AnalysisFailure(fmt::format(
-            "the eigenvalues at {:.6g} rad/s could not be found: the eigensolver did not converge "
+        throw model::AnalysisFailure(model::Sentence(
+            "the eigenvalues at {} could not be found:  the eigensolver did not converge "
             "or missed some ({} unknowns, {} modes asked for, {} form)",
-            speed, unknowns(), wanted, results::form_name(_data->form)));
+            model::as::speed(speed), unknowns(), wanted, results::form_name(_data->form)));
     }
 }
 

@@ -20,6 +20,9 @@ namespace whirl::operation {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 using Complex = std::complex<double>;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -289,11 +292,10 @@ void note_no_threshold(const CoupledRotor &rotor, double scale, bool grows, bool
                        std::vector<results::Sentence> &notes) {
     for (double q = 1e-3 * scale; !grows && q < 200 * scale; q *= 10)
         if (!growing(rotor, q).empty()) {
-            notes.push_back(
-                fmt::format("level1: the motion that was followed does not begin to "
-                            "grow, but another one grows with a cross coupling of {:.3g} "
-                            "N/m: the threshold lies below that and is not known",
-                            q));
+            notes.emplace_back(
+                "level1: the motion that was followed does not begin to grow, but another one "
+                "grows with a cross coupling of {}: the threshold lies below that and is not known",
+                as::stiffness(q, 3));
             return;
         }
     if (grows)
@@ -312,9 +314,9 @@ void note_no_threshold(const CoupledRotor &rotor, double scale, bool grows, bool
 void note_others(const CoupledRotor &rotor, const State &root,
                  std::vector<results::Sentence> &notes) {
     for (const modes::WhirlMode &mode : growing(rotor, root.q))
-        notes.push_back(fmt::format("level1: another motion, of frequency {:.6g} rad/s, grows "
-                                    "already with the critical cross coupling of the first one",
-                                    mode.eigenvalue.imag()));
+        notes.emplace_back("level1: another motion, of frequency {}, grows already with the "
+                           "critical cross coupling of the first one",
+                           as::frequency(mode.eigenvalue.imag()));
 }
 
 } // namespace

@@ -12,6 +12,9 @@ namespace whirl::operation {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 using results::CriticalSpeed;
 using results::MarginSide;
 using results::ResponsePeak;
@@ -203,13 +206,13 @@ const ResponsePeak *peak_of(const CriticalSpeed &critical, const std::vector<Res
     return largest;
 }
 
-std::string about(const ResponsePeak &peak) {
-    const std::string where = fmt::format("at {:.6g} rpm{}", peak.speed * model::rpm,
-                                          peak.name.empty() ? std::string() : " of " + peak.name);
+Sentence about(const ResponsePeak &peak) {
+    const Sentence where("at {}{}", as::speed(peak.speed),
+                         peak.name.empty() ? std::string() : " of " + peak.name);
     return counts(peak.amplification)
-               ? fmt::format("the peak of the response next to it, {}, is that of another", where)
-               : fmt::format("its peak of the response, {}, shows a factor of {:.4g}, below {}",
-                             where, *peak.amplification, counted_from);
+               ? Sentence("the peak of the response next to it, {}, is that of another", where)
+               : Sentence("its peak of the response, {}, shows a factor of {}, below {}", where,
+                          as::number(*peak.amplification, 4), as::number(counted_from));
 }
 
 /// Says of critical speeds with AF >= 2.5 by their damping, up to the highest speed that matters,
@@ -229,14 +232,14 @@ void note_unlisted(const model::Operation &operation,
         const ResponsePeak *peak = peak_of(critical, peaks);
         if (!peak && !backward)
             continue; // one with it is listed
-        const std::string factor = critical.damping.amplification
-                                       ? fmt::format("{:.4g}", *critical.damping.amplification)
-                                       : "without limit";
-        notes.push_back(fmt::format(
-            "margins: the {} critical speed {:.6g} rpm, amplification factor {} by its damping, is "
-            "not among them: {}",
-            results::whirl_name(critical.whirl), critical.speed * model::rpm, factor,
-            peak ? about(*peak) : "it has no peak of its own in the response"));
+        const Sentence factor = critical.damping.amplification
+                                    ? Sentence("{}", as::number(*critical.damping.amplification, 4))
+                                    : Sentence("without limit");
+        notes.emplace_back("margins: the {} critical speed {}, amplification factor {} by its "
+                           "damping, is not among them: {}",
+                           results::whirl_name(critical.whirl), as::speed(critical.speed), factor,
+                           peak ? about(*peak)
+                                : Sentence("it has no peak of its own in the response"));
     }
 }
 
@@ -250,12 +253,13 @@ void note_without_factor(const std::vector<CriticalSpeed> &critical_speeds,
                 return critical.damping.known() && counts(critical.damping.amplification) &&
                        together(*peak, critical);
             }))
-            notes.push_back(fmt::format(
-                "margins: what the probe {} reads at its peak, {:.6g} rpm, is not among them: the "
+            notes.emplace_back(
+                "margins: what the probe {} reads at its peak, {}, is not among them: the "
                 "curve does not come down to the half-power points on both sides (other sources of "
                 "vibration, or an end of [speeds] that is too near)",
-                peak->name.empty() ? fmt::format("at z = {:.6g} m", peak->z) : peak->name,
-                peak->speed * model::rpm));
+                peak->name.empty() ? Sentence("at z = {}", as::length(peak->z))
+                                   : Sentence("{}", peak->name),
+                as::speed(peak->speed));
 }
 
 /// Says so where the damping of critical speeds is not known (asymmetric damped rotors): margins

@@ -63,10 +63,10 @@ std::vector<Outcome> deal(std::size_t count, const std::string &doing,
         SharedCounter counter;
         if (first && process_rank() == 0)
             failure = failure_of(first);
-        const Stage all(doing, 0, 1);
+        const Stage all(model::Sentence(doing), 0, 1);
         const double whole = static_cast<double>(count);
         for (std::size_t piece = 0; failure.empty() && (piece = counter.next()) < count;) {
-            const Stage one(doing, static_cast<double>(piece) / whole,
+            const Stage one(model::Sentence(doing), static_cast<double>(piece) / whole,
                             static_cast<double>(piece + 1) / whole);
             failure = failure_of([&] {
                 const Outcome outcome = work(piece);

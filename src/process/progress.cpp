@@ -9,7 +9,7 @@ namespace {
 /// The part of the work that is being done, as shares of all of it.
 struct Part {
     double from = 0, to = 1;
-    std::string doing;
+    model::Sentence doing;
 };
 
 ProgressListener &listener() {
@@ -26,7 +26,7 @@ Part &part() {
 
 void on_progress(ProgressListener function) { listener() = std::move(function); }
 
-Stage::Stage(const std::string &doing, double from, double to)
+Stage::Stage(const model::Sentence &doing, double from, double to)
     : _from(part().from), _to(part().to), _doing(part().doing) {
     part() = {_from + from * (_to - _from), _from + to * (_to - _from), doing};
     report_progress(0);

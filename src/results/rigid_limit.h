@@ -11,7 +11,7 @@ namespace whirl::results {
 /// One quantity of the rigid rotor and what the finite-element model gives for it, either while the
 /// shaft stiffens or while the mesh coarsens; the lists have one entry a point.
 struct RigidLimitRow {
-    std::string quantity;
+    Sentence quantity;
     model::Quantity of = model::Quantity::speed;
     double closed_form = 0;
     bool speed = true;                     ///< counts for the 1 % stiffness
@@ -34,7 +34,7 @@ struct RigidShaft {
     double stiffness = 0;     ///< 48 EI/L^3, N/m
     double over_bearings = 0; ///< that over the sum of the bearings' stiffnesses
     double largest = 0;       ///< relative difference of `quantity`
-    std::string quantity;     ///< the speed that differs most
+    Sentence quantity;        ///< the speed that differs most
 };
 
 struct RigidLimitResult {

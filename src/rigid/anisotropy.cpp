@@ -85,7 +85,8 @@ std::optional<results::AnisotropyChart> anisotropy_chart(const model::Rotor &rot
     closed_form::ReducedSupports supports;
     const std::string why = reason_against(rotor, whole, supports);
     if (!why.empty()) {
-        notes.push_back("no chart of critical speeds and stability over the anisotropy: " + why);
+        notes.emplace_back("no chart of critical speeds and stability over the anisotropy: {}",
+                           why);
         return std::nullopt;
     }
     const double A = whole.diametral();

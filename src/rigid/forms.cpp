@@ -60,12 +60,12 @@ void add_ascending(std::vector<RigidTarget> &targets, RigidTarget like,
     for (std::size_t i = 0; i < values.size(); ++i)
         if (i == 0 || values[i] - values[i - 1] > 1e-9 * values[i])
             different.push_back(static_cast<int>(i));
-    const std::string name = like.quantity;
+    const results::Sentence name = like.quantity;
     for (const int &i : different) {
         like.index = i;
         like.closed_form = values[static_cast<std::size_t>(i)];
         if (different.size() > 1)
-            like.quantity = fmt::format("{} {}", name, &i - different.data() + 1);
+            like.quantity = results::Sentence("{} {}", name, &i - different.data() + 1);
         targets.push_back(like);
     }
 }
@@ -77,11 +77,13 @@ std::vector<double> criticals_of(const closed_form::RotatingCoefficients &c, boo
 }
 
 /// Planes of correction, or the balancers where the case names none.
-std::vector<std::pair<std::string, double>> planes_of(const model::Rotor &rotor) {
-    std::vector<std::pair<std::string, double>> planes;
+std::vector<std::pair<results::Sentence, double>> planes_of(const model::Rotor &rotor) {
+    std::vector<std::pair<results::Sentence, double>> planes;
     const auto add = [&planes](const auto &items) {
         for (const auto &item : items)
-            planes.emplace_back(item.name.empty() ? fmt::format("z = {:.6g} m", item.z) : item.name,
+            planes.emplace_back(item.name.empty()
+                                    ? results::Sentence("z = {}", results::as::length(item.z))
+                                    : results::Sentence("{}", item.name),
                                 item.z);
     };
     if (rotor.planes.empty())
@@ -97,7 +99,7 @@ void add_additional(std::vector<RigidTarget> &targets, closed_form::RotatingCoef
         c.balancer_position = z - whole.center();
         RigidTarget target;
         target.kind = RigidQuantity::additional;
-        target.quantity = "additional speed, pinned at " + name;
+        target.quantity = results::Sentence("additional speed, pinned at {}", name);
         target.z = z;
         if (rotor.rotating_anisotropy())
             add_ascending(targets, target, closed_form::additional_speeds(c));

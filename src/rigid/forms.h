@@ -21,7 +21,7 @@ enum class RigidQuantity {
 /// One number of the rigid rotor in closed form, and where the model has its counterpart.
 struct RigidTarget {
     RigidQuantity kind = RigidQuantity::critical;
-    std::string quantity; ///< name for readers
+    results::Sentence quantity; ///< name for readers
     model::Quantity of = model::Quantity::speed;
     double closed_form = 0;
     int index = 0;            ///< critical, additional: place among the model's, from below

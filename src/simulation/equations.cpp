@@ -22,6 +22,13 @@ namespace whirl::simulation {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
+/// Of the first ball of a balancer at a start that the case does not give, rad: a start in which
+/// all are spread evenly would be one of balance between them, which need not be stable.
+constexpr double out_of_place = 0.01;
+
 using std::numbers::pi;
 constexpr double most_revolutions = 1e7;
 
@@ -128,7 +135,7 @@ std::vector<double> usual_start(const balancers::Kind &kind) {
     const auto n = static_cast<double>(kind.circled().size());
     for (std::size_t i = 0; i < kind.circled().size(); ++i)
         angles[i] = pi / n * (1 + 2 * static_cast<double>(i));
-    angles.front() += 0.01;
+    angles.front() += out_of_place;
     return angles;
 }
 
@@ -223,23 +230,23 @@ void set_drive(const model::Case &scene, const assembly::Discretization &d, Moti
 
 void add_notes(const model::Case &scene, MotionScene &motion) {
     for (const model::Balancer &b : scene.rotor.balancers) {
-        const std::string name =
-            b.name.empty() ? fmt::format("the balancer at z = {:.6g} m", b.z) : b.name;
+        const Sentence name = b.name.empty() ? Sentence("the balancer at z = {}", as::length(b.z))
+                                             : Sentence("{}", b.name);
         const auto kind = balancers::kind_of(b);
         if (!kind->circled().empty() && balancers::capacity(b) < 1)
-            motion.notes.push_back(
-                fmt::format("{} cannot balance its imbalance: capacity E = {:.4g} is below 1", name,
-                            balancers::capacity(b)));
+            motion.notes.emplace_back("{} cannot balance its imbalance: capacity E = {} is below 1",
+                                      name, as::number(balancers::capacity(b), 4));
         if (!kind->damped())
-            motion.notes.push_back(fmt::format(
-                "{} has no damping: its {} cannot come to rest in the rotor", name, kind->parts()));
+            motion.notes.emplace_back("{} has no damping: its {} cannot come to rest in the rotor",
+                                      name, kind->parts());
     }
     if (!scene.rotor.damped())
         motion.notes.emplace_back("no damping in the bearings: whirl does not die out");
     if (scene.simulate.ball_angles.empty() && !scene.rotor.balancers.empty())
         motion.notes.emplace_back(
-            "start chosen here (simulate.ball_angles is not given): balls spread evenly, the first "
-            "of each balancer out of place by 0.01 rad; other starts may end otherwise");
+            "simulate.ball_angles is not given: the balls start spread evenly, the first of each "
+            "balancer out of place by {}; other starts may end otherwise",
+            as::angle(out_of_place));
     if (std::ranges::any_of(scene.rotor.balancers,
                             [](const model::Balancer &b) { return !b.tilt_inertia; }))
         motion.notes.emplace_back("the balls' inertia against tilting is left out");
@@ -322,9 +329,9 @@ std::vector<double> unbalanced_amplitudes(const model::Case &scene, int order, d
                                  speed, places);
     } catch (const linalg::SolverError &) {
         throw model::AnalysisFailure(
-            fmt::format("no steady motion without balls at {:.6g} rad/s to compare with: the rotor "
-                        "is at a resonance without damping, or free to move",
-                        speed));
+            Sentence("no steady motion without balls at {} to compare with: the rotor is at a "
+                     "resonance without damping, or free to move",
+                     as::speed(speed)));
     }
 }
 

@@ -16,6 +16,9 @@ namespace whirl::simulation {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 using std::numbers::pi;
 constexpr double still_swing = 0.05;   ///< rad, of a ball that counts as standing still
 constexpr double drifting = pi;        ///< rad over the last tenth, of a ball that lags
@@ -145,8 +148,8 @@ Trends trends_of(const results::MotionSeries &series, double amplitude_noise, do
 }
 
 /// Sets outcome, trend and decision_time; says why where the outcome is not what it looks like.
-std::string judge(const Look &look, const Trends &trends, double tolerance,
-                  results::SimulateResult &result) {
+Sentence judge(const Look &look, const Trends &trends, double tolerance,
+               results::SimulateResult &result) {
     const double end = result.series.time.back();
     result.outcome = look.outcome;
     result.trend = trends.amplitude.end_rate;
@@ -157,10 +160,10 @@ std::string judge(const Look &look, const Trends &trends, double tolerance,
         if (!trend->growing || (lagging && trend != &trends.amplitude))
             continue;
         result.outcome = results::Outcome::growing;
-        return fmt::format("{} grows steadily, by {:.3g} 1/s over the last half", what,
-                           trend->end_rate);
+        return Sentence("{} grows steadily, by {} over the last half", what,
+                        as::rate(trend->end_rate, 3));
     }
-    const auto undecided = [&](double time, std::string why) {
+    const auto undecided = [&](double time, Sentence why) {
         result.outcome = results::Outcome::undecided;
         result.decision_time = time;
         return why;
@@ -168,22 +171,24 @@ std::string judge(const Look &look, const Trends &trends, double tolerance,
     if (look.outcome == results::Outcome::whirling && trends.balls.decaying)
         return undecided(
             end + std::log(look.swing / still_swing) / -trends.balls.end_rate,
-            fmt::format("the swing of the balls dies out, by {:.3g} 1/s", trends.balls.end_rate));
+            Sentence("the swing of the balls dies out, by {}", as::rate(trends.balls.end_rate, 3)));
     if (look.outcome == results::Outcome::balanced && result.linear_growth.value_or(0) > 0)
         return undecided(end + std::log(1 / tolerance) / *result.linear_growth,
-                         fmt::format("it looks balanced, but by its eigenvalues that position is "
-                                     "unstable: small motions grow by {:.3g} 1/s",
-                                     *result.linear_growth));
+                         Sentence("it looks balanced, but by its eigenvalues that position is "
+                                  "unstable: small motions grow by {}",
+                                  as::rate(*result.linear_growth, 3)));
     if (look.outcome == results::Outcome::offset && trends.amplitude.decaying)
         return undecided(
             end + std::log(look.ratio / balanced_ratio) / -trends.amplitude.end_rate,
-            fmt::format("the amplitude still falls, by {:.3g} 1/s", trends.amplitude.end_rate));
+            Sentence("the amplitude still falls, by {}", as::rate(trends.amplitude.end_rate, 3)));
     if (look.outcome == results::Outcome::offset &&
         (trends.amplitude.changing || trends.creep > creeping))
-        return undecided(2 * end, fmt::format("the motion still changes: angles by {:.3g} rad over "
-                                              "the last quarter, the amplitude by {:.3g} 1/s",
-                                              trends.creep, trends.amplitude.end_rate));
-    return "";
+        return undecided(
+            2 * end,
+            Sentence(
+                "the motion still changes: angles by {} over the last quarter, the amplitude by {}",
+                as::angle(trends.creep, 3), as::rate(trends.amplitude.end_rate, 3)));
+    return {};
 }
 
 } // namespace
@@ -214,20 +219,17 @@ void classify(const model::Case &scene, results::SimulateResult &result) {
         result.residual_ratio = ratio;
     const Look look = look_of(result.series, ratio);
     const double tolerance = scene.simulate.tolerance;
-    std::string why;
+    Sentence why;
     if (ends_at_constant_speed(result))
         why = judge(look, trends_of(result.series, noise * tolerance * scale, noise * tolerance),
                     tolerance, result);
     else
         result.outcome = look.outcome;
-    constexpr double micrometres = 1e6;
-    result.evidence = fmt::format(
-        "largest amplitude at a balancer {:.4g} µm at the end, {:.4g} µm without balls; fastest "
-        "ball "
-        "in the rotor {:.3g} rad/s on the mean of the last tenth, swing of the angles over the "
-        "last fortieth {:.3g} rad{}{}",
-        amplitude * micrometres, reference * micrometres, fastest_rate(result), look.swing,
-        why.empty() ? "" : "; ", why);
+    result.evidence = Sentence(
+        "largest amplitude at a balancer {} at the end, {} without balls; fastest ball in the "
+        "rotor {} on the mean of the last tenth, swing of the angles over the last fortieth {}{}{}",
+        as::amplitude(amplitude, 4), as::amplitude(reference, 4),
+        as::speed(fastest_rate(result), 3), as::angle(look.swing, 3), why.empty() ? "" : "; ", why);
 }
 
 } // namespace whirl::simulation

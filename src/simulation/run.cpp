@@ -78,10 +78,10 @@ Eigen::VectorXd steady_motion(const MovingParts &parts) {
     const Eigen::VectorXcd p = linalg::solved(factors, load);
     constexpr double resonance = 1e-13; // of the condition: no digit is left
     if (!p.allFinite() || linalg::reciprocal_condition(factors) < resonance)
-        throw model::AnalysisFailure(fmt::format(
-            "no steady motion to start from at {:.6g} rad/s: the rotor is at a resonance without "
-            "damping, or free to move",
-            speed));
+        throw model::AnalysisFailure(
+            model::Sentence("no steady motion to start from at {}: the rotor is at a resonance "
+                            "without damping, or free to move",
+                            model::as::speed(speed)));
     Eigen::VectorXd state(4 * r);
     state << p.real(), (i * speed * p).real();
     return state;

@@ -106,10 +106,10 @@ auto found_or_said(double speed, int unknowns, results::Form form, const Find &f
     try {
         return find();
     } catch (const linalg::SolverError &) {
-        throw model::AnalysisFailure(fmt::format(
-            "the eigenvalues at {:.6g} rad/s could not be found: the eigensolver did not converge "
+        throw model::AnalysisFailure(model::Sentence(
+            "the eigenvalues at {} could not be found:  the eigensolver did not converge "
             "({} unknowns, {} form)",
-            speed, unknowns, results::form_name(form)));
+            model::as::speed(speed), unknowns, results::form_name(form)));
     }
 }
 

@@ -146,9 +146,9 @@ int PeriodicMotions::steps(double speed, double reach) const {
     constexpr double most = 1e11; // operations
     const double each = std::pow(2.0 * system(speed).size(), 3);
     if (!(wanted * each < most))
-        throw NotSettled(fmt::format("half a turn at {:.6g} rad/s takes the fastest motions too "
-                                     "many periods to be followed; the speed may lie too low",
-                                     speed));
+        throw NotSettled(model::Sentence("half a turn at {} takes the fastest motions too many "
+                                         "periods to be followed; the speed may lie too low",
+                                         model::as::speed(speed)));
     return static_cast<int>(wanted);
 }
 
@@ -174,10 +174,10 @@ Floquet PeriodicMotions::settled(double speed, double reach) const {
             return found;
         }
         if (_experience->density > densest)
-            throw NotSettled(fmt::format("the motion over half a turn does not settle at {:.6g} "
-                                         "rad/s: with more steps in time multipliers still "
-                                         "change by {:.1e} of the spin speed",
-                                         speed, worst));
+            throw NotSettled(
+                model::Sentence("the motion over half a turn does not settle at {}: with more "
+                                "steps in time multipliers still change by {} of the spin speed",
+                                model::as::speed(speed), model::as::number(worst, 2)));
         _experience->density *= another;
     }
 }

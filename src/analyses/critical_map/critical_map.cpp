@@ -28,6 +28,9 @@ using synchronous::SynchronousModes;
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 /// Decades around the stiffnesses of shaft and bearings, two more on either side.
 std::pair<double, double> usual_range(const model::Rotor &rotor,
                                       std::optional<std::size_t> varied) {
@@ -265,9 +268,8 @@ std::vector<CriticalMapCrossing> crossings_of(const MapScene &map, const model::
     const SynchronousModes found = synchronous::all_synchronous_modes(
         d, map.form, static_cast<int>(2 * map.kept()), highest, map.symmetric);
     for (const auto &[from, to] : found.doubtful)
-        notes.push_back(fmt::format(
-            "critical speed map: crossings between {:.6g} and {:.6g} rad/s may be missing", from,
-            to));
+        notes.emplace_back("critical speed map: crossings from {} may be missing",
+                           as::speed.range(from, to));
     const auto errors =
         synchronous::errors_by_finer_model(d, map.form, found, map.symmetric, notes);
     std::vector<CriticalMapCrossing> out;
@@ -291,9 +293,8 @@ void keep(CriticalMapCrossing crossing, const MapScene &map, const CurveOf &curv
         return;
     constexpr double same_root = 1e-8; // far above rounding, far below any two curves' distance
     if (on->difference > same_root)
-        notes.push_back(fmt::format(
-            "critical speed map: the crossing at {:.6g} rad/s misses its curve by {:.1e} of it",
-            crossing.speed, on->difference));
+        notes.emplace_back("critical speed map: the crossing at {} misses its curve by {} of it",
+                           as::speed(crossing.speed), as::number(on->difference, 2));
     crossing.number = out.curves[on->curve].number;
     const bool second_direction =
         !out.crossings.empty() && out.crossings.back().bearing == crossing.bearing &&
@@ -326,14 +327,14 @@ void add_crossings(const MapScene &map, const CurveOf &curve_of, const model::Ro
 void add_notes(const model::Rotor &rotor, const MapScene &map, const CriticalMap &out,
                std::vector<results::Sentence> &notes) {
     const bool other_axes = !rotor.bearings_isotropic() && (map.varied || !rotor.seals().empty());
-    notes.push_back(fmt::format(
+    notes.emplace_back(
         "critical speed map: without damping and cross coupling{}{}{}",
         rotor.shaft.axial_torque != 0 ? " and without the axial torque" : "",
         other_axes ? "; supports that do not vary have the mean of their x and y coefficients" : "",
         map.form == results::Form::rotating
             ? "; forward only, the balls of balancers held in place; where inertias or stiffnesses "
               "of the rotor differ in two directions, each direction has its curve"
-            : ""));
+            : "");
     if (!map.varied && (out.bearings.size() > 1 || !rotor.bearings_isotropic()))
         notes.emplace_back(
             "critical speed map: a crossing is a critical speed of the rotor on bearings that all "
@@ -341,9 +342,9 @@ void add_notes(const model::Rotor &rotor, const MapScene &map, const CriticalMap
             "differ");
     for (const CriticalMapCurve &curve : out.curves)
         if (std::ranges::any_of(curve.error, [](double error) { return std::isinf(error); }))
-            notes.push_back(fmt::format(
+            notes.emplace_back(
                 "critical speed map: errors of the {} curve {} are not known everywhere",
-                results::whirl_name(curve.whirl), curve.number));
+                results::whirl_name(curve.whirl), curve.number);
 }
 
 } // namespace

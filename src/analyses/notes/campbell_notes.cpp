@@ -15,25 +15,27 @@ namespace whirl::analyses {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 /// What the absence of modes at some speeds means.
-std::string absence_note(tracking::Absence why, const std::string &labels, bool several) {
+Sentence absence_note(tracking::Absence why, const std::string &labels, bool several) {
     const std::string who = (several ? "modes " : "mode ") + labels;
     const std::string they = several ? "they" : "it";
     const auto verb = [several](const char *one, const char *more) { return several ? more : one; };
     switch (why) {
     case tracking::Absence::overdamped:
-        return fmt::format("{} {} overdamped at some speeds and {} no whirl frequency there", who,
-                           verb("is", "are"), verb("has", "have"));
+        return Sentence("{} {} overdamped at some speeds and {} no whirl frequency there", who,
+                        verb("is", "are"), verb("has", "have"));
     case tracking::Absence::divergent:
-        return fmt::format("{} {} at some speeds: the eigenvalue is real and positive there, {} {} "
-                           "without whirling",
-                           who, verb("diverges", "diverge"), they, verb("grows", "grow"));
+        return Sentence("{} {} at some speeds: the eigenvalue is real and positive there, {} {} "
+                        "without whirling",
+                        who, verb("diverges", "diverge"), they, verb("grows", "grow"));
     case tracking::Absence::beyond:
-        return fmt::format("{} {} beyond the computed modes at some speeds", who,
-                           verb("lies", "lie"));
+        return Sentence("{} {} beyond the computed modes at some speeds", who, verb("lies", "lie"));
     default:
-        return fmt::format("{} could not be followed to some speeds; {} {} on there as {}", who,
-                           they, verb("goes", "go"), verb("another line", "other lines"));
+        return Sentence("{} could not be followed to some speeds; {} {} on there as {}", who, they,
+                        verb("goes", "go"), verb("another line", "other lines"));
     }
 }
 
@@ -52,7 +54,7 @@ void note_absent(results::CampbellResult &result, const std::vector<tracking::Li
 
 /// Lines on which motion grows, in one note.
 void note_growing(results::CampbellResult &result) {
-    std::vector<std::string> lines;
+    std::vector<Sentence> lines;
     for (const results::CampbellMode &mode : result.modes) {
         std::vector<double> at;
         for (std::size_t k = 0; k < mode.real.size(); ++k) {
@@ -65,18 +67,17 @@ void note_growing(results::CampbellResult &result) {
                 at.push_back(result.speeds[k]);
         }
         if (!at.empty())
-            lines.push_back(
-                fmt::format("{} ({:.6g} to {:.6g} rad/s)", mode.label, at.front(), at.back()));
+            lines.emplace_back("{} ({})", mode.label, as::speed.range(at.front(), at.back()));
     }
     constexpr std::size_t listed = 4;
     if (lines.empty())
         return;
     const std::size_t more = lines.size() - std::min(listed, lines.size());
     lines.resize(std::min(listed, lines.size()));
-    result.model.notes.push_back(fmt::format(
-        "unstable: motion grows (negative damping) at speeds of {}{}; `stability` finds where it "
-        "begins",
-        fmt::join(lines, ", "), more > 0 ? fmt::format(" and {} more modes", more) : ""));
+    result.model.notes.emplace_back("unstable: motion grows (negative damping) at speeds of {}{}; "
+                                    "`stability` finds where it begins",
+                                    joined(lines, ", "),
+                                    more > 0 ? fmt::format(" and {} more modes", more) : "");
 }
 
 /// `critical` has no answer where the equations stay periodic.
@@ -101,11 +102,11 @@ void note_far_apart(results::CampbellResult &result) {
         }
     }
     if (largest > most)
-        result.model.notes.push_back(fmt::format(
-            "{} crossings lie between {:.6g} and {:.6g} rad/s, two neighbours of the speeds: modes "
-            "that exchange their places in between can cross unseen; take more speeds{}",
-            largest, result.speeds[at - 1], result.speeds[at],
-            critical_knows(result) ? ", or `critical`, which needs none" : ""));
+        result.model.notes.emplace_back(
+            "{} crossings lie between two neighbouring speeds, {}: modes that exchange their "
+            "places in between can cross unseen; take more speeds{}",
+            largest, as::speed.range(result.speeds[at - 1], result.speeds[at]),
+            critical_knows(result) ? ", or `critical`, which needs none" : "");
 }
 
 /// Real eigenvalues: those that die out are overdamped motion, those that grow are divergence.
@@ -114,21 +115,20 @@ void note_real(results::CampbellResult &result, const std::vector<modes::Spectru
     const auto diverging = std::ranges::count_if(divergence, &std::optional<double>::has_value);
     if (diverging > 0) {
         const auto worst = std::ranges::max_element(divergence); // none is less than any
-        result.model.notes.push_back(
-            fmt::format("divergence (static instability) at {} of {} speeds: a real eigenvalue of "
-                        "{:+.6g} 1/s at {:.6g} rad/s, motion grows without whirling",
-                        diverging, spectra.size(), **worst,
-                        result.speeds[static_cast<std::size_t>(worst - divergence.begin())]));
+        result.model.notes.emplace_back(
+            "divergence (static instability) at {} of {} speeds: a real eigenvalue of {} at {}, "
+            "motion grows without whirling",
+            diverging, spectra.size(), as::rate(**worst).with_sign(),
+            as::speed(result.speeds[static_cast<std::size_t>(worst - divergence.begin())]));
     }
     std::size_t overdamped = 0;
     for (const modes::Spectrum &spectrum : spectra)
         overdamped = std::max(overdamped, spectrum.overdamped.size() - spectrum.growing.size());
     if (overdamped > 0)
-        result.model.notes.push_back(
-            fmt::format("up to {} overdamped motions, which do not whirl, lie among the ones "
-                        "computed at a speed: real eigenvalues, and pairs with a damping ratio "
-                        "above {:.4f}; they have no line and no crossings",
-                        overdamped, modes::overdamped_ratio));
+        result.model.notes.emplace_back(
+            "up to {} motions at a speed are overdamped and do not whirl (real eigenvalues, and "
+            "pairs with a damping ratio above {}): they have no line and no crossings",
+            overdamped, as::number(modes::overdamped_ratio, 4));
 }
 
 /// Crossings that are no critical speeds: the damping of these beats every peak.
@@ -138,10 +138,10 @@ void note_no_peaks(results::CampbellResult &result) {
         if (c.multiple == 1 && c.damping.ratio && *c.damping.ratio > 1 / std::numbers::sqrt2)
             speeds.push_back(c.speed);
     if (!speeds.empty())
-        result.model.notes.push_back(fmt::format(
-            "crossings of 1x with a damping ratio above 1/sqrt(2), at {:.6g} rad/s, "
-            "make no peak in a response{}",
-            fmt::join(speeds, ", "), critical_knows(result) ? "; `critical` leaves them out" : ""));
+        result.model.notes.emplace_back(
+            "crossings of 1x with a damping ratio above 1/sqrt(2), at {}, make no peak in a "
+            "response{}",
+            as::speed.list(speeds), critical_knows(result) ? "; `critical` leaves them out" : "");
 }
 
 /// Of a Hill series at every speed ends of such intervals are looked for in the steps that show a
@@ -166,31 +166,30 @@ void note_few(results::ModelSummary &model, const std::vector<modes::Spectrum> &
         return static_cast<int>(s.modes.size()) < wanted;
     });
     if (few)
-        model.notes.push_back(
-            fmt::format("at some speed there are fewer than the {} whirl modes asked for, or no "
-                        "more that double "
-                        "precision resolves beside the others: all found are listed",
-                        wanted));
+        model.notes.emplace_back(
+            "at some speed fewer than the {} whirl modes asked for exist, or double precision does "
+            "not resolve more beside the others: all found are listed",
+            wanted);
 }
 
 /// Stretches of speed in which something was not found, each by itself while they are few.
 void note_gaps(results::ModelSummary &model, const std::vector<tracking::Gap> &gaps,
-               const std::string &what) {
+               const char *what) {
     using tracking::Gap;
     constexpr std::size_t few = 3;
     if (gaps.size() <= few) {
         for (const Gap &gap : gaps)
-            model.notes.push_back(
-                fmt::format("between {:.6g} and {:.6g} rad/s {} (frequency near {:.6g} rad/s)",
-                            gap.from, gap.to, what, gap.frequency));
+            model.notes.emplace_back("from {} {} (frequency near {})",
+                                     as::speed.range(gap.from, gap.to), what,
+                                     as::frequency(gap.frequency));
         return;
     }
     const auto [lowest, highest] = std::ranges::minmax(gaps, {}, &Gap::frequency);
-    model.notes.push_back(fmt::format(
-        "in {} short stretches between {:.6g} and {:.6g} rad/s {} (frequencies from {:.6g} to "
-        "{:.6g} rad/s)",
-        gaps.size(), std::ranges::min(gaps, {}, &Gap::from).from,
-        std::ranges::max(gaps, {}, &Gap::to).to, what, lowest.frequency, highest.frequency));
+    model.notes.emplace_back("in {} short ranges of speed from {} {} (frequencies from {})",
+                             gaps.size(),
+                             as::speed.range(std::ranges::min(gaps, {}, &Gap::from).from,
+                                             std::ranges::max(gaps, {}, &Gap::to).to),
+                             what, as::frequency.range(lowest.frequency, highest.frequency));
 }
 
 /// Whirl modes of a rotor whose equations stay periodic in time that are not confirmed
@@ -205,14 +204,13 @@ void note_unconfirmed(results::ModelSummary &model, const std::vector<modes::Spe
             speeds.push_back(std::abs(spectrum.speed));
     if (speeds.empty())
         return;
-    model.notes.push_back(fmt::format(
-        "at {} of {} speeds, up to {:.6g} rad/s, but not at rest, frequencies change by far more "
-        "than the spin speed within a turn: whirl speeds without an error bar there are those of "
-        "{}, and may be wrong; other modes may be missing at these speeds, with faster ones in "
-        "their place",
-        speeds.size(), spectra.size(), *std::ranges::max_element(speeds),
-        few_shapes ? "the rotor on few shapes, not confirmed by the one with all unknowns"
-                   : "a series with too few harmonics"));
+    model.notes.emplace_back(
+        "at {} of {} speeds, up to {}, but not at rest, frequencies change by far more than the "
+        "spin speed within a turn: whirl speeds without an error bar there are those of {} and may "
+        "be wrong; modes may be missing at these speeds, with faster ones in their place",
+        speeds.size(), spectra.size(), as::speed(*std::ranges::max_element(speeds)),
+        few_shapes ? "the reduced rotor, not confirmed on the full model"
+                   : "a series with too few harmonics");
 }
 
 /// Crossings and intervals that are listed at some of these speeds (Crossings::unconfirmed).
@@ -227,10 +225,9 @@ void note_unconfirmed(results::CampbellResult &result, const std::vector<double>
             if (is(end))
                 listed.insert(end);
     if (!listed.empty())
-        result.model.notes.push_back(
-            fmt::format("crossings and ends of intervals at {:.10g} rad/s are those of the rotor "
-                        "on few shapes, not confirmed by the one with all unknowns",
-                        fmt::join(listed, ", ")));
+        result.model.notes.emplace_back("crossings and ends of intervals at {} are those of the "
+                                        "reduced rotor, not confirmed on the full model",
+                                        as::speed.list({listed.begin(), listed.end()}, 10));
 }
 
 } // namespace

@@ -21,6 +21,9 @@ namespace whirl::analyses {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 /// A bearing or seal has negative damping, at some speed.
 bool has_negative_damping(const model::Rotor &rotor) {
     return !rotor.every_row(
@@ -140,18 +143,17 @@ void note_resolved(results::StabilityResult &result) {
         std::ranges::all_of(result.unresolved_growth, [](double growth) { return growth <= 0; }))
         return;
     const std::size_t ends = result.unresolved_ends.size();
-    result.model.notes.push_back(fmt::format(
-        "growing motions are counted up to frequencies of {:.6g} rad/s, at every speed: the modes "
-        "at rest have their frequencies to 1 % up to there with these elements. What drives the "
-        "rotor drives faster ones too, as many as there are elements for, and other ones on other "
-        "elements: growth and verdict are of all of them, resolved_growth and resolved_verdict of "
-        "those up to there{}",
-        result.resolved_up_to.value(),
+    result.model.notes.emplace_back(
+        "growing motions are counted up to frequencies of {}, at every speed: up to there these "
+        "elements give the frequencies of the modes at rest to 1 %. What drives the rotor drives "
+        "faster motions too, as many as there are elements, other ones on another mesh: growth and "
+        "verdict are of all of them, resolved_growth and resolved_verdict of those up to there{}",
+        as::frequency(result.resolved_up_to.value()),
         ends == 0 ? ""
                   : fmt::format("; of faster ones {} where one begins or ceases to grow {} listed "
                                 "apart (unresolved_ends), others may be missing",
                                 ends == 1 ? "the one speed" : fmt::format("{} speeds", ends),
-                                ends == 1 ? "is" : "are")));
+                                ends == 1 ? "is" : "are"));
 }
 
 void note_negative_damping(const model::Rotor &rotor, results::StabilityResult &result) {
@@ -187,15 +189,16 @@ void note_torque(const stability::StabilityModel &model, results::StabilityResul
         const double left = std::max(0.0, growth_at(other, speed));
         if (left > 0.9 * *fastest)
             return;
-        result.model.notes.push_back(fmt::format(
+        result.model.notes.emplace_back(
             "an axial torque of this kind has no potential and does work on a shaft whose ends "
-            "tilt: it drives motions that grow by {:.4g} 1/s at {:.6g} rad/s; with torque_kind = "
+            "tilt: it drives motions that grow by {} at {}; with torque_kind = "
             "\"semitangential\", which has a potential, {}. Damping of the shaft (beta, "
             "internal_damping) holds fast motions; without it how many grow, and ends of growth of "
             "motions as fast as the elements resolve, change with their number and order: campbell "
             "has the slow modes",
-            *fastest, speed,
-            left > 0 ? fmt::format("{:.4g} 1/s are left there", left) : "none grows there"));
+            as::rate(*fastest, 4), as::speed(speed),
+            left > 0 ? Sentence("{} are left there", as::rate(left, 4))
+                     : Sentence("none grows there"));
     } catch (const model::Failure &) { // no more than a note
     }
 }

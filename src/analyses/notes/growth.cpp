@@ -14,6 +14,9 @@ namespace whirl::analyses {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 /// Something feeds free motions: without it all die out, or none does.
 bool may_grow(const model::Rotor &rotor) {
     const model::Shaft &shaft = rotor.shaft;
@@ -81,11 +84,12 @@ void note_growing_motions(const model::Case &scene, results::ModelSummary &model
     }
     if (growing.empty())
         return;
-    model.notes.push_back(fmt::format(
-        "unstable: free motions grow at {} of {} speeds looked at, from {:.6g} to {:.6g} rad/s "
-        "(fastest {:.4g} 1/s at {:.6g} rad/s); no rotor stays in the steady motion given for "
-        "these speeds. `stability` finds where it begins",
-        growing.size(), speeds.size(), growing.front(), growing.back(), largest, worst));
+    model.notes.emplace_back("unstable: free motions grow at {} of {} speeds examined, from {} "
+                             "(fastest by {} at {}): no rotor stays in the steady motion given for "
+                             "these speeds; `stability` finds where it begins",
+                             growing.size(), speeds.size(),
+                             as::speed.range(growing.front(), growing.back()), as::rate(largest, 4),
+                             as::speed(worst));
 }
 
 } // namespace whirl::analyses

@@ -13,6 +13,9 @@ namespace whirl::analyses {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 using results::ResponsePeak;
 
 constexpr const char *in_clearance = "clearance"; // of peaks that are taken out again
@@ -180,18 +183,17 @@ results::ClearanceUse largest_use(const assembly::Discretization &d, int index,
 }
 
 void note_use(results::ModelSummary &model, const results::ClearanceUse &use) {
-    const std::string of =
-        use.of + (use.name.empty() ? fmt::format(" at z = {:.5g} m", use.z) : " " + use.name);
+    const Sentence of = use.name.empty() ? Sentence("{} at z = {}", use.of, as::length(use.z, 5))
+                                         : Sentence("{} {}", use.of, use.name);
     if (std::isinf(use.share))
-        model.notes.push_back(fmt::format("clearance: the orbit in {} has no limit at {:.6g} "
-                                          "rad/s, a resonance without damping",
-                                          of, use.speed));
+        model.notes.emplace_back(
+            "clearance: the orbit in {} has no limit at {}, a resonance without damping", of,
+            as::speed(use.speed));
     else if (use.share > 1)
-        model.notes.push_back(
-            fmt::format("clearance: the orbit in {} takes {:.3g} % of its radial clearance at "
-                        "{:.6g} rad/s: the shaft would touch, and these equations, which know of "
-                        "no contact, no longer hold there",
-                        of, 100 * use.share, use.speed));
+        model.notes.emplace_back(
+            "clearance: the orbit in {} takes {} % of its radial clearance at {}: the shaft would "
+            "touch, and these equations, which have no contact, do not hold there",
+            of, as::number(100 * use.share, 3), as::speed(use.speed));
 }
 
 } // namespace
@@ -234,9 +236,9 @@ void add_orbits(results::ResponseResult &result, const assembly::Discretization 
             if (const auto at = motion_at(speed))
                 add(speed, *at);
             else if (asked != nullptr)
-                result.model.notes.push_back(fmt::format(
-                    "{}: {:.6g} rad/s is a resonance without damping: deflections have no limit",
-                    asked, speed));
+                result.model.notes.emplace_back(
+                    "{}: {} is a resonance without damping: deflections have no limit", asked,
+                    as::speed(speed));
         }
     };
     const bool own_orbits = !scene.response.orbits_at.empty();

@@ -51,9 +51,9 @@ void simulate_or_leave_restart(const Run &run) {
     const auto file = run.folder() / "restart.json";
     report::write_restart(file, *result.restart);
     throw model::AnalysisFailure(
-        fmt::format("interrupted at {:.6g} s of {:.6g} s; to go on add --set "
-                    "simulate.restart={}",
-                    result.restart->time, run.scene.simulate.time, file.string()));
+        model::Sentence("interrupted at {} of {}; to go on add --set simulate.restart={}",
+                        model::as::time(result.restart->time),
+                        model::as::time(run.scene.simulate.time), file.string()));
 }
 
 } // namespace

@@ -95,8 +95,7 @@ std::string Units::text(Quantity quantity, double si, int digits) const {
 }
 
 std::string Units::text(const model::Sentence &sentence) const {
-    if (sentence.plain() && _for_readers)
-        return note_in_written_units(sentence.text());
+
     return sentence.text([this](Quantity quantity) { return unit(quantity); });
 }
 

@@ -19,6 +19,9 @@ namespace whirl::simulation {
 
 namespace {
 
+using results::Sentence;
+namespace as = results::as;
+
 /// The case with all imbalances there are at the end, driven over the speeds passed.
 model::Case steady_case(const model::Case &scene, const results::SimulateResult &result) {
     model::Case steady = scene;
@@ -61,10 +64,9 @@ void add_last_speed(const assembly::Discretization &d, results::Form form,
         result.stations[i].steady = amplitudes[i];
 }
 
-constexpr double micrometres = 1e6;
-
-std::string place_of(const results::StationMotion &station) {
-    return station.name.empty() ? fmt::format("z = {:.5g} m", station.z) : station.name;
+Sentence place_of(const results::StationMotion &station) {
+    return station.name.empty() ? Sentence("z = {}", as::length(station.z, 5))
+                                : Sentence("{}", station.name);
 }
 
 } // namespace
@@ -81,13 +83,12 @@ void add_steady_response(const model::Case &scene, int order, results::SimulateR
         if (result.speed != 0)
             add_last_speed(d, form, result);
     } catch (const linalg::SolverError &) {
-        result.model.notes.push_back(
-            fmt::format("no steady motion at {:.6g} rad/s to compare with: the rotor is at a "
-                        "resonance without damping, or free to move",
-                        result.speed));
+        result.model.notes.emplace_back("no steady motion at {} to compare with: the rotor is at a "
+                                        "resonance without damping, or free to move",
+                                        as::speed(result.speed));
     } catch (const model::AnalysisFailure &failure) { // the motion is worth having all the same
-        result.model.notes.push_back(
-            fmt::format("no steady response to compare with: {}", failure.what()));
+        result.model.notes.emplace_back("no steady response to compare with: {}",
+                                        failure.sentence());
     }
 }
 
@@ -97,9 +98,9 @@ void classify_stations(const model::Case &scene, results::SimulateResult &result
     const double scale = *std::ranges::max_element(amplitudes);
     const results::StationMotion &worst =
         result.stations[results::largest_station(result.stations)];
-    result.evidence = fmt::format("largest amplitude {:.5g} µm at {} after {:.6g} s at {:.6g} rpm",
-                                  worst.peak.value * micrometres, place_of(worst), worst.peak.time,
-                                  worst.peak.speed * 30 / std::numbers::pi);
+    result.evidence =
+        Sentence("largest amplitude {} at {} after {} at {}", as::amplitude(worst.peak.value, 5),
+                 place_of(worst), as::time(worst.peak.time), as::speed(worst.peak.speed));
     if (worst.peak.at_end)
         result.evidence += ", where it still grew";
     result.outcome = results::Outcome::transient;
@@ -119,8 +120,8 @@ void classify_stations(const model::Case &scene, results::SimulateResult &result
     } else {
         result.outcome = results::Outcome::steady;
     }
-    result.evidence += fmt::format("; over the last half of the time the amplitude {} ({:.3g} 1/s)",
-                                   how, trend.end_rate);
+    result.evidence += Sentence("; over the last half of the time the amplitude {} ({})", how,
+                                as::rate(trend.end_rate, 3));
 }
 
 } // namespace whirl::simulation

@@ -126,12 +126,12 @@ HillMotions::Found HillMotions::at(double signed_speed) const {
         }
         before = std::move(after);
     }
-    throw NotSettled(fmt::format(
-        "the Hill series does not settle at {:.6g} rad/s: with {} harmonics eigenvalues still "
-        "change by {:.1e} of the spin speed, or motions that grow are too fast for it; the speed "
+    throw NotSettled(model::Sentence(
+        "the Hill series does not settle at {}: with {} harmonics eigenvalues still change by {} "
+        "of the spin speed, or motions that grow are too fast for it; the speed "
         "may lie too low (harmonics lie 2 x speed apart), or the bearings differ too much between "
         "their directions",
-        signed_speed, _limit, worst));
+        model::as::speed(signed_speed), _limit, model::as::number(worst, 2)));
 }
 
 } // namespace whirl::stability
