@@ -95,7 +95,6 @@ void compare_results(const Arguments &arguments) {
         return;
     const report::Comparison comparison = report::compare(std::move(results));
     const model::OutputUnits asked = units_of(arguments.overrides);
-    report::write_in(asked);
     std::vector<std::filesystem::path> files;
     if (writes)
         files = report::write_comparison(comparison, folder, asked);

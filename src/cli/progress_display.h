@@ -26,7 +26,7 @@ class ProgressDisplay {
     [[nodiscard]] static Style style_for(bool terminal);
 
     /// Listens to process::on_progress while it lives.
-    ProgressDisplay(const Style &style, report::Units units);
+    explicit ProgressDisplay(const Style &style, report::Units units = {});
     ~ProgressDisplay();
     ProgressDisplay(const ProgressDisplay &) = delete;
     ProgressDisplay &operator=(const ProgressDisplay &) = delete;

@@ -112,7 +112,6 @@ void run(const Arguments &arguments) {
     if (!arguments.json || arguments.out)
         report::check_folder(checked.folder());
     const report::Provenance provenance = provenance_of(arguments);
-    report::write_in(scene.units);
     const report::Units units = report::Units::of_readers(scene.units);
 
     process::use_huge_pages();

@@ -99,6 +99,7 @@ class Sentence {
 
     friend std::ostream &operator<<(std::ostream &stream, const Sentence &sentence);
     friend bool operator==(const Sentence &a, const Sentence &b) { return a.text() == b.text(); }
+    friend bool operator==(const Sentence &a, const std::string &b) { return a.text() == b; }
 
   private:
     /// Words, or a value.

@@ -14,8 +14,14 @@ fi
 rm -rf "$scratch"
 mkdir -p "$scratch"
 failed=0
-look() { # name of the folder, arguments of whirl
-    out=$scratch/$1
+look() { # name of the folder, arguments of whirl: in the usual units, and with others asked for
+    name=$1
+    shift
+    look_at "$scratch/$name" "$@"
+    look_at "$scratch/${name}_us" "$@" --units us --peak-to-peak
+}
+look_at() { # folder, arguments of whirl
+    out=$1
     shift
     if ! "$whirl" "$@" --quiet --out "$out"; then
         echo "$out: whirl $* failed"

@@ -33,7 +33,7 @@ vary = [
     EXPECT_EQ(samples.quantiles, (std::vector<double>{0.1, 0.9}));
     ASSERT_EQ(samples.vary.size(), 5U);
     EXPECT_EQ(samples.vary[0].path, "bearing[0].k");
-    EXPECT_EQ(samples.vary[0].unit, "N/m");
+    EXPECT_EQ(samples.vary[0].quantity, model::Quantity::stiffness);
     EXPECT_DOUBLE_EQ(samples.vary[0].mean, 1e7); // of the case
     EXPECT_DOUBLE_EQ(samples.vary[0].deviation, 5e5);
     EXPECT_EQ(samples.vary[1].distribution, model::Distribution::uniform);

@@ -2,7 +2,6 @@
 #include "results/rigid_limit.h"
 #include "sample_results.h"
 #include "whole_report.h"
-#include "written_in.h"
 
 #include <nlohmann/json.hpp>
 
@@ -22,7 +21,7 @@ results::RigidLimitResult sample_rigid_limit() {
     result.one_percent = results::RigidShaft{12, 1.2e7, 6, 0.01, "critical speed"};
     results::RigidLimitRow speed;
     speed.quantity = "additional speed, pinned at \"it's <one>\"";
-    speed.unit = "rad/s";
+    speed.of = Quantity::speed;
     speed.closed_form = 100;
     speed.factor = {1, 100, infinite};
     speed.stiffness = {1e6, 1e8, infinite};
@@ -32,7 +31,7 @@ results::RigidLimitResult sample_rigid_limit() {
     speed.rate = -1;
     results::RigidLimitRow mass;
     mass.quantity = "mass";
-    mass.unit = "kg";
+    mass.of = Quantity::mass;
     mass.closed_form = 3;
     mass.speed = false;
     mass.inertia = true;
@@ -71,24 +70,23 @@ TEST_F(RigidLimitReport, CsvQuotesNamesAndLeavesMissingCellsEmpty) {
 
 // Every row in the unit asked for of what it is, on the page, the terminal and in the table.
 TEST_F(RigidLimitReport, RowsAreInTheUnitsAskedFor) {
-    model::OutputUnits units;
-    units.of = {{"speed", {"rpm", pi / 30}}, {"mass", {"lb", 0.5}}};
-    const WrittenIn written(units);
+    model::Case scene = sample_case();
+    scene.units.of = {{"speed", {"rpm", pi / 30}}, {"mass", {"lb", 0.5}}};
     results::RigidLimitResult result = sample_rigid_limit();
     result.rows[0].quantity = "critical speed";
-    const std::string csv = to_csv(result);
+    const std::string csv = describe(scene, result).csv(Units::of_files(scene.units));
     EXPECT_NE(csv.find("critical speed,rpm"), std::string::npos) << csv;
     EXPECT_NE(csv.find(",954.929658551"), std::string::npos) << csv; // 100 rad/s
     EXPECT_NE(csv.find("mass,lb"), std::string::npos) << csv;
     EXPECT_NE(csv.find(",6,6,"), std::string::npos) << csv; // 3 kg in halves
-    (void)write_report(sample_case(), result, folder);
+    (void)write_report(scene, result, folder);
     for (const std::string &text :
-         {to_text(describe(sample_case(), result)), content_of(folder / "report.html")}) {
+         {to_text(describe(scene, result)), content_of(folder / "report.html")}) {
         EXPECT_NE(text.find("critical speed (rpm)"), std::string::npos) << text;
         EXPECT_NE(text.find("954.9296586"), std::string::npos) << text;
         EXPECT_NE(text.find("mass (lb)"), std::string::npos) << text;
     }
-    const auto json = nlohmann::json::parse(to_json(sample_case(), result));
+    const auto json = nlohmann::json::parse(to_json(scene, result));
     EXPECT_EQ(json.at("rows").at(0).at("closed_form"), 100); // SI
 }
 

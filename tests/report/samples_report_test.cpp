@@ -15,11 +15,11 @@ results::SamplesResult four_samples() {
     result.count = 4;
     result.failed = 1;
     result.seed = 7;
-    result.inputs = {{"bearing[0].k", "N/m", "normal", {1, 2, 3, -4}}};
+    result.inputs = {{"bearing[0].k", Quantity::stiffness, "normal", {1, 2, 3, -4}}};
     results::SampledAnswer speed;
     speed.of = "critical";
     speed.name = "forward <1>";
-    speed.unit = "rad/s";
+    speed.quantity = Quantity::speed;
     speed.nominal = 100;
     speed.nominal_error = 1e-12;
     speed.values = {90., 110., 100., std::nullopt};
@@ -30,7 +30,7 @@ results::SamplesResult four_samples() {
     results::SampledAnswer force;
     force.of = "peaks";
     force.name = "bearing left, peak 1, value";
-    force.unit = "N";
+    force.quantity = Quantity::force;
     force.values = {5., std::nullopt, 5., std::nullopt};
     force.quantiles = {{0.5, 5, std::nullopt, std::nullopt}};
     force.present = 2;
@@ -73,7 +73,7 @@ TEST_F(SamplesReport, CsvHasALineASampleWithItsFailure) {
 TEST_F(SamplesReport, TextHasQuantilesAndReasons) {
     const results::SamplesResult result = four_samples();
     const model::Case scene = sample_case();
-    const std::string text = describe(scene, result).text({});
+    const std::string text = describe(scene, result).text(Units::of_readers({}));
     for (const char *part : {"4 samples, seed 7", "50 %", "954.93", "bearing[0].k: expected"})
         EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
 }

@@ -4,7 +4,6 @@
 
 #include "report/common/units.h"
 #include "whole_report.h"
-#include "written_in.h"
 
 #include <gtest/gtest.h>
 
@@ -85,9 +84,9 @@ TEST_F(StabilityReport, ResolvedMotionsAndFasterOnesAreToldApart) {
 TEST_F(StabilityReport, TheReachIsInTheUnitOfFrequencies) {
     model::OutputUnits units;
     units.of["frequency"] = {"Hz", 2 * std::numbers::pi};
-    const WrittenIn written(units);
-    const std::string text = in_written_units(describe(sample_case(), told_apart()).text({}));
-    EXPECT_TRUE(has(text, "up to frequencies of 795.8 Hz, which the elements resolve")) << text;
+    const StabilityResult result = told_apart();
+    const std::string text = describe(sample_case(), result).text(Units::of_readers(units));
+    EXPECT_TRUE(has(text, "up to frequencies of 795.775 Hz, which the elements resolve")) << text;
 }
 
 TEST_F(StabilityReport, OfOneSpeedAsOfMany) {

@@ -18,9 +18,9 @@ struct Row {
 
 const Columns<Row> columns{
     {"name", InCsv("name"), OnPage("Name"), InText("mode"), &Row::name},
-    {"value", InCsv("value [m]"), OnPage("Value (µm)", "{:.3g} µm", "no limit"), InText("Hz"),
-     &Row::value},
-    {"list", &Row::list},
+    {"value", InCsv("value"), OnPage("Value", "{:.3g}", "no limit"), InText(""),
+     Quantity::amplitude, &Row::value},
+    {"list", Quantity::number, &Row::list},
     {OnPage("No."), [](const Row &, std::size_t index) { return index + 1; }}};
 
 const double infinite = std::numeric_limits<double>::infinity();
@@ -39,35 +39,37 @@ TEST(Table, WhatIsRoundedToNothingHasNoSign) {
 }
 
 TEST(Table, EachReaderSeesItsColumnsAndItsOwnWordForWhatIsMissing) {
-    EXPECT_EQ(csv_table(columns, rows), "name,value [m]\n"
-                                        "1F,13.5\n"
-                                        "\"a, \"\"b\"\" <c>\",\n"
-                                        "10B,\n"
-                                        ",\n");
-    EXPECT_EQ(text_table(columns, rows), "  mode           Hz\n"
-                                         "  1F           13.5\n"
-                                         "  a, \"b\" <c>      -\n"
-                                         "  10B             -\n"
-                                         "                  -\n");
-    EXPECT_EQ(json_rows(columns, rows).dump(),
+    EXPECT_EQ(csv_table(columns, rows, {}), "name,value [m]\n"
+                                            "1F,13.5\n"
+                                            "\"a, \"\"b\"\" <c>\",\n"
+                                            "10B,\n"
+                                            ",\n");
+    EXPECT_EQ(text_table(columns, rows, {}), "  mode            m\n"
+                                             "  1F           13.5\n"
+                                             "  a, \"b\" <c>      -\n"
+                                             "  10B             -\n"
+                                             "                  -\n");
+    EXPECT_EQ(json_rows(columns, rows, {}).dump(),
               R"([{"name":"1F","value":13.5,"list":[1.5,null]},)"
               R"({"name":"a, \"b\" <c>","value":null,"list":[]},)"
               R"({"name":"10B","value":null,"list":[]},{"name":"","value":null,"list":[]}])");
-    EXPECT_EQ(json_lists(columns, rows).at("name").dump(), R"(["1F","a, \"b\" <c>","10B",""])");
+    EXPECT_EQ(json_lists(columns, rows, {}).at("name").dump(), R"(["1F","a, \"b\" <c>","10B",""])");
 }
 
 TEST(Table, PageIsMarkupWithEveryCellEscaped) {
     pugi::xml_document document;
-    ASSERT_TRUE(document.load_string(page_table(columns, rows).c_str()));
+    ASSERT_TRUE(document.load_string(page_table(columns, rows, {}).c_str()));
     std::vector<std::string> cells;
     for (const auto &cell : document.select_nodes("//tbody/tr/td"))
         cells.emplace_back(cell.node().text().get());
-    EXPECT_EQ(cells, (std::vector<std::string>{"1F", "13.5 µm", "1", "a, \"b\" <c>", "–", "2",
-                                               "10B", "no limit", "3", "", "–", "4"}));
+    EXPECT_EQ(cells, (std::vector<std::string>{"1F", "13.5", "1", "a, \"b\" <c>", "–", "2", "10B",
+                                               "no limit", "3", "", "–", "4"}));
 }
 
 TEST(Table, LinesOfSeveralKindsShareOneHead) {
-    EXPECT_EQ(csv_rows({"kind", "value [m]", "name"}, columns, std::vector{rows[0]}), ",13.5,1F\n");
+    EXPECT_EQ(csv_rows({{"kind"}, {"value", Quantity::amplitude}, {"name"}}, columns,
+                       std::vector{rows[0]}, {}),
+              ",13.5,1F\n");
 }
 
 } // namespace whirl::report

@@ -1,23 +1,16 @@
-// What is written in other units: headings, tables, text and pictures. The numbers by hand.
+// What is written in other units: headings, tables, files and sentences. The numbers by hand.
 
 #include "report/common/csv.h"
-#include "report/common/json.h"
-#include "report/common/units.h"
-
-#include "report/common/table.h"
 #include "report/common/words.h"
-#include "written_in.h"
+#include "sample_results.h"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <sstream>
 
 namespace whirl::report::units_test {
 
 namespace {
 
+/// Unlike the usual ones in everything: speeds in Hz, frequencies in rpm.
 model::OutputUnits american() {
     model::OutputUnits units;
     units.of = {{"length", {"in", 0.0254}},          {"amplitude", {"mil", 2.54e-5}},
@@ -27,126 +20,92 @@ model::OutputUnits american() {
 }
 
 struct Row {
-    double speed, z;
+    double speed, z, amplitude, deflection;
 };
-const Columns<Row> columns{{OnPage("rpm", "{:.10g}"), InText("rpm"), in(rpm, &Row::speed)},
-                           {"speed", InCsv("speed [rad/s]"), OnPage("rad/s", "{:.10g}"),
-                            InText("rad/s", precise), &Row::speed},
-                           {"z", InCsv("z [m]"), ForReaders("z (m)"), &Row::z}};
-const std::vector<Row> rows{{20 * pi, 0.508}};
+const Columns<Row> columns{
+    {"speed", InCsv("speed"), OnPage("Speed", "{:.4g}").and_si("{:.8g}"),
+     InText("").and_si(precise), Quantity::speed, &Row::speed},
+    {"z", InCsv("z"), ForReaders("z"), Quantity::length, &Row::z},
+    {"amplitude", InCsv("amplitude"), ForReaders("amplitude"), Quantity::amplitude,
+     &Row::amplitude},
+    {"static", InCsv("static"), ForReaders("static"), Quantity::deflection, &Row::deflection}};
+const std::vector<Row> rows{{20 * pi, 0.508, 2.54e-4, 2.54e-4}};
 
-/// A file of one row: headings and cells.
-std::string file_of(const std::vector<std::pair<std::string, Json>> &cells) {
-    Columns<int> all;
-    for (const auto &[heading, cell] : cells)
-        all.push_back({InCsv(heading), [value = cell](int) { return value; }});
-    return csv_table(all, std::vector{0});
-}
-
-/// Cell by cell, numbers within the rounding of a factor.
-void expect_same_table(const std::string &found, const std::string &expected) {
-    std::istringstream left(found);
-    std::istringstream right(expected);
-    std::string a;
-    std::string b;
-    while (std::getline(right, b, ',')) {
-        ASSERT_TRUE(std::getline(left, a, ','));
-        std::istringstream of_a(a);
-        std::istringstream of_b(b);
-        std::string x;
-        std::string y;
-        while (std::getline(of_b, y)) {
-            ASSERT_TRUE(std::getline(of_a, x));
-            char *end = nullptr;
-            const double value = std::strtod(y.c_str(), &end);
-            if (*end == '\0' && !y.empty())
-                EXPECT_NEAR(std::strtod(x.c_str(), nullptr), value, 1e-14 * std::abs(value));
-            else
-                EXPECT_EQ(x, y);
-        }
-    }
-    EXPECT_FALSE(std::getline(left, a, ','));
+Texts shown_to(const Units &units, Shown Column<Row>::*reader) {
+    return texts_of(columns, rows, reader, "-", units);
 }
 
 } // namespace
 
-TEST(WrittenUnits, AreTheUsualOnesWhereNoneAreGiven) {
-    EXPECT_EQ(double(rpm), 30 / pi);
-    EXPECT_EQ(in_written_units("at 3000 rpm, z = 0.5 m"), "at 3000 rpm, z = 0.5 m");
-    EXPECT_EQ(note_in_written_units("from 3.14159265359 to 6.28318530718 rad/s, z = 0.5 m"),
-              "from 30 to 60 rpm, z = 0.5 m"); // as the text around it
-    EXPECT_EQ(file_of({{"z [m]", 0.508}}), "z [m]\n0.508\n");
-    EXPECT_EQ(texts_of(columns, rows, &Column<Row>::text, "-")[0],
-              (std::vector<std::string>{"rpm", "rad/s", "z (m)"}));
+TEST(Units, WithoutAnyAskedForAreThoseOfTheReader) {
+    const Units usual = Units::of_readers({});
+    EXPECT_EQ(shown_to(usual, &Column<Row>::page),
+              (Texts{{"Speed (rpm)", "Speed (rad/s)", "z (m)", "amplitude (µm)", "static (µm)"},
+                     {"600", "62.831853", "0.508", "254", "254"}}));
+    EXPECT_EQ(shown_to(usual, &Column<Row>::text)[0],
+              (std::vector<std::string>{"rpm", "rad/s", "z m", "amplitude µm", "static µm"}));
+    EXPECT_EQ(csv_table(columns, rows, Units::of_files({})),
+              "speed [rad/s],z [m],amplitude [m],static [m]\n"
+              "62.83185307179586,0.508,0.000254,0.000254\n");
 }
 
-TEST(WrittenUnits, OfATableFollowFromItsHeadingsAndEqualColumnsAreOne) {
-    const WrittenIn units(american());
-    const Texts table = texts_of(columns, rows, &Column<Row>::page, "-");
-    EXPECT_EQ(table[0], (std::vector<std::string>{"Hz", "z (in)"}));
-    EXPECT_EQ(table[1], (std::vector<std::string>{"10", "20"}));
+// A second column in SI is the first one once more: it goes, and leaves its digits.
+TEST(Units, AskedForAreThoseOfAllColumnsAndTwoOfOneQuantityAreOne) {
+    EXPECT_EQ(shown_to(Units::of_readers(american()), &Column<Row>::page),
+              (Texts{{"Speed (Hz)", "z (in)", "amplitude (mil)", "static (mil)"},
+                     {"10", "20", "10", "10"}}));
+    EXPECT_EQ(shown_to(Units::of_readers(american()), &Column<Row>::text)[1][0], "10.00000000");
+    EXPECT_EQ(csv_table(columns, rows, Units::of_files(american())),
+              "speed [Hz],z [in],amplitude [mil],static [mil]\n10,20,10,10\n");
 }
 
-TEST(WrittenUnits, OfAFileAreThoseInBrackets) {
-    const WrittenIn units(american());
-    expect_same_table(file_of({{"speed [rad/s]", 6.283185307179586},
-                               {"\"a, b\"", "1,2"},
-                               {"amplitude [m]", 2.54e-05},
-                               {"force [N]", 4.4482216152605},
-                               {"real [1/s]", 3},
-                               {"frequency [rad/s]", 3.141592653589793},
-                               {"N", 7},
-                               {"z [m]", 0.0254}}),
-                      "speed [Hz],\"a, b\",amplitude [mil],force [lbf],real [1/s],frequency "
-                      "[rpm],N,z [in]\n1,\"1,2\",1,1,3,30,7,1\n");
+TEST(Units, FromPeakToPeakAreTwiceThoseFromZeroOfWhatVibrates) {
+    model::OutputUnits asked = american();
+    asked.peak_to_peak = true;
+    EXPECT_EQ(csv_table(columns, rows, Units::of_files(asked)),
+              "speed [Hz],z [in],amplitude pk-pk [mil],static [mil]\n10,20,20,10\n");
+    const Units units = Units::of_readers(asked);
+    EXPECT_EQ(units.label("Amplitude", Quantity::amplitude), "Amplitude pk-pk (mil)");
+    EXPECT_EQ(units.text(Quantity::amplitude, 2.54e-5), "2 mil pk-pk");
+    EXPECT_EQ(units.text(Quantity::deflection, 2.54e-5), "1 mil");
+    model::OutputUnits alone;
+    alone.peak_to_peak = true;
+    EXPECT_EQ(Units::of_readers(alone).text(Quantity::amplitude, 1e-6), "2 µm pk-pk");
 }
 
-TEST(WrittenUnits, FromPeakToPeakAreTwiceThoseFromZero) {
-    model::OutputUnits units = american();
-    units.peak_to_peak = true;
-    const WrittenIn peak_to_peak(units);
-    expect_same_table(file_of({{"amplitude [m]", 0.000254},
-                               {"x [m]", 0.000254},
-                               {"x_0 [m]", 0.000254},
-                               {"force [N]", 4.4482216152605}}),
-                      "amplitude pk-pk [mil],x pk-pk [mil],x_0 [mil],force [lbf]\n20,20,10,1\n");
-    EXPECT_DOUBLE_EQ(double(micrometres), 2 / 2.54e-5);
-    EXPECT_DOUBLE_EQ(double(still_micrometres), 1 / 2.54e-5); // a deflection that stands still
+TEST(Units, OfASentenceAreThoseOfItsValues) {
+    using model::Sentence;
+    namespace as = model::as;
+    const Sentence note("{} of {} at {}, z = {}: {}", 3, "bearing 2 (5 m)", as::speed(2 * pi),
+                        as::length(0.508), as::speed.range(2 * pi, 4 * pi));
+    EXPECT_EQ(note.text(), "3 of bearing 2 (5 m) at 6.28319 rad/s, z = 0.508 m: 6.28319 to 12.5664 "
+                           "rad/s");
+    EXPECT_EQ(Units::of_readers({}).text(note),
+              "3 of bearing 2 (5 m) at 60 rpm, z = 0.508 m: 60 to 120 rpm");
+    EXPECT_EQ(Units::of_readers(american()).text(note),
+              "3 of bearing 2 (5 m) at 1 Hz, z = 20 in: 1 to 2 Hz");
+    EXPECT_EQ(note.pattern(), "3 of bearing 2 (5 m) at {}, z = {}: {}");
+    EXPECT_EQ(Units::of_readers(american())
+                  .text(Sentence("{}", as::frequency.list({pi / 30, pi / 15, pi / 10}))),
+              "1, 2 and 3 rpm");
+    EXPECT_EQ(Sentence("{}", as::number(0.5).with_sign()).text(), "+0.5");
 }
 
-TEST(WrittenUnits, OfTextFollowTheirNumbers) {
-    const WrittenIn units(american());
-    EXPECT_EQ(in_written_units("z = 0.508 m, F = 8.896443231 N"), "z = 20 in, F = 2 lbf");
-    EXPECT_EQ(in_written_units("from 6.28318530718 to 12.56637061436 rad/s"), "from 1 to 2 Hz");
-    EXPECT_EQ(in_written_units("1.5 m/s2, 3 Nm, 12 mm2, 5 modes, 4 N m"),
-              "1.5 m/s2, 3 Nm, 12 mm2, 5 modes, 4 N m");
-    // A title is the user's own, and numbers beside rpm come from the factor `rpm`.
-    EXPECT_EQ(in_written_units(kept_as_written("shaft of 2 m") + "\nat 50 rpm"),
-              "shaft of 2 m\nat 50 Hz");
-    // An analysis has no such factors; what it says is converted once.
-    EXPECT_EQ(note_in_written_units("above 3000 rpm"), "above 50 Hz");
-    EXPECT_EQ(note_in_written_units("at 6.28318530718 rad/s, of frequency 3.14159265359 rad/s"),
-              "at 1 Hz, of frequency 30 rpm");
-}
-
-TEST(WrittenUnits, OfAPictureAreThoseOfItsAxes) {
-    const WrittenIn units(american());
-    EXPECT_EQ(script_in_written_units("set xlabel 'Spin speed (rpm)'\nset ylabel 'Amplitude "
-                                      "(µm)'\nset label 'z = 0.508 m'\n0.5 2\n"),
-              "set xlabel 'Spin speed (Hz)'\nset ylabel 'Amplitude (mil)'\nset label 'z = 20 "
-              "in'\n0.5 2\n");
-}
-
-TEST(WrittenUnits, OfJsonAreNamedInIt) {
-    const WrittenIn units(american());
-    Json json{{"speeds", {2 * pi, 4 * pi}},
-              {"nodes", {{{"z", 0.0254}, {"amplitude", {2.54e-5, nullptr}}, {"phase", 1.5}}}}};
-    convert_json(json);
-    EXPECT_EQ(json["speeds"], (Json{1.0, 2.0}));
-    EXPECT_EQ(json["nodes"][0]["z"], 1.0);
-    EXPECT_EQ(json["nodes"][0]["amplitude"], (Json{1.0, nullptr}));
-    EXPECT_EQ(json["nodes"][0]["phase"], 1.5);
-    EXPECT_EQ(json["units"], (Json{{"amplitude", "mil"}, {"speeds", "Hz"}, {"z", "in"}}));
+TEST(Units, OfJsonAreSiUnlessAskedFor) {
+    model::Case scene = sample_case();
+    scene.units = american();
+    const results::ModesResult result = sample_modes(); // at 100 rad/s
+    const Json si = Json::parse(to_json(scene, result));
+    EXPECT_EQ(si["speed"], 100.0);
+    EXPECT_FALSE(si.contains("units"));
+    scene.units.json = true;
+    const Json asked = Json::parse(to_json(scene, result));
+    EXPECT_NEAR(asked["speed"].get<double>(), 100 / (2 * pi), 1e-13);
+    EXPECT_NEAR(asked["z"][1].get<double>(), 0.75 / 0.0254, 1e-13);
+    EXPECT_NEAR(asked["modes"][0]["frequency"].get<double>(), 80 * 30 / pi, 1e-11);
+    EXPECT_EQ(asked["modes"][1]["real"], -2.0); // 1/s
+    EXPECT_EQ(asked["units"]["speed"], "Hz");
+    EXPECT_EQ(asked["units"]["rate"], "1/s");
 }
 
 } // namespace whirl::report::units_test

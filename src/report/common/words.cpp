@@ -46,11 +46,6 @@ std::string title_of(const model::Case &scene) {
     return printable(scene.title.empty() ? scene.name : scene.title);
 }
 
-std::string place(const std::string &name, double z) {
-    const std::string at = fmt::format("z = {:.6g} {}", z * metres, unit_name("length", "m"));
-    return name.empty() ? at : fmt::format("{} ({})", name, at);
-}
-
 std::string place(const std::string &name, double z, const Units &units) {
     const std::string at = "z = " + units.text(Quantity::length, z);
     return name.empty() ? at : fmt::format("{} ({})", name, at);

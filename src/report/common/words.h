@@ -40,7 +40,6 @@ template <class List, class Of>
     return name.empty() ? std::nullopt : std::optional(name);
 }
 /// One place of a rotor: its name, or where it is.
-[[nodiscard]] std::string place(const std::string &name, double z);
 [[nodiscard]] std::string place(const std::string &name, double z, const Units &units);
 /// The same of a row of a table.
 inline constexpr auto place_of = [](const auto &row, const Units &units) {
