@@ -42,6 +42,11 @@ const Columns<SimulateResult> outcome_columns{
     {"evidence", &SimulateResult::evidence},
     {"residual_ratio", OnPage("Amplitude left over that without balls", "{:.5g}"),
      &SimulateResult::residual_ratio},
+    {"station_ratio", OnPage("The same of the stations", "{:.5g}"), &SimulateResult::station_ratio},
+    {"imbalance_left", OnPage("Imbalance left in the rotor (kg m)", "{:.5g}"),
+     [](const auto &result) { return result.at_rest ? Json(result.at_rest->imbalance) : Json(); }},
+    {"couple_left", OnPage("Couple left about its centre of mass (kg m²)", "{:.5g}"),
+     [](const auto &result) { return result.at_rest ? Json(result.at_rest->couple) : Json(); }},
     {"impacts", OnPage("Impacts between balls", "{}"), &SimulateResult::impacts},
     {"trend", OnPage("Growth of the amplitude over the last half (1/s)", "{:.4g}"),
      &SimulateResult::trend},
@@ -104,7 +109,7 @@ std::vector<OtherStart> all_starts(const SimulateResult &result) {
     return all;
 }
 
-/// Of a rotor without balancers: what the stations did.
+/// What the stations did.
 std::optional<double> over_steady(const StationMotion &station) {
     if (!station.steady_peak || *station.steady_peak == 0)
         return std::nullopt;
@@ -131,6 +136,9 @@ const Columns<StationMotion> station_columns{
     {"steady", &StationMotion::steady},
     {OnPage("Steady at that speed (µm)", "{:.5g}"), InText("steady µm", "{:.4g}"),
      in(micrometres, &StationMotion::steady)},
+    {"with_balls", &StationMotion::with_balls},
+    {OnPage("Steady with the balls fixed (µm)", "{:.5g}"),
+     in(micrometres, &StationMotion::with_balls)},
     {"steady_peak", &StationMotion::steady_peak},
     {OnPage("Steady peak (µm)", "{:.5g}"), InText("steady peak µm", "{:.5g}"),
      in(micrometres, &StationMotion::steady_peak)},
@@ -252,8 +260,10 @@ std::string outcome_text(const SimulateResult &result) {
     std::string text = fmt::format("Outcome: {}\n  {}\n", results::outcome_name(result.outcome),
                                    kept_as_written(note_in_written_units(result.evidence)));
     if (result.residual_ratio)
-        text +=
-            fmt::format("  left of the amplitude without balls: {:.4g}\n", *result.residual_ratio);
+        text += fmt::format(
+            "  left of the amplitude without balls: {:.4g}{}\n", *result.residual_ratio,
+            result.station_ratio ? fmt::format(", at the stations {:.4g}", *result.station_ratio)
+                                 : "");
     if (result.linear_growth)
         text += fmt::format("  by its eigenvalues the balanced position is {}: {:.4g} 1/s\n",
                             *result.linear_growth > 0 ? "unstable, small motions grow" : "stable",
@@ -285,8 +295,9 @@ std::string text_of(const model::Case &scene, const SimulateResult &result) {
                                    "the end",
                                    result.time, result.revolutions, result.speed * rpm)) +
         outcome_text(result) + "\n" +
-        (result.stations.empty() ? text_table(balancer_motion_columns, result.balancers)
-                                 : text_table(station_columns, result.stations));
+        (result.balancers.empty() ? ""
+                                  : text_table(balancer_motion_columns, result.balancers) + "\n") +
+        text_table(station_columns, result.stations);
     for (const OtherStart &start : result.other_starts)
         text += fmt::format(
             "from another start ({}): {}{}\n", text_angles(start.start_angles),
@@ -301,14 +312,14 @@ Report describe(const model::Case &scene, const SimulateResult &result) {
     Report report =
         report_of<SimulateResult>("simulate", "Motion in time", scene, result,
                                   {json_of, csv_of, sections_of, text_of,
-                                   result.stations.empty() ? simulate_figure : stations_figure});
+                                   result.balancers.empty() ? stations_figure : simulate_figure});
     if (result.waterfall) {
         report.pictures = [&scene, &result] {
             return std::vector<Picture>{{"waterfall", waterfall_figure(scene, *result.waterfall),
                                          waterfall_csv(*result.waterfall)}};
         };
         report.pictures_heading = "Waterfall";
-        report.pictures_after = 2;
+        report.pictures_after = result.balancers.empty() ? 2 : 3;
     }
     return report;
 }

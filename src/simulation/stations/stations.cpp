@@ -6,7 +6,7 @@
 #include "model/errors.h"
 #include "simulation/equations.h"
 #include "simulation/outcome.h"
-#include "simulation/scene_outside.h"
+#include "simulation/steady_motion.h"
 #include "simulation/trend.h"
 
 #include <fmt/format.h>
@@ -18,19 +18,6 @@
 namespace whirl::simulation {
 
 namespace {
-
-/// The case with all imbalances there are at the end, driven over the speeds passed.
-model::Case steady_case(const model::Case &scene, const results::SimulateResult &result) {
-    model::Case steady = scene;
-    steady.rotor = rotor_with_nodes(scene);
-    for (const model::SuddenImbalance &imbalance : scene.simulate.imbalances)
-        if (imbalance.time < result.time)
-            steady.rotor.imbalances.push_back(
-                {imbalance.name, imbalance.z, imbalance.mr, imbalance.phase});
-    const auto [low, high] = std::ranges::minmax_element(result.series.speed);
-    steady.speeds = model::SpeedRange{*low, *high, 2};
-    return steady;
-}
 
 void add_peaks(const model::Case &steady, const assembly::Discretization &d, results::Form form,
                results::SimulateResult &result) {
@@ -51,43 +38,50 @@ void add_peaks(const model::Case &steady, const assembly::Discretization &d, res
     result.steady = {curves.speeds, curves.values};
 }
 
-void add_last_speed(const assembly::Discretization &d, results::Form form,
+void add_last_speed(const assembly::Discretization &d, results::Form form, bool own,
                     results::SimulateResult &result) {
-    std::vector<double> places;
-    for (const results::StationMotion &station : result.stations)
-        places.push_back(station.z);
-    const std::vector<double> amplitudes = steady_amplitudes(d, form, result.speed, places);
-    for (std::size_t i = 0; i < places.size(); ++i)
-        result.stations[i].steady = amplitudes[i];
+    const SteadyMotion motion(d, form, result.speed);
+    for (results::StationMotion &station : result.stations) {
+        const double amplitude = motion.amplitude(station.z);
+        result.station_reference = std::max(result.station_reference, amplitude);
+        if (own)
+            station.steady = amplitude;
+    }
+    for (results::BalancerMotion &balancer : result.balancers)
+        balancer.reference = motion.amplitude(balancer.z);
 }
 
 constexpr double micrometres = 1e6;
+
+} // namespace
 
 std::string place_of(const results::StationMotion &station) {
     return station.name.empty() ? fmt::format("z = {:.5g} m", station.z) : station.name;
 }
 
-} // namespace
-
 void add_steady_response(const model::Case &scene, int order, results::SimulateResult &result) {
+    const bool balancers = !scene.rotor.balancers.empty();
+    const char *judged = balancers ? "; balanced is judged by the amplitude of a free rotor" : "";
     try {
-        const model::Case steady = steady_case(scene, result);
-        if (!has_imbalance(steady.rotor))
+        const model::Rotor rotor = rotor_at_end(scene, result);
+        const bool own = has_imbalance(rotor);
+        if (!own && !balancers)
             return;
+        const model::Case steady = driven(scene, rotor_without_balls(rotor), result);
         const results::Form form = forced::response_formulation(steady).form;
         const assembly::Discretization d(steady.rotor, order);
-        if (steady.speeds->to > steady.speeds->from)
+        if (own && steady.speeds->to > steady.speeds->from)
             add_peaks(steady, d, form, result);
         if (result.speed != 0)
-            add_last_speed(d, form, result);
+            add_last_speed(d, form, own, result);
     } catch (const linalg::SolverError &) {
         result.model.notes.push_back(
             fmt::format("no steady motion at {:.6g} rad/s to compare with: the rotor is at a "
-                        "resonance without damping, or free to move",
-                        result.speed));
+                        "resonance without damping, or free to move{}",
+                        result.speed, judged));
     } catch (const model::AnalysisFailure &failure) { // the motion is worth having all the same
         result.model.notes.push_back(
-            fmt::format("no steady response to compare with: {}", failure.what()));
+            fmt::format("no steady response to compare with: {}{}", failure.what(), judged));
     }
 }
 
