@@ -15,6 +15,7 @@
 #include "operation/level1.h"
 #include "process/progress.h"
 #include "results/formulation.h"
+#include "results/sentence.h"
 #include "stability/band_finder.h"
 #include "stability/hill/hill_motions.h"
 #include "stability/permissible.h"
@@ -257,7 +258,7 @@ void add_level1(const model::Case &scene, const stability::StabilityModel &model
 
 void add_notes(const model::Case &scene, const stability::StabilityModel &model,
                results::StabilityResult &result) {
-    std::vector<std::string> &notes = result.model.notes;
+    std::vector<results::Sentence> &notes = result.model.notes;
     if (model.conservative)
         notes.emplace_back("undamped with a positive definite stiffness: the energy is conserved "
                            "and bounds the motion at every speed");

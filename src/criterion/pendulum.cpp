@@ -8,6 +8,7 @@
 #include "model/variants.h"
 #include "process/progress.h"
 #include "results/formulation.h"
+#include "results/sentence.h"
 #include "results/whirl.h"
 #include "rigid/projection.h"
 #include "synchronous/critical_speeds.h"
@@ -38,7 +39,7 @@ std::vector<balancers::PlacedPendulums> pendulums_of(const model::Case &scene) {
 /// What the pendulums are to balance, at the right places.
 std::vector<model::Imbalance> drive_of(const model::Case &scene,
                                        const std::vector<balancers::PlacedPendulums> &pendulums,
-                                       std::vector<std::string> &notes) {
+                                       std::vector<results::Sentence> &notes) {
     std::vector<model::Imbalance> drive = model::with_balancer_imbalances(scene.rotor).imbalances;
     if (drive.empty()) {
         notes.emplace_back("pendulums without an imbalance to balance (balancer.imbalance or "
@@ -227,7 +228,7 @@ void fill_states(PendulumShaft &shaft, double bearing_speed, const std::vector<d
 
 std::vector<results::PendulumBalance> pendulum_balance(const model::Case &scene,
                                                        const BalanceScene &shared,
-                                                       std::vector<std::string> &notes) {
+                                                       std::vector<results::Sentence> &notes) {
     const std::vector<balancers::PlacedPendulums> pendulums = pendulums_of(scene);
     std::vector<results::PendulumBalance> out;
     if (pendulums.empty())

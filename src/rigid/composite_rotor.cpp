@@ -215,7 +215,7 @@ std::optional<results::Interval> ends(const std::optional<balancers::PositionInt
 /// Second harmonic D of the parts where they stand, measured from the imbalance, and their angles;
 /// a note where they have no such place.
 void add_place(results::BalancerNumbers &numbers, const Placed &placed,
-               std::vector<std::string> &notes) {
+               std::vector<results::Sentence> &notes) {
     const model::Balancer &balancer = *placed.balancer;
     const auto kind = placed.kind();
     const bool positions = !kind->circled().empty();
@@ -247,7 +247,7 @@ void add_place(results::BalancerNumbers &numbers, const Placed &placed,
 
 /// Everything that depends on where the parts stand.
 void add_position(results::BalancerNumbers &numbers, const Placed &placed, const Parts &parts,
-                  std::vector<std::string> &notes) {
+                  std::vector<results::Sentence> &notes) {
     const model::Balancer &balancer = *placed.balancer;
     add_place(numbers, placed, notes);
     if (!numbers.D)
@@ -270,8 +270,9 @@ void add_position(results::BalancerNumbers &numbers, const Placed &placed, const
 
 } // namespace
 
-std::vector<results::BalancerNumbers>
-show_balancers(const model::Rotor &rotor, const Inertia &whole, std::vector<std::string> &notes) {
+std::vector<results::BalancerNumbers> show_balancers(const model::Rotor &rotor,
+                                                     const Inertia &whole,
+                                                     std::vector<results::Sentence> &notes) {
     std::vector<results::BalancerNumbers> all;
     std::string why;
     for (const Placed &placed : all_balancers(rotor)) {

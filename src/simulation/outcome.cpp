@@ -17,6 +17,8 @@ namespace whirl::simulation {
 
 namespace {
 
+namespace as = results::as;
+using results::Sentence;
 using std::numbers::pi;
 constexpr double still_swing = 0.05;   ///< rad, of a ball that counts as standing still
 constexpr double drifting = pi;        ///< rad over the last tenth, of a ball that lags
@@ -104,7 +106,10 @@ Look look_of(const results::MotionSeries &series, double ratio) {
     look.ratio = ratio;
     for (const std::vector<double> &angles : series.angles) {
         drift = std::max(drift, std::abs(angles.back() - angles[tenth]));
-        look.swing = std::max(look.swing, swing_beside_line(std::span(angles).subspan(fortieth)));
+        // What only moves on is straight over the last tenth.
+        look.swing =
+            std::max(look.swing, std::min(swing_from(angles, fortieth),
+                                          swing_beside_line(std::span(angles).subspan(tenth))));
     }
     if (drift > drifting)
         look.outcome = results::Outcome::lagging;
@@ -187,8 +192,8 @@ bool follows_the_balls(const results::SimulateResult &result) {
 }
 
 /// Sets outcome, trend and decision_time; says why where the outcome is not what it looks like.
-std::string judge(const Look &look, const Trends &trends, double tolerance,
-                  results::SimulateResult &result) {
+Sentence judge(const Look &look, const Trends &trends, double tolerance,
+               results::SimulateResult &result) {
     const double end = result.series.time.back();
     result.outcome = look.outcome;
     result.trend = trends.amplitude.end_rate;
@@ -201,10 +206,9 @@ std::string judge(const Look &look, const Trends &trends, double tolerance,
             (follows && trend != &trends.balls))
             continue;
         result.outcome = results::Outcome::growing;
-        return fmt::format("{} grows steadily, by {:.3g} 1/s over the last half", what,
-                           trend->end_rate);
+        return {"{} grows steadily, by {} over the last half", what, as::rate(trend->end_rate, 3)};
     }
-    const auto undecided = [&](double time, std::string why) {
+    const auto undecided = [&](double time, Sentence why) {
         result.outcome = results::Outcome::undecided;
         result.decision_time = time;
         return why;
@@ -212,33 +216,32 @@ std::string judge(const Look &look, const Trends &trends, double tolerance,
     if (look.outcome == results::Outcome::whirling && trends.balls.decaying)
         return undecided(
             end + std::log(look.swing / still_swing) / -trends.balls.end_rate,
-            fmt::format("the swing of the balls dies out, by {:.3g} 1/s", trends.balls.end_rate));
+            {"the swing of the balls dies out, by {}", as::rate(trends.balls.end_rate, 3)});
     if (look.outcome == results::Outcome::balanced && result.linear_growth.value_or(0) > 0)
         return undecided(end + std::log(1 / tolerance) / *result.linear_growth,
-                         fmt::format("it looks balanced, but by its eigenvalues that position is "
-                                     "unstable: small motions grow by {:.3g} 1/s",
-                                     *result.linear_growth));
+                         {"it looks balanced, but by its eigenvalues that position is unstable: "
+                          "small motions grow by {}",
+                          as::rate(*result.linear_growth, 3)});
     if (look.outcome == results::Outcome::offset && trends.amplitude.decaying)
         return undecided(
             end + std::log(look.ratio / balanced_ratio) / -trends.amplitude.end_rate,
-            fmt::format("the amplitude still falls, by {:.3g} 1/s", trends.amplitude.end_rate));
+            {"the amplitude still falls, by {}", as::rate(trends.amplitude.end_rate, 3)});
     if (look.outcome == results::Outcome::offset && result.at_rest) {
         if (const double away = result.at_rest->away.value_or(0); away > still_swing)
-            return undecided(2 * end,
-                             fmt::format("the balls are still on their way, {:.3g} rad from where "
-                                         "they would rest; they moved by {:.3g} rad over the last "
-                                         "quarter",
-                                         away, trends.creep));
+            return undecided(2 * end, {"the balls are still on their way, {} from where they would "
+                                       "rest; they moved by {} over the last quarter",
+                                       as::angle(away, 3), as::angle(trends.creep, 3)});
         if (!result.at_rest->holds.value_or(true))
             return undecided(2 * end, "the balls are next to a position in which they would rest, "
                                       "but from which small motions lead away");
     }
     if (look.outcome == results::Outcome::offset &&
         (trends.amplitude.changing || trends.creep > creeping))
-        return undecided(2 * end, fmt::format("the motion still changes: angles by {:.3g} rad over "
-                                              "the last quarter, the amplitude by {:.3g} 1/s",
-                                              trends.creep, trends.amplitude.end_rate));
-    return "";
+        return undecided(2 * end,
+                         {"the motion still changes: angles by {} over the last quarter, "
+                          "the amplitude by {}",
+                          as::angle(trends.creep, 3), as::rate(trends.amplitude.end_rate, 3)});
+    return {};
 }
 
 /// Parts that do not stand still leave no motion with them at rest.
@@ -248,14 +251,11 @@ void forget_parts_at_rest(results::SimulateResult &result) {
         station.with_balls.reset();
 }
 
-std::string what_is_left(const results::PartsAtRest &left) {
-    constexpr double gram_millimetres = 1e6;
-    constexpr double gram_square_millimetres = 1e9;
-    return fmt::format(
-        "; balanced at the balancers, but not at the stations: a couple of {:.4g} g mm² about the "
-        "centre of mass, z = {:.5g} m, is left in the rotor, and an imbalance of {:.4g} g mm",
-        left.couple * gram_square_millimetres, left.center_of_mass,
-        left.imbalance * gram_millimetres);
+Sentence what_is_left(const results::PartsAtRest &left) {
+    return {"balanced at the balancers, but not at the stations: a couple of {} about the centre "
+            "of mass, z = {}, is left in the rotor, and an imbalance of {}",
+            as::inertia(left.couple, 4), as::length(left.center_of_mass, 5),
+            as::imbalance(left.imbalance, 4)};
 }
 
 } // namespace
@@ -297,30 +297,31 @@ void classify(const model::Case &scene, results::SimulateResult &result) {
         result.station_ratio = station_ratio;
     const Look look = look_of(result.series, std::max(ratio, station_ratio));
     const double tolerance = scene.simulate.tolerance;
-    std::string why;
+    Sentence why;
     if (ends_at_constant_speed(result))
         why = judge(look, trends_of(result.series, noise * tolerance * scale, noise * tolerance),
                     tolerance, result);
     else
         result.outcome = look.outcome;
-    constexpr double micrometres = 1e6;
-    result.evidence =
-        fmt::format("largest amplitude at a balancer {:.4g} µm at the end, {:.4g} µm without balls",
-                    amplitude * micrometres, reference * micrometres);
+    std::vector<Sentence> evidence{{"largest amplitude at a balancer {} at the end, {} without "
+                                    "balls",
+                                    as::amplitude(amplitude, 4), as::amplitude(reference, 4)}};
     if (station > 0)
-        result.evidence += fmt::format("; at a station {:.4g} µm ({}), {:.4g} µm without balls",
-                                       station * micrometres, place_of(result.stations[worst]),
-                                       result.station_reference * micrometres);
-    result.evidence += fmt::format(
-        "; fastest ball in the rotor {:.3g} rad/s on the mean of the last tenth, swing of the "
-        "angles over the last fortieth {:.3g} rad{}{}",
-        fastest_rate(result), look.swing, why.empty() ? "" : "; ", why);
+        evidence.emplace_back("at a station {} ({}), {} without balls", as::amplitude(station, 4),
+                              place_of(result.stations[worst]),
+                              as::amplitude(result.station_reference, 4));
+    evidence.emplace_back("fastest ball in the rotor {} on the mean of the last tenth, swing of "
+                          "the angles over the last fortieth {}",
+                          as::speed(fastest_rate(result), 3), as::angle(look.swing, 3));
+    if (!why.empty())
+        evidence.push_back(why);
     const bool stands =
         look.outcome == results::Outcome::balanced || look.outcome == results::Outcome::offset;
     if (!stands)
         forget_parts_at_rest(result);
     else if (ratio < balanced_ratio && station_ratio >= balanced_ratio && result.at_rest)
-        result.evidence += what_is_left(*result.at_rest);
+        evidence.push_back(what_is_left(*result.at_rest));
+    result.evidence = joined(evidence, "; ");
 }
 
 } // namespace whirl::simulation

@@ -111,7 +111,7 @@ Run::Run(const model::Case &scene, const MotionScene &motion)
       _scales(scales_of(motion)),
       _stiff(fastest_decay(motion.parts.rotor, motion.fastest) > stiff_from * motion.fastest),
       _axes(axes()), _stations(_motion, motion.stations.rows, scene.simulate.time, motion.fastest,
-                               method() != OdeMethod::exponential),
+                               method() != OdeMethod::exponential && !_motion.dry().any()),
       _solver(ode_solver(problem(), method())) {
     if (_motion.dry().any())
         _dry.emplace(_motion, motion.fastest, ode_solver(problem(), method()));

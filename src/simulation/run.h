@@ -70,6 +70,8 @@ class Run {
     void fill_series(results::SimulateResult &result) const;
     [[nodiscard]] double first_amplitude(std::size_t station) const;
     [[nodiscard]] results::PeakInTime refined(std::size_t station, const PeakCandidate &candidate);
+    [[nodiscard]] results::PeakInTime integrated(std::size_t station,
+                                                 const PeakCandidate &candidate);
     [[nodiscard]] double speed_at(double t) const;
 };
 

@@ -243,7 +243,7 @@ Sheet sheet_of(const model::Case &scene) {
 
 } // namespace
 
-Drawing scene_drawing(const model::Case &scene) {
+Drawing scene_drawing(const model::Case &scene, const Units &) {
     const Sheet sheet = sheet_of(scene);
     const model::Rotor rotor = scene.rotor.with_held_among_balancers();
     Drawing drawing = draw_rotor(rotor, sheet);
@@ -265,8 +265,9 @@ std::string shaft_mass_text(const results::ShowResult &result) {
 
 } // namespace
 
-Drawing show_drawing(const model::Case &scene, const results::ShowResult &result) {
-    Drawing drawing = scene_drawing(scene);
+Drawing show_drawing(const model::Case &scene, const results::ShowResult &result,
+                     const Units &units) {
+    Drawing drawing = scene_drawing(scene, units);
     const double head = 68;
     for (DrawShape &shape : drawing.shapes)
         for (DrawPoint &point : shape.points)

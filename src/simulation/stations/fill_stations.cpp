@@ -1,5 +1,6 @@
 // The results of a run that concern its stations.
 
+#include "linalg/check.h"
 #include "linalg/roots.h"
 #include "simulation/run.h"
 
@@ -7,12 +8,21 @@
 
 namespace whirl::simulation {
 
-/// The maximum again by integration from the beginning of its step, as a root of d|w|^2/dt.
+/// The maximum again as a root of d|w|^2/dt; as far as the polynomial knows it where what touched
+/// and stood then is not known any more, or the motion grew beyond all numbers.
 results::PeakInTime Run::refined(std::size_t station, const PeakCandidate &candidate) {
+    if (!_dry) {
+        try {
+            return integrated(station, candidate);
+        } catch (const linalg::SolverError &) {
+        }
+    }
+    return {candidate.value, candidate.time, speed_at(candidate.time), false};
+}
+
+/// By integration from the beginning of its step.
+results::PeakInTime Run::integrated(std::size_t station, const PeakCandidate &candidate) {
     const reduction::Row &row = _prepared.stations.rows[station];
-    if (_dry) // what touched and stood then is not known any more: as far as the polynomial knows
-              // it
-        return {candidate.value, candidate.time, speed_at(candidate.time), false};
     // Between two jumps, in the piece that the step belongs to.
     _motion.enter_piece(std::nextafter(candidate.start, HUGE_VAL));
     const std::unique_ptr<OdeSolver> solver = ode_solver(problem(), method());

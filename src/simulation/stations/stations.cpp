@@ -13,11 +13,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace whirl::simulation {
 
 namespace {
+
+namespace as = results::as;
 
 void add_peaks(const model::Case &steady, const assembly::Discretization &d, results::Form form,
                results::SimulateResult &result) {
@@ -51,12 +52,11 @@ void add_last_speed(const assembly::Discretization &d, results::Form form, bool 
         balancer.reference = motion.amplitude(balancer.z);
 }
 
-constexpr double micrometres = 1e6;
-
 } // namespace
 
-std::string place_of(const results::StationMotion &station) {
-    return station.name.empty() ? fmt::format("z = {:.5g} m", station.z) : station.name;
+results::Sentence place_of(const results::StationMotion &station) {
+    return station.name.empty() ? results::Sentence("z = {}", as::length(station.z, 5))
+                                : results::Sentence("{}", station.name);
 }
 
 void add_steady_response(const model::Case &scene, int order, results::SimulateResult &result) {
@@ -91,9 +91,9 @@ void classify_stations(const model::Case &scene, results::SimulateResult &result
     const double scale = *std::ranges::max_element(amplitudes);
     const results::StationMotion &worst =
         result.stations[results::largest_station(result.stations)];
-    result.evidence = fmt::format("largest amplitude {:.5g} µm at {} after {:.6g} s at {:.6g} rpm",
-                                  worst.peak.value * micrometres, place_of(worst), worst.peak.time,
-                                  worst.peak.speed * 30 / std::numbers::pi);
+    result.evidence = {"largest amplitude {} at {} after {} at {}",
+                       as::amplitude(worst.peak.value, 5), place_of(worst),
+                       as::time(worst.peak.time), as::speed(worst.peak.speed)};
     if (worst.peak.at_end)
         result.evidence += ", where it still grew";
     result.outcome = results::Outcome::transient;
@@ -113,8 +113,8 @@ void classify_stations(const model::Case &scene, results::SimulateResult &result
     } else {
         result.outcome = results::Outcome::steady;
     }
-    result.evidence += fmt::format("; over the last half of the time the amplitude {} ({:.3g} 1/s)",
-                                   how, trend.end_rate);
+    result.evidence += {"; over the last half of the time the amplitude {} ({})", how,
+                        as::rate(trend.end_rate, 3)};
 }
 
 } // namespace whirl::simulation

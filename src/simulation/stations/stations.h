@@ -3,8 +3,6 @@
 #include "model/case.h"
 #include "results/simulate.h"
 
-#include <string>
-
 namespace whirl::simulation {
 
 /// Beside the motion of each station that of the steady response to all imbalances there are at
@@ -15,7 +13,7 @@ namespace whirl::simulation {
 void add_steady_response(const model::Case &scene, int order, results::SimulateResult &result);
 
 /// Its name, or else where it is.
-[[nodiscard]] std::string place_of(const results::StationMotion &station);
+[[nodiscard]] results::Sentence place_of(const results::StationMotion &station);
 
 /// How the motion of a rotor without balancers ended: fills outcome, evidence and trend. Steady:
 /// over the last half the speed is constant, and the largest amplitude neither grows nor falls
