@@ -319,7 +319,8 @@ void classify(const model::Case &scene, results::SimulateResult &result) {
         look.outcome == results::Outcome::balanced || look.outcome == results::Outcome::offset;
     if (!stands)
         forget_parts_at_rest(result);
-    else if (ratio < balanced_ratio && station_ratio >= balanced_ratio && result.at_rest)
+    else if (result.outcome == results::Outcome::offset && ratio < balanced_ratio &&
+             result.at_rest && result.at_rest->amplitude >= balanced_ratio * station_scale)
         evidence.push_back(what_is_left(*result.at_rest));
     result.evidence = joined(evidence, "; ");
 }
