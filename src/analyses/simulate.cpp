@@ -8,6 +8,7 @@
 #include "simulation/equations.h"
 #include "simulation/linear_growth.h"
 #include "simulation/outcome.h"
+#include "simulation/parts_at_rest.h"
 #include "simulation/run.h"
 #include "simulation/stations/stations.h"
 
@@ -107,23 +108,16 @@ void note_overlaps(const model::Case &scene, results::SimulateResult &result) {
     }
 }
 
-/// Amplitudes without balls, and what the eigenvalues promise.
-void compare_with_no_balls(const model::Case &scene, int order, results::SimulateResult &result) {
-    try {
-        const std::vector<double> references =
-            simulation::unbalanced_amplitudes(scene, order, result.speed);
-        for (std::size_t i = 0; i < references.size(); ++i)
-            result.balancers[i].reference = references[i];
-    } catch (const model::AnalysisFailure &no_growth) { // the motion is worth having all the same
-        result.model.notes.emplace_back("{}; balanced is judged by the amplitude of a free rotor",
-                                        no_growth.sentence());
-    }
+/// What is known of the motion beside its course: where the balls are, and what the eigenvalues
+/// promise.
+void judge_balls(const model::Case &scene, int order, results::SimulateResult &result) {
+    note_overlaps(scene, result);
+    simulation::add_parts_at_rest(scene, order, result);
     // Resistance to rolling makes whole intervals of positions stable, which no eigenvalue knows.
     const bool dry = std::ranges::any_of(scene.rotor.balancers, [](const model::Balancer &b) {
         const auto *balls = std::get_if<model::Balls>(&b.parts);
         return balls && balls->resists();
     });
-    note_overlaps(scene, result);
     if (!dry && simulation::ends_at_constant_speed(result))
         result.linear_growth =
             simulation::linear_growth(scene, result.speed, last_angles(scene, result.series));
@@ -150,10 +144,9 @@ results::SimulateResult motion_from(const model::Case &scene, simulation::Motion
         return result;
     if (!failure.empty())
         end_early(result, failure);
-    if (scene.rotor.balancers.empty())
-        simulation::add_steady_response(scene, motion.order, result);
-    else
-        compare_with_no_balls(scene, motion.order, result);
+    simulation::add_steady_response(scene, motion.order, result);
+    if (!scene.rotor.balancers.empty())
+        judge_balls(scene, motion.order, result);
     simulation::classify(scene, result);
     if (!failure.empty() && result.outcome != results::Outcome::growing)
         throw model::AnalysisFailure(failure);

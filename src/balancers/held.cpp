@@ -30,14 +30,9 @@ void drop_starts(std::vector<std::vector<double>> &starts, const std::vector<boo
     starts = std::move(free);
 }
 
-std::string named(const model::Balancer &balancer, std::size_t index) {
-    return balancer.name.empty() ? fmt::format("balancer[{}]", index) : balancer.name;
-}
-
-/// What the rotor is with the parts of one balancer fixed in it.
-model::HeldBalancer held_in(model::Case &scene, const model::Balancer &balancer, std::size_t index,
+/// Puts what a balancer is to the rotor with its parts fixed in it behind the rotor's own.
+model::HeldBalancer held_in(model::Rotor &rotor, const model::Balancer &balancer, std::size_t index,
                             const std::vector<double> &angles) {
-    model::Rotor &rotor = scene.rotor;
     const HeldMasses masses = held_masses(balancer, angles);
     model::HeldBalancer out{balancer, index, angles, masses.anisotropy != 0.0,
                             masses.imbalance != 0.0};
@@ -46,19 +41,21 @@ model::HeldBalancer held_in(model::Case &scene, const model::Balancer &balancer,
     if (out.anisotropic)
         rotor.anisotropies.push_back({balancer.name, balancer.z, std::abs(masses.anisotropy),
                                       std::arg(masses.anisotropy) / 2});
-    const auto kind = kind_of(balancer);
-    if (!balancer.tilt_inertia) // what is left out of tilting still has to be spun up by a motor
-        scene.simulate.inertia += kind->held(angles).on_circle + kind->held(angles).own;
-    if (!out.unbalanced)
-        return out;
-    const double size = std::abs(masses.imbalance);
-    const double phase = std::arg(masses.imbalance);
-    rotor.imbalances.push_back({balancer.name, balancer.z, size, phase});
-    scene.remarks.push_back(
-        fmt::format("{}: its {} are held off balance: with its imbalance they leave {:.6g} kg m "
-                    "at {:.6g} rad, which count as an imbalance of the rotor",
-                    named(balancer, index), kind->parts(), size, phase));
+    if (out.unbalanced)
+        rotor.imbalances.push_back(
+            {balancer.name, balancer.z, std::abs(masses.imbalance), std::arg(masses.imbalance)});
     return out;
+}
+
+/// Says how far off balance the last one held is.
+void remark_imbalance(model::Case &scene) {
+    const model::HeldBalancer &held = scene.rotor.held.back();
+    const model::Imbalance &left = scene.rotor.imbalances.back();
+    scene.remarks.push_back(fmt::format(
+        "{}: its {} are held off balance: with its imbalance they leave {:.6g} kg m "
+        "at {:.6g} rad, which count as an imbalance of the rotor",
+        held.balancer.name.empty() ? fmt::format("balancer[{}]", held.index) : held.balancer.name,
+        kind_of(held.balancer)->parts(), left.mr, left.phase));
 }
 
 } // namespace
@@ -95,6 +92,13 @@ std::vector<double> held_angles(const model::Balancer &balancer, const std::vect
     return turned(angles_at_balance(balancer, label), balancer.imbalance_phase);
 }
 
+model::Rotor with_parts_held(model::Rotor rotor, const std::vector<std::vector<double>> &angles) {
+    const std::vector<model::Balancer> balancers = std::exchange(rotor.balancers, {});
+    for (std::size_t i = 0; i < balancers.size(); ++i)
+        static_cast<void>(held_in(rotor, balancers[i], i, angles[i]));
+    return rotor;
+}
+
 void hold(model::Case &scene) {
     model::Rotor &rotor = scene.rotor;
     model::SimulateSettings &simulate = scene.simulate;
@@ -110,8 +114,15 @@ void hold(model::Case &scene) {
         }
         const std::vector<double> *start =
             simulate.ball_angles.empty() ? nullptr : &simulate.ball_angles[i];
-        rotor.held.push_back(held_in(scene, balancer, i,
-                                     held_angles(balancer, start, fmt::format("balancer[{}]", i))));
+        const std::vector<double> angles =
+            held_angles(balancer, start, fmt::format("balancer[{}]", i));
+        rotor.held.push_back(held_in(rotor, balancer, i, angles));
+        if (rotor.held.back().unbalanced)
+            remark_imbalance(scene);
+        if (!balancer.tilt_inertia) { // what is left out of tilting still has to be spun up
+            const HeldParts parts = kind_of(balancer)->held(angles);
+            simulate.inertia += parts.on_circle + parts.own;
+        }
     }
     if (rotor.held.empty())
         return;

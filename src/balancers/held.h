@@ -34,6 +34,10 @@ struct HeldMasses {
                                               const std::vector<double> *start,
                                               const std::string &label);
 
+/// The rotor with the parts of all free balancers fixed at these angles.
+[[nodiscard]] model::Rotor with_parts_held(model::Rotor rotor,
+                                           const std::vector<std::vector<double>> &angles);
+
 /// Takes the balancers that are to be held out of those of the rotor, with their part of the
 /// starts of [simulate], and puts what they are to it behind its discs, anisotropies and
 /// imbalances. Says in the remarks of the case what is not obvious.

@@ -48,6 +48,12 @@ const Columns<SimulateResult> outcome_columns{
     {"evidence", evidence_of},
     {"residual_ratio", OnPage("Amplitude left over that without balls", "{:.5g}"), Quantity::number,
      &SimulateResult::residual_ratio},
+    {"station_ratio", OnPage("The same of the stations", "{:.5g}"), Quantity::number,
+     &SimulateResult::station_ratio},
+    {"imbalance_left", OnPage("Imbalance left in the rotor", "{:.5g}"), Quantity::imbalance,
+     [](const auto &result) { return result.at_rest ? Json(result.at_rest->imbalance) : Json(); }},
+    {"couple_left", OnPage("Couple left about its centre of mass", "{:.5g}"), Quantity::inertia,
+     [](const auto &result) { return result.at_rest ? Json(result.at_rest->couple) : Json(); }},
     {"impacts", OnPage("Impacts between balls", "{}"), &SimulateResult::impacts},
     {"trend", OnPage("Growth of the amplitude over the last half", "{:.4g}"), Quantity::rate,
      &SimulateResult::trend},
@@ -109,7 +115,7 @@ std::vector<OtherStart> all_starts(const SimulateResult &result) {
     return all;
 }
 
-/// Of a rotor without balancers: what the stations did.
+/// What the stations did.
 std::optional<double> over_steady(const StationMotion &station) {
     if (!station.steady_peak || *station.steady_peak == 0)
         return std::nullopt;
@@ -132,6 +138,8 @@ const Columns<StationMotion> station_columns{
      Quantity::amplitude, &StationMotion::amplitude},
     {"steady", OnPage("Steady at that speed", "{:.5g}"), InText("steady", "{:.4g}"),
      Quantity::amplitude, &StationMotion::steady},
+    {"with_balls", OnPage("Steady with the balls fixed", "{:.5g}"), Quantity::amplitude,
+     &StationMotion::with_balls},
     {"steady_peak", OnPage("Steady peak", "{:.5g}"), InText("steady peak", "{:.5g}"),
      Quantity::amplitude, &StationMotion::steady_peak},
     {"steady_peak_speed", ForReaders("at"), Quantity::speed, &StationMotion::steady_peak_speed},
@@ -260,8 +268,10 @@ std::string outcome_text(const SimulateResult &result, const Units &units) {
     std::string text = fmt::format("Outcome: {}\n  {}\n", results::outcome_name(result.outcome),
                                    units.text(result.evidence));
     if (result.residual_ratio)
-        text +=
-            fmt::format("  left of the amplitude without balls: {:.4g}\n", *result.residual_ratio);
+        text += fmt::format(
+            "  left of the amplitude without balls: {:.4g}{}\n", *result.residual_ratio,
+            result.station_ratio ? fmt::format(", at the stations {:.4g}", *result.station_ratio)
+                                 : "");
     if (result.linear_growth)
         text += fmt::format("  by its eigenvalues the balanced position is {}: {}\n",
                             *result.linear_growth > 0 ? "unstable, small motions grow" : "stable",
@@ -298,8 +308,10 @@ std::string text_of(const model::Case &scene, const SimulateResult &result, cons
                                    readable(result.revolutions, 6),
                                    units.text(Quantity::speed, result.speed))) +
         outcome_text(result, units) + "\n" +
-        (result.stations.empty() ? text_table(balancer_motion_columns, result.balancers, units)
-                                 : text_table(station_columns, result.stations, units));
+        (result.balancers.empty()
+             ? ""
+             : text_table(balancer_motion_columns, result.balancers, units) + "\n") +
+        text_table(station_columns, result.stations, units);
     for (const OtherStart &start : result.other_starts)
         text += fmt::format(
             "from another start ({}): {}{}\n", text_angles(start.start_angles, units),
@@ -314,7 +326,7 @@ Report describe(const model::Case &scene, const SimulateResult &result) {
     Report report =
         report_of<SimulateResult>("simulate", "Motion in time", scene, result,
                                   {json_of, csv_of, sections_of, text_of,
-                                   result.stations.empty() ? simulate_figure : stations_figure});
+                                   result.balancers.empty() ? stations_figure : simulate_figure});
     report.drawn = [&result](const Units &) {
         constexpr std::size_t most_curves = 64;
         return Json{{"angles", angle_curves(result, most_curves)}};
@@ -328,7 +340,7 @@ Report describe(const model::Case &scene, const SimulateResult &result) {
                                          }}};
         };
         report.pictures_heading = "Waterfall";
-        report.pictures_after = 2;
+        report.pictures_after = result.balancers.empty() ? 2 : 3;
     }
     return report;
 }

@@ -32,6 +32,22 @@ struct MotionSeries {
     /// For each plane: largest |w| since the output time before, m; deflections at the time, m.
     std::vector<std::vector<double>> amplitude, x, y;
     std::vector<std::vector<double>> angles; ///< for each ball or pair, in the rotor, rad, whole
+    /// With balancers: largest |w| of all stations since the output time before, m.
+    std::vector<double> stations;
+};
+
+/// The steady motion with the parts of all balancers fixed in the rotor where they are at the end.
+struct PartsAtRest {
+    double amplitude = 0; ///< largest of planes and stations, m
+    double halfway = 0;   ///< the same where they were after half the time, m
+    // Of balls and rings that nothing but the whirl moves along their circles; none: other parts,
+    // or parts that touch or resist.
+    std::optional<double> away; ///< angle of the farthest from where they would rest, rad
+    std::optional<bool> holds;  ///< no slow motion about where they are grows
+    // What is left in the rotor about its centre of mass.
+    double center_of_mass = 0; ///< z, m
+    double imbalance = 0;      ///< kg m
+    double couple = 0;         ///< kg m2
 };
 
 /// A balancer at the end of the motion.
@@ -72,6 +88,10 @@ struct SimulateResult {
     Outcome outcome = Outcome::whirling;
     Sentence evidence; ///< the numbers behind the outcome, for readers
     std::optional<double> residual_ratio;
+    /// The same of the stations: largest amplitude left over the largest without balls.
+    std::optional<double> station_ratio;
+    double station_reference = 0;       ///< that without balls, m; 0: not known
+    std::optional<PartsAtRest> at_rest; ///< none: no balancers, or their parts do not stand still
     /// Rate at which the amplitude grows over the last half of the time, 1/s; none where the speed
     /// changes.
     std::optional<double> trend;
@@ -88,7 +108,7 @@ struct SimulateResult {
     MotionSeries series;
     std::vector<double> start_angles; ///< of all balls and pairs, rad
     std::vector<OtherStart> other_starts;
-    /// Without balancers: the series above are those of the stations, in this order.
+    /// Wherever something is attached. Without balancers the series are theirs, in this order.
     std::vector<StationMotion> stations;
     SteadyCurves steady;
     std::optional<Waterfall> waterfall;

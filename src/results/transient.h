@@ -21,8 +21,12 @@ struct StationMotion {
     std::string name;
     PeakInTime peak;      ///< largest |w| of all times
     double amplitude = 0; ///< largest |w| over the last 2.5 % of the time, m
-    /// At the last speed; none: no imbalance, or a resonance without damping.
+    /// At the last speed, with balancers without their parts; none: no imbalance, or a resonance
+    /// without damping.
     std::optional<double> steady; ///< m
+    /// The same with the parts of the balancers fixed where they are at the end; none: no
+    /// balancers, or their parts do not stand still in the rotor.
+    std::optional<double> with_balls; ///< m
     /// Highest peak of the steady response strictly inside the speeds passed; none: there is none.
     std::optional<double> steady_peak;       ///< m
     std::optional<double> steady_peak_speed; ///< rad/s

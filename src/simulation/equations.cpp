@@ -47,6 +47,7 @@ model::Rotor rotor_with_masses(const model::Rotor &rotor) {
     for (const model::Balancer &b : rotor.balancers) {
         const balancers::PartsInertia parts = balancers::kind_of(b)->inertia();
         model::Disc disc;
+        disc.name = b.name;
         disc.z = b.z;
         disc.mass = parts.mass;
         if (b.tilt_inertia) {
@@ -58,27 +59,6 @@ model::Rotor rotor_with_masses(const model::Rotor &rotor) {
         with.discs.push_back(disc);
     }
     return with;
-}
-
-/// The rotor as it turns without balls, its imbalances as [[imbalance]]. A point mass makes it
-/// asymmetric; on bearings that differ between x and y its mean inertia has to do.
-model::Rotor rotor_without_balls(const model::Rotor &rotor) {
-    model::Rotor bare = rotor;
-    bare.balancers.clear();
-    const bool own = has_imbalance(rotor);
-    for (const model::Balancer &b : rotor.balancers) {
-        const double capacity = balancers::kind_of(b)->reach().side_by_side;
-        bare.imbalances.push_back({b.name, b.z, own ? b.imbalance : capacity, b.imbalance_phase});
-        model::Disc disc; // keeps a node at the balancer
-        disc.z = b.z;
-        disc.mass = balancers::imbalance_mass(b);
-        disc.Id = tilt_inertia_of_imbalance(b) / 2;
-        disc.Ip = tilt_inertia_of_imbalance(b);
-        if (disc.Id > 0 && rotor.bearings_isotropic())
-            bare.anisotropies.push_back({b.name, b.z, disc.Id, b.imbalance_phase});
-        bare.discs.push_back(disc);
-    }
-    return bare;
 }
 
 /// Of the rotor and its discs, without what has an equation of its own.
@@ -280,6 +260,26 @@ std::vector<double> start_of(const model::Rotor &rotor,
     return all;
 }
 
+model::Rotor rotor_without_balls(const model::Rotor &rotor) {
+    model::Rotor bare = rotor;
+    bare.balancers.clear();
+    const bool own = has_imbalance(rotor);
+    for (const model::Balancer &b : rotor.balancers) {
+        const double capacity = balancers::kind_of(b)->reach().side_by_side;
+        bare.imbalances.push_back({b.name, b.z, own ? b.imbalance : capacity, b.imbalance_phase});
+        model::Disc disc; // keeps a node at the balancer
+        disc.name = b.name;
+        disc.z = b.z;
+        disc.mass = balancers::imbalance_mass(b);
+        disc.Id = tilt_inertia_of_imbalance(b) / 2;
+        disc.Ip = tilt_inertia_of_imbalance(b);
+        if (disc.Id > 0 && rotor.bearings_isotropic())
+            bare.anisotropies.push_back({b.name, b.z, disc.Id, b.imbalance_phase});
+        bare.discs.push_back(disc);
+    }
+    return bare;
+}
+
 MotionScene motion_scene(const model::Case &scene) {
     refuse_what_is_missing(scene);
     MotionScene motion;
@@ -293,46 +293,13 @@ MotionScene motion_scene(const model::Case &scene) {
     goal.tolerance = scene.simulate.reduction_tolerance;
     goal.modes = scene.reduction ? scene.simulate.modes : d.planar_size();
     goal.places = places_of(scene);
+    goal.watched = watched_places_of(scene);
     for (const model::Anisotropy &anisotropy : scene.rotor.anisotropies)
         goal.tilted.push_back(anisotropy.z);
     motion.parts.rotor = reduction::reduce(d, goal);
     add_all_masses(scene, d, motion);
     add_notes(scene, motion);
     return motion;
-}
-
-std::vector<double> steady_amplitudes(const assembly::Discretization &d, results::Form form,
-                                      double speed, const std::vector<double> &places) {
-    forced::ForcedMotion forced(d, form);
-    forced.solve(speed);
-    if (forced.rounding() > forced::resonance_rounding)
-        throw linalg::SolverError("a resonance without damping");
-    std::vector<double> amplitudes;
-    for (const double z : places) {
-        const forced::Phasor u = forced.motion(d.deflection_at(z));
-        amplitudes.push_back(modes::ellipse_of(u.x, u.y).major);
-    }
-    return amplitudes;
-}
-
-std::vector<double> unbalanced_amplitudes(const model::Case &scene, int order, double speed) {
-    const assembly::Discretization d(rotor_without_balls(scene.rotor), order);
-    const bool asymmetric = !d.rotor().anisotropies.empty();
-    if (asymmetric && !scene.rotor.bearings_isotropic())
-        throw model::AnalysisFailure("an asymmetric rotor on bearings that differ between x and y "
-                                     "has no single amplitude without balls to compare with");
-    std::vector<double> places;
-    for (const model::Balancer &b : scene.rotor.balancers)
-        places.push_back(b.z);
-    try {
-        return steady_amplitudes(d, asymmetric ? results::Form::rotating : results::Form::general,
-                                 speed, places);
-    } catch (const linalg::SolverError &) {
-        throw model::AnalysisFailure(
-            Sentence("no steady motion without balls at {} to compare with: the rotor is at a "
-                     "resonance without damping, or free to move",
-                     as::speed(speed)));
-    }
 }
 
 } // namespace whirl::simulation

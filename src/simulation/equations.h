@@ -13,7 +13,7 @@ namespace whirl::simulation {
 /// A case made ready to move: the parts, and where results come from.
 struct MotionScene {
     MovingParts parts; ///< the free ones in the order of the balancers
-    /// Of a rotor without balancers: wherever something is attached.
+    /// Wherever something is attached.
     struct Stations {
         std::vector<reduction::Row> rows;
         std::vector<double> z; ///< m
@@ -33,16 +33,10 @@ struct MotionScene {
 /// @throws model::BadInput where something is missing or absurd; model::AnalysisFailure.
 [[nodiscard]] MotionScene motion_scene(const model::Case &scene);
 
-/// Largest deflection of each place (z, m) in the steady motion under the imbalances, m.
-/// @throws linalg::SolverError at a resonance without damping
-[[nodiscard]] std::vector<double> steady_amplitudes(const assembly::Discretization &d,
-                                                    results::Form form, double speed,
-                                                    const std::vector<double> &places);
-
-/// Those at the balancers of the rotor without their parts, under all its imbalances; or, without
-/// any imbalance, under that which the parts of each balancer make side by side.
-[[nodiscard]] std::vector<double> unbalanced_amplitudes(const model::Case &scene, int order,
-                                                        double speed);
+/// The rotor as it turns without balls, its imbalances as [[imbalance]]; without any, those that
+/// the parts of each balancer make side by side. A point mass makes it asymmetric; on bearings that
+/// differ between x and y its mean inertia has to do.
+[[nodiscard]] model::Rotor rotor_without_balls(const model::Rotor &rotor);
 
 /// Angles at the start of all coordinates, rad.
 /// @param given  of each balancer as in simulate.ball_angles, or empty: chosen

@@ -11,19 +11,23 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace whirl::simulation {
 
 namespace {
 
-using results::Sentence;
 namespace as = results::as;
-
+using results::Sentence;
 using std::numbers::pi;
 constexpr double still_swing = 0.05;   ///< rad, of a ball that counts as standing still
 constexpr double drifting = pi;        ///< rad over the last tenth, of a ball that lags
 constexpr double balanced_ratio = 0.1; ///< of the unbalanced amplitude
 constexpr double creeping = 0.1;       ///< rad over the last quarter, of balls on their way
+/// Of the amplitude: the rotor moves as it would if the balls were fixed where they are.
+constexpr double follows_balls = 0.05;
+/// Of that motion: the balls have changed it.
+constexpr double moved = 0.01;
 /// Errors of the integrator gather over its steps: sizes below so many tolerances say nothing.
 constexpr double noise = 1e3;
 
@@ -91,7 +95,7 @@ void fill_balancers(const model::Case &scene, results::SimulateResult &result) {
 struct Look {
     results::Outcome outcome = results::Outcome::whirling;
     double ratio = 0; ///< of the amplitude to the unbalanced one
-    double swing = 0; ///< of the angles over the last fortieth, rad
+    double swing = 0; ///< of the angles to and fro over the last fortieth, rad
 };
 
 Look look_of(const results::MotionSeries &series, double ratio) {
@@ -102,7 +106,10 @@ Look look_of(const results::MotionSeries &series, double ratio) {
     look.ratio = ratio;
     for (const std::vector<double> &angles : series.angles) {
         drift = std::max(drift, std::abs(angles.back() - angles[tenth]));
-        look.swing = std::max(look.swing, swing_from(angles, fortieth));
+        // What only moves on is straight over the last tenth.
+        look.swing =
+            std::max(look.swing, std::min(swing_from(angles, fortieth),
+                                          swing_beside_line(std::span(angles).subspan(tenth))));
     }
     if (drift > drifting)
         look.outcome = results::Outcome::lagging;
@@ -122,29 +129,66 @@ struct Trends {
     double creep = 0; ///< of the angles over the last quarter of the time, rad
 };
 
+/// Of the swings of some lists. Neither a motion that bends nor one that slows down swings more and
+/// more: it must by both measures of a swing.
+/// @param noise  what the integrator's tolerance leaves of a swing
+Trend trend_of_swings(const std::vector<double> &time,
+                      const std::vector<std::vector<double>> &lists, double noise) {
+    const double end = time.back();
+    const auto by = [&](double (*swing)(std::span<const double>)) {
+        std::vector<std::vector<double>> swings;
+        for (const std::vector<double> &values : lists)
+            swings.push_back(swings_of(time, values, end / 40, swing));
+        return trend_of(time, largest_of(swings, time.size()), end / 2, noise);
+    };
+    Trend out = by(swing_beside_line);
+    if (out.growing)
+        out.growing = by(swing_back).growing;
+    return out;
+}
+
 /// @param amplitude_noise  m; what the integrator's tolerance leaves
 /// @param angle_noise      rad
 Trends trends_of(const results::MotionSeries &series, double amplitude_noise, double angle_noise) {
     const double end = series.time.back();
-    const double width = end / 40;
-    const std::size_t size = series.time.size();
-    std::vector<std::vector<double>> wobbles;
-    std::vector<std::vector<double>> swings;
-    for (const std::vector<double> &amplitude : series.amplitude)
-        wobbles.push_back(swings_of(series.time, amplitude, width));
-    for (const std::vector<double> &angles : series.angles)
-        swings.push_back(swings_of(series.time, angles, width));
+    std::vector<std::vector<double>> amplitudes = series.amplitude;
+    if (!series.stations.empty())
+        amplitudes.push_back(series.stations);
     Trends trends;
-    const auto trend = [&](const std::vector<double> &values, double below) {
-        return trend_of(series.time, values, end / 2, below);
-    };
-    trends.amplitude = trend(largest_of(series.amplitude, size), amplitude_noise);
-    trends.wobble = trend(largest_of(wobbles, size), amplitude_noise);
-    trends.balls = trend(largest_of(swings, size), angle_noise);
+    trends.amplitude =
+        trend_of(series.time, largest_of(amplitudes, series.time.size()), end / 2, amplitude_noise);
+    trends.wobble = trend_of_swings(series.time, amplitudes, amplitude_noise);
+    trends.balls = trend_of_swings(series.time, series.angles, angle_noise);
     const std::size_t quarter = index_from(series, 0.75 * end);
     for (const std::vector<double> &angles : series.angles)
         trends.creep = std::max(trends.creep, std::abs(angles.back() - angles[quarter]));
     return trends;
+}
+
+/// The rotor is in its steady motion with the balls where they are, after half the time and at the
+/// end, and that has changed: it grows as they move, not by itself, and what it swings with it (of
+/// an orbit that is no circle the parts between two output times differ).
+bool follows_the_balls(const results::SimulateResult &result) {
+    if (!result.at_rest)
+        return false;
+    const auto [least, most] = std::minmax(result.at_rest->halfway, result.at_rest->amplitude);
+    if (most - least < moved * most)
+        return false;
+    const results::MotionSeries &series = result.series;
+    const std::size_t last = series.time.size() - 1;
+    // Orbits are seen whole over two turns.
+    const double window = std::max(series.time.back() / 40, 4 * pi / std::abs(series.speed.back()));
+    const auto agrees = [&](std::size_t index, double fixed) {
+        double amplitude = 0;
+        for (std::size_t k = index_from(series, series.time[index] - window); k <= index; ++k) {
+            if (k < series.stations.size())
+                amplitude = std::max(amplitude, series.stations[k]);
+            for (const std::vector<double> &plane : series.amplitude)
+                amplitude = std::max(amplitude, plane[k]);
+        }
+        return std::abs(amplitude - fixed) <= follows_balls * std::max(amplitude, fixed);
+    };
+    return agrees(last / 2, result.at_rest->halfway) && agrees(last, result.at_rest->amplitude);
 }
 
 /// Sets outcome, trend and decision_time; says why where the outcome is not what it looks like.
@@ -154,14 +198,15 @@ Sentence judge(const Look &look, const Trends &trends, double tolerance,
     result.outcome = look.outcome;
     result.trend = trends.amplitude.end_rate;
     const bool lagging = look.outcome == results::Outcome::lagging;
+    const bool follows = follows_the_balls(result);
     for (const auto &[trend, what] : {std::pair(&trends.amplitude, "the amplitude"),
                                       std::pair(&trends.wobble, "the swing of the amplitude"),
                                       std::pair(&trends.balls, "the swing of the balls")}) {
-        if (!trend->growing || (lagging && trend != &trends.amplitude))
+        if (!trend->growing || (lagging && trend != &trends.amplitude) ||
+            (follows && trend != &trends.balls))
             continue;
         result.outcome = results::Outcome::growing;
-        return Sentence("{} grows steadily, by {} over the last half", what,
-                        as::rate(trend->end_rate, 3));
+        return {"{} grows steadily, by {} over the last half", what, as::rate(trend->end_rate, 3)};
     }
     const auto undecided = [&](double time, Sentence why) {
         result.outcome = results::Outcome::undecided;
@@ -171,24 +216,46 @@ Sentence judge(const Look &look, const Trends &trends, double tolerance,
     if (look.outcome == results::Outcome::whirling && trends.balls.decaying)
         return undecided(
             end + std::log(look.swing / still_swing) / -trends.balls.end_rate,
-            Sentence("the swing of the balls dies out, by {}", as::rate(trends.balls.end_rate, 3)));
+            {"the swing of the balls dies out, by {}", as::rate(trends.balls.end_rate, 3)});
     if (look.outcome == results::Outcome::balanced && result.linear_growth.value_or(0) > 0)
         return undecided(end + std::log(1 / tolerance) / *result.linear_growth,
-                         Sentence("it looks balanced, but by its eigenvalues that position is "
-                                  "unstable: small motions grow by {}",
-                                  as::rate(*result.linear_growth, 3)));
+                         {"it looks balanced, but by its eigenvalues that position is unstable: "
+                          "small motions grow by {}",
+                          as::rate(*result.linear_growth, 3)});
     if (look.outcome == results::Outcome::offset && trends.amplitude.decaying)
         return undecided(
             end + std::log(look.ratio / balanced_ratio) / -trends.amplitude.end_rate,
-            Sentence("the amplitude still falls, by {}", as::rate(trends.amplitude.end_rate, 3)));
+            {"the amplitude still falls, by {}", as::rate(trends.amplitude.end_rate, 3)});
+    if (look.outcome == results::Outcome::offset && result.at_rest) {
+        if (const double away = result.at_rest->away.value_or(0); away > still_swing)
+            return undecided(2 * end, {"the balls are still on their way, {} from where they would "
+                                       "rest; they moved by {} over the last quarter",
+                                       as::angle(away, 3), as::angle(trends.creep, 3)});
+        if (!result.at_rest->holds.value_or(true))
+            return undecided(2 * end, "the balls are next to a position in which they would rest, "
+                                      "but from which small motions lead away");
+    }
     if (look.outcome == results::Outcome::offset &&
         (trends.amplitude.changing || trends.creep > creeping))
-        return undecided(
-            2 * end,
-            Sentence(
-                "the motion still changes: angles by {} over the last quarter, the amplitude by {}",
-                as::angle(trends.creep, 3), as::rate(trends.amplitude.end_rate, 3)));
+        return undecided(2 * end,
+                         {"the motion still changes: angles by {} over the last quarter, "
+                          "the amplitude by {}",
+                          as::angle(trends.creep, 3), as::rate(trends.amplitude.end_rate, 3)});
     return {};
+}
+
+/// Parts that do not stand still leave no motion with them at rest.
+void forget_parts_at_rest(results::SimulateResult &result) {
+    result.at_rest.reset();
+    for (results::StationMotion &station : result.stations)
+        station.with_balls.reset();
+}
+
+Sentence what_is_left(const results::PartsAtRest &left) {
+    return {"balanced at the balancers, but not at the stations: a couple of {} about the centre "
+            "of mass, z = {}, is left in the rotor, and an imbalance of {}",
+            as::inertia(left.couple, 4), as::length(left.center_of_mass, 5),
+            as::imbalance(left.imbalance, 4)};
 }
 
 } // namespace
@@ -213,11 +280,22 @@ void classify(const model::Case &scene, results::SimulateResult &result) {
         amplitude = std::max(amplitude, b.amplitude);
         reference = std::max(reference, b.reference);
     }
+    double station = 0;
+    std::size_t worst = 0;
+    for (std::size_t i = 0; i < result.stations.size(); ++i)
+        if (result.stations[i].amplitude > station) {
+            worst = i;
+            station = result.stations[i].amplitude;
+        }
     const double scale = reference > 0 ? reference : free_amplitude(scene.rotor);
+    const double station_scale = result.station_reference > 0 ? result.station_reference : scale;
     const double ratio = scale > 0 ? amplitude / scale : HUGE_VAL;
+    const double station_ratio = station_scale > 0 ? station / station_scale : ratio;
     if (has_imbalance(scene.rotor) && reference > 0)
         result.residual_ratio = ratio;
-    const Look look = look_of(result.series, ratio);
+    if (has_imbalance(scene.rotor) && result.station_reference > 0)
+        result.station_ratio = station_ratio;
+    const Look look = look_of(result.series, std::max(ratio, station_ratio));
     const double tolerance = scene.simulate.tolerance;
     Sentence why;
     if (ends_at_constant_speed(result))
@@ -225,11 +303,26 @@ void classify(const model::Case &scene, results::SimulateResult &result) {
                     tolerance, result);
     else
         result.outcome = look.outcome;
-    result.evidence = Sentence(
-        "largest amplitude at a balancer {} at the end, {} without balls; fastest ball in the "
-        "rotor {} on the mean of the last tenth, swing of the angles over the last fortieth {}{}{}",
-        as::amplitude(amplitude, 4), as::amplitude(reference, 4),
-        as::speed(fastest_rate(result), 3), as::angle(look.swing, 3), why.empty() ? "" : "; ", why);
+    std::vector<Sentence> evidence{{"largest amplitude at a balancer {} at the end, {} without "
+                                    "balls",
+                                    as::amplitude(amplitude, 4), as::amplitude(reference, 4)}};
+    if (station > 0)
+        evidence.emplace_back("at a station {} ({}), {} without balls", as::amplitude(station, 4),
+                              place_of(result.stations[worst]),
+                              as::amplitude(result.station_reference, 4));
+    evidence.emplace_back("fastest ball in the rotor {} on the mean of the last tenth, swing of "
+                          "the angles over the last fortieth {}",
+                          as::speed(fastest_rate(result), 3), as::angle(look.swing, 3));
+    if (!why.empty())
+        evidence.push_back(why);
+    const bool stands =
+        look.outcome == results::Outcome::balanced || look.outcome == results::Outcome::offset;
+    if (!stands)
+        forget_parts_at_rest(result);
+    else if (result.outcome == results::Outcome::offset && ratio < balanced_ratio &&
+             result.at_rest && result.at_rest->amplitude >= balanced_ratio * station_scale)
+        evidence.push_back(what_is_left(*result.at_rest));
+    result.evidence = joined(evidence, "; ");
 }
 
 } // namespace whirl::simulation

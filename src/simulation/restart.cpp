@@ -122,15 +122,17 @@ model::Restart restart_of(const model::Rotor &rotor_of_case, const RotorMotion &
 }
 
 Eigen::VectorXd state_of(const model::Restart &restart, const model::Case &scene,
-                         const RotorMotion &motion) {
+                         const RotorMotion &motion, std::size_t stations) {
     const reduction::ReducedRotor &rotor = motion.parts().rotor;
     const int n = motion.coordinates();
     const auto whole = static_cast<std::size_t>(2 * rotor.shapes.rows());
     const auto angles = static_cast<std::size_t>(motion.parts().free_angles());
-    const std::size_t planes = scene.rotor.balancers.size();
+    const std::size_t rows = scene.rotor.balancers.size() + stations;
     const bool fits = restart.displacements.size() == whole && restart.velocities.size() == whole &&
-                      restart.largest.size() == planes && restart.last.size() == planes &&
-                      restart.series.size() == 2 + 3 * planes + angles &&
+                      restart.largest.size() == rows && restart.last.size() == rows &&
+                      restart.peaks.size() == stations && restart.peak_times.size() == stations &&
+                      restart.ends.size() == stations &&
+                      restart.series.size() == 2 + 3 * rows + angles &&
                       std::ranges::all_of(parts_of(motion),
                                           [&](const StatePart &part) {
                                               return std::ssize(restart.*part.list) == part.count;
@@ -160,10 +162,10 @@ results::MotionSeries series_of(const model::Restart &restart) {
     series.time = restart.series[0];
     series.speed = restart.series[1];
     auto next = restart.series.begin() + 2;
-    const auto planes = std::ssize(restart.largest);
+    const auto rows = std::ssize(restart.largest);
     for (auto *lists : {&series.amplitude, &series.x, &series.y}) {
-        lists->assign(next, next + planes);
-        next += planes;
+        lists->assign(next, next + rows);
+        next += rows;
     }
     series.angles.assign(next, restart.series.end());
     return series;

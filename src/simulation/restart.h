@@ -12,9 +12,10 @@ namespace whirl::simulation {
                                         const double *state, const results::MotionSeries &series);
 
 /// The state on the shapes of `motion`.
+/// @param stations  how many are recorded
 /// @throws model::BadInput where the restart belongs to another scene.
 [[nodiscard]] Eigen::VectorXd state_of(const model::Restart &restart, const model::Case &scene,
-                                       const RotorMotion &motion);
+                                       const RotorMotion &motion, std::size_t stations);
 
 /// The time series of a restart that state_of() has accepted.
 [[nodiscard]] results::MotionSeries series_of(const model::Restart &restart);

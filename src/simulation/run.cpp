@@ -6,6 +6,7 @@
 #include "process/progress.h"
 #include "simulation/dry/dry_state.h"
 #include "simulation/restart.h"
+#include "simulation/trend.h"
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
@@ -87,10 +88,12 @@ Eigen::VectorXd steady_motion(const MovingParts &parts) {
     return state;
 }
 
+/// Planes of the balancers, then stations.
 std::vector<reduction::Row> recorded_rows(const MotionScene &scene) {
-    std::vector<reduction::Row> rows = scene.stations.rows;
+    std::vector<reduction::Row> rows;
     for (const FreeParts &free : scene.parts.free)
         rows.push_back(scene.parts.planes[static_cast<std::size_t>(free.plane)].w);
+    rows.insert(rows.end(), scene.stations.rows.begin(), scene.stations.rows.end());
     return rows;
 }
 
@@ -107,9 +110,9 @@ Run::Run(const model::Case &scene, const MotionScene &motion)
       _recorder(_motion, recorded_rows(motion), scene.simulate.time, scene.simulate.output_points),
       _scales(scales_of(motion)),
       _stiff(fastest_decay(motion.parts.rotor, motion.fastest) > stiff_from * motion.fastest),
-      _axes(axes()), _solver(ode_solver(problem(), method())) {
-    if (!motion.stations.rows.empty())
-        _stations.emplace(_motion, motion.stations.rows, scene.simulate.time, motion.fastest);
+      _axes(axes()), _stations(_motion, motion.stations.rows, scene.simulate.time, motion.fastest,
+                               method() != OdeMethod::exponential && !_motion.dry().any()),
+      _solver(ode_solver(problem(), method())) {
     if (_motion.dry().any())
         _dry.emplace(_motion, motion.fastest, ode_solver(problem(), method()));
 }
@@ -172,8 +175,7 @@ TurningAxes Run::axes() const {
         return {};
     const double speed = parts.spin.at(0, 0).speed;
     TurningAxes axes{speed, parts.rotor.size(), {0, _motion.coordinates()}};
-    // Peaks at stations are sought within steps that follow the turning of the fixed axes.
-    if (!_motion.dry().any() && _prepared.stations.rows.empty())
+    if (!_motion.dry().any() && !parts.free.empty())
         axes.linear = rotor_alone(parts.rotor, speed).value_or(LinearMotion{});
     return axes;
 }
@@ -205,16 +207,16 @@ void Run::begin(const model::Restart *from) {
     Eigen::VectorXd state = first_state();
     if (from) {
         _t = from->time;
-        state = state_of(*from, _scene, _motion);
+        state = state_of(*from, _scene, _motion, _prepared.stations.rows.size());
         _recorder.resume(*from, series_of(*from));
+        _stations.resume(*from);
         _before = {from->energy, from->momentum};
     } else {
         _recorder.output(0, state.data());
         _before = _motion.totals(0, state.data());
     }
     _motion.enter_piece(std::nextafter(_t, HUGE_VAL));
-    if (_stations)
-        _stations->begin(_t, state.data());
+    _stations.begin(_t, state.data());
     if (_dry)
         _dry->begin(_t, state);
     _solver->start(_t, state.data(), from ? from->step : 0);
@@ -228,8 +230,7 @@ void Run::pass_jump(double time) {
     const RotorMotion::Totals more = _motion.totals(time, state.data());
     _before.energy = _before.energy - less.energy + more.energy;
     _before.momentum = _before.momentum - less.momentum + more.momentum;
-    if (_stations)
-        _stations->begin(time, state.data());
+    _stations.begin(time, state.data());
     if (_dry)
         _dry->begin(time, state);
     // The integrator's own guess would follow a torque that jumps from nothing: too short to start.
@@ -249,7 +250,9 @@ void Run::step(double stop) {
     const double length = _t - from;
     if (auto event = _dry->within(from, before, _t, _solver->state())) {
         _t = event->time;
+        _stations.step(_t, event->state.data());
         _dry->pass(*event);
+        _stations.begin(_t, event->state.data()); // velocities may have jumped
         _solver->start(_t, event->state.data(), length);
     }
 }
@@ -261,7 +264,10 @@ void Run::look_within(double from) {
     const int parts = static_cast<int>(std::ceil(2 * _scales.speed * (_t - from)));
     for (int i = 1; i < parts; ++i) {
         const double share = static_cast<double>(i) / parts;
-        _recorder.step(from + share * (_t - from), _solver->within(share));
+        const double time = from + share * (_t - from);
+        const double *state = _solver->within(share);
+        _recorder.step(time, state);
+        _stations.step(time, state);
     }
 }
 
@@ -273,8 +279,7 @@ bool Run::reach(double stop) {
         step(stop);
         look_within(from);
         _recorder.step(_t, _solver->state());
-        if (_stations)
-            _stations->step(_t, _solver->state());
+        _stations.step(_t, _solver->state());
         process::report_progress(_t / _scene.simulate.time);
     }
     return true;
@@ -301,6 +306,7 @@ model::Restart Run::restart() const {
     model::Restart restart =
         restart_of(_scene.rotor, _motion, _solver->state(), _recorder.series());
     _recorder.save(restart);
+    _stations.save(restart);
     restart.case_name = _scene.name;
     restart.time = _t;
     restart.step = _solver->next_step();
@@ -345,7 +351,6 @@ void Run::fill(results::SimulateResult &result) {
     const double turned =
         _motion.parts().motor ? state[2 * _motion.coordinates()] : _motion.parts().spin.turned(_t);
     result.revolutions = turned / (2 * std::numbers::pi);
-    result.series = _recorder.series();
     result.integrator =
         method() == OdeMethod::implicit_stiff ? "diagonally implicit Runge-Kutta, order 5 (stiff)"
         : method() == OdeMethod::exponential  ? "Adams over the rotor's own motions, order up to 13"
@@ -353,10 +358,8 @@ void Run::fill(results::SimulateResult &result) {
     const OdeCounts counts = _solver->counts();
     result.steps = counts.steps;
     result.rate_evaluations = counts.rates;
-    if (_stations) {
-        fill_stations(result);
-        return;
-    }
+    fill_stations(result);
+    fill_series(result);
     if (_dry) {
         result.impacts = _dry->impacts();
         result.audit.impact_gain = _dry->created();
@@ -365,10 +368,28 @@ void Run::fill(results::SimulateResult &result) {
                 "a ball was pulled off its race for a time: the normal force there was below 0, "
                 "which resistance to rolling does not know");
     }
-    for (const double amplitude : _recorder.last_amplitudes()) {
+    for (std::size_t i = 0; i < _motion.parts().free.size(); ++i) {
         result.balancers.emplace_back();
-        result.balancers.back().amplitude = amplitude;
+        result.balancers.back().z = _scene.rotor.balancers[i].z;
+        result.balancers.back().amplitude = _recorder.last_amplitudes()[i];
     }
+}
+
+/// Of the balancers' planes; without any of all stations.
+void Run::fill_series(results::SimulateResult &result) const {
+    result.series = _recorder.series();
+    const auto planes = static_cast<std::ptrdiff_t>(_motion.parts().free.size());
+    if (planes == 0)
+        return;
+    result.series.stations =
+        largest_of({result.series.amplitude.begin() + planes, result.series.amplitude.end()},
+                   result.series.time.size());
+    for (auto *lists : {&result.series.amplitude, &result.series.x, &result.series.y})
+        lists->resize(static_cast<std::size_t>(planes));
+}
+
+double Run::first_amplitude(std::size_t station) const {
+    return _recorder.series().amplitude[_motion.parts().free.size() + station].front();
 }
 
 } // namespace whirl::simulation

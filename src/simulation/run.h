@@ -24,7 +24,7 @@ class Run {
     /// @throws linalg::SolverError where the integration cannot go on.
     bool integrate(const model::Restart *from);
 
-    /// Time, speed, series, integrator, audit; amplitudes of balancers or of stations.
+    /// Time, speed, series, integrator, audit, stations; amplitudes of balancers.
     void fill(results::SimulateResult &result);
     [[nodiscard]] model::Restart restart() const;
 
@@ -40,10 +40,10 @@ class Run {
     const MotionScene &_prepared;
     RotorMotion _motion;
     MotionRecorder _recorder;
-    std::optional<StationRecorder> _stations; ///< without balancers
     Scales _scales;
     bool _stiff;
     TurningAxes _axes;
+    StationRecorder _stations;
     std::unique_ptr<OdeSolver> _solver;
     std::optional<DryEvents> _dry; ///< where parts touch or resist
     double _t = 0;
@@ -67,7 +67,11 @@ class Run {
     void look_within(double from);
     void fill_audit(results::SimulateResult &result) const;
     void fill_stations(results::SimulateResult &result);
+    void fill_series(results::SimulateResult &result) const;
+    [[nodiscard]] double first_amplitude(std::size_t station) const;
     [[nodiscard]] results::PeakInTime refined(std::size_t station, const PeakCandidate &candidate);
+    [[nodiscard]] results::PeakInTime integrated(std::size_t station,
+                                                 const PeakCandidate &candidate);
     [[nodiscard]] double speed_at(double t) const;
 };
 

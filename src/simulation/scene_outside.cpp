@@ -25,6 +25,25 @@ double moment_of_forces(const model::SimulateSettings &s, double mass, double sp
     return (force + mass * largest) / (speed * speed);
 }
 
+std::vector<double> each_once(std::vector<double> places) {
+    std::ranges::sort(places);
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    return places;
+}
+
+/// Stations at which a rotor is looked at, whatever acts there.
+std::vector<double> attached_places_of(const model::Rotor &rotor) {
+    std::vector<double> places;
+    const auto add = [&places](const auto &all) {
+        for (const auto &one : all)
+            places.push_back(one.z);
+    };
+    add(rotor.discs);
+    add(rotor.bearings);
+    add(rotor.probes);
+    return each_once(std::move(places));
+}
+
 } // namespace
 
 bool has_drive(const model::Case &scene) {
@@ -65,14 +84,14 @@ std::vector<double> places_of(const model::Case &scene) {
     add(rotor.imbalances);
     add(scene.simulate.imbalances);
     add(scene.simulate.forces);
-    if (rotor.balancers.empty()) {
-        add(rotor.discs);
-        add(rotor.bearings);
-        add(rotor.probes);
-    }
-    std::ranges::sort(places);
-    places.erase(std::unique(places.begin(), places.end()), places.end());
-    return places;
+    if (rotor.balancers.empty())
+        for (const double z : attached_places_of(rotor))
+            places.push_back(z);
+    return each_once(std::move(places));
+}
+
+std::vector<double> watched_places_of(const model::Case &scene) {
+    return scene.rotor.balancers.empty() ? std::vector<double>{} : attached_places_of(scene.rotor);
 }
 
 void add_outside(const model::Case &scene, const assembly::Discretization &d, MotionScene &motion) {
@@ -91,8 +110,6 @@ void add_outside(const model::Case &scene, const assembly::Discretization &d, Mo
                                          *s.base);
     }
     motion.moment += moment_of_forces(s, motion.parts.rotor.mass, motion.fastest);
-    if (!scene.rotor.balancers.empty())
-        return;
     for (const auto &[node, name] : forced::attached_nodes(d)) {
         motion.stations.rows.push_back(motion.parts.rotor.row(d.deflection_at_node(node)));
         motion.stations.z.push_back(d.shaft_mesh().nodes[static_cast<std::size_t>(node)]);

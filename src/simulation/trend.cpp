@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace whirl::simulation {
 
@@ -86,15 +87,33 @@ Trend trend_of(const std::vector<double> &time, const std::vector<double> &size,
     return trend;
 }
 
+double swing_beside_line(std::span<const double> values) {
+    if (values.size() < 3)
+        return 0;
+    const double step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
+    double low = 0;
+    double high = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double beside = values[i] - values.front() - static_cast<double>(i) * step;
+        low = std::min(low, beside);
+        high = std::max(high, beside);
+    }
+    return high - low;
+}
+
+double swing_back(std::span<const double> values) {
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return *high - *low - std::abs(values.back() - values.front());
+}
+
 std::vector<double> swings_of(const std::vector<double> &time, const std::vector<double> &values,
-                              double width) {
+                              double width, double (*swing)(std::span<const double>)) {
     std::vector<double> swings(values.size(), 0.0);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const auto here = static_cast<std::ptrdiff_t>(i);
         const auto until =
             std::upper_bound(time.begin() + here, time.end(), time[i] + width) - time.begin();
-        const auto [low, high] = std::minmax_element(values.begin() + here, values.begin() + until);
-        swings[i] = *high - *low;
+        swings[i] = swing({values.begin() + here, values.begin() + until});
         if (i > 0 && time.back() < time[i] + width) // no whole window is left
             swings[i] = std::max(swings[i], swings[i - 1]);
     }

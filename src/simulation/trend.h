@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace whirl::simulation {
@@ -25,10 +26,18 @@ struct Trend {
 [[nodiscard]] Trend trend_of(const std::vector<double> &time, const std::vector<double> &size,
                              double from, double noise);
 
-/// Greatest less least value around each sample: over the samples of a window of `width` s that
-/// begins at it (the last samples take the last whole window).
+/// How far values swing to and fro while they may move on as well: greatest less least beside the
+/// straight line from the first to the last of them. (Of a motion that only bends it is small.)
+[[nodiscard]] double swing_beside_line(std::span<const double> values);
+/// Greatest less least, less what they have moved on from the first to the last. (Of a motion
+/// that only moves on it is 0, and what swings within it shows as it slows down.)
+[[nodiscard]] double swing_back(std::span<const double> values);
+
+/// One of these around each sample: of those in a window of `width` s that begins at it (the last
+/// samples take the last whole window).
 [[nodiscard]] std::vector<double> swings_of(const std::vector<double> &time,
-                                            const std::vector<double> &values, double width);
+                                            const std::vector<double> &values, double width,
+                                            double (*swing)(std::span<const double>));
 
 /// Largest of these lists at each of `size` times; 0 where all are shorter.
 [[nodiscard]] std::vector<double> largest_of(const std::vector<std::vector<double>> &lists,

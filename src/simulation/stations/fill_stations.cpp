@@ -1,5 +1,6 @@
 // The results of a run that concern its stations.
 
+#include "linalg/check.h"
 #include "linalg/roots.h"
 #include "simulation/run.h"
 
@@ -7,8 +8,20 @@
 
 namespace whirl::simulation {
 
-/// The maximum again by integration from the beginning of its step, as a root of d|w|^2/dt.
+/// The maximum again as a root of d|w|^2/dt; as far as the polynomial knows it where what touched
+/// and stood then is not known any more, or the motion grew beyond all numbers.
 results::PeakInTime Run::refined(std::size_t station, const PeakCandidate &candidate) {
+    if (!_dry) {
+        try {
+            return integrated(station, candidate);
+        } catch (const linalg::SolverError &) {
+        }
+    }
+    return {candidate.value, candidate.time, speed_at(candidate.time), false};
+}
+
+/// By integration from the beginning of its step.
+results::PeakInTime Run::integrated(std::size_t station, const PeakCandidate &candidate) {
     const reduction::Row &row = _prepared.stations.rows[station];
     // Between two jumps, in the piece that the step belongs to.
     _motion.enter_piece(std::nextafter(candidate.start, HUGE_VAL));
@@ -46,18 +59,20 @@ void Run::fill_stations(results::SimulateResult &result) {
         results::StationMotion station;
         station.z = _prepared.stations.z[i];
         station.name = _prepared.stations.names[i];
-        station.amplitude = _stations->final_amplitude(i);
-        station.peak = {_recorder.series().amplitude[i].front(), 0, speed_at(0), false};
-        for (const PeakCandidate &candidate : _stations->peaks(i))
+        station.amplitude = _stations.final_amplitude(i);
+        station.peak = {first_amplitude(i), 0, speed_at(0), false};
+        if (const auto [value, time] = _stations.before(i); value > station.peak.value)
+            station.peak = {value, time, speed_at(time), false};
+        for (const PeakCandidate &candidate : _stations.peaks(i))
             if (const results::PeakInTime peak = refined(i, candidate);
                 peak.value > station.peak.value)
                 station.peak = peak;
-        if (_stations->last(i) > station.peak.value)
-            station.peak = {_stations->last(i), _t, speed_at(_t), true};
+        if (_stations.last(i) > station.peak.value)
+            station.peak = {_stations.last(i), _t, speed_at(_t), true};
         result.stations.push_back(station);
     }
     const std::size_t index = results::largest_station(result.stations);
-    results::Waterfall waterfall = _stations->samples().spectra(index);
+    results::Waterfall waterfall = _stations.samples().spectra(index);
     if (waterfall.times.empty())
         return;
     for (const double t : waterfall.times)

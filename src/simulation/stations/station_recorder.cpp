@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace whirl::simulation {
@@ -32,17 +33,22 @@ template <class Polynomial> Eigen::Vector2d slope_at(const Polynomial &w, double
 } // namespace
 
 StationRecorder::StationRecorder(const RotorMotion &motion, std::vector<reduction::Row> rows,
-                                 double end, double fastest)
+                                 double end, double fastest, bool accelerations)
     : _motion(motion), _rows(std::move(rows)), _final_from(end * (1 - final_share)),
-      _rates(static_cast<std::size_t>(motion.size())), _peaks(_rows.size()),
-      _final(_rows.size(), 0.0), _samples(_rows.size(), end, fastest) {}
+      _accelerations(accelerations), _rates(static_cast<std::size_t>(motion.size())),
+      _peaks(_rows.size()), _final(_rows.size(), 0.0), _samples(_rows.size(), end, fastest) {}
 
 std::vector<StationRecorder::End> StationRecorder::ends_at(double t, const double *state) {
-    _motion.rates(t, state, _rates.data());
+    if (_accelerations)
+        _motion.rates(t, state, _rates.data());
     std::vector<End> ends;
-    for (const reduction::Row &row : _rows)
-        ends.push_back({_motion.deflection(row, state), _motion.deflection(row, _rates.data()),
-                        _motion.deflection(row, _rates.data() + _motion.coordinates())});
+    for (const reduction::Row &row : _rows) {
+        ends.push_back({_motion.deflection(row, state),
+                        _motion.deflection(row, state + _motion.coordinates()),
+                        Eigen::Vector2d::Zero()});
+        if (_accelerations)
+            ends.back().a = _motion.deflection(row, _rates.data() + _motion.coordinates());
+    }
     return ends;
 }
 
@@ -55,8 +61,14 @@ void StationRecorder::begin(double t, const double *state) {
 double StationRecorder::last(std::size_t station) const { return _ends[station].w.norm(); }
 
 StationRecorder::Polynomial StationRecorder::polynomial(const End &from, const End &to,
-                                                        double length) {
+                                                        double length) const {
     const Eigen::Vector2d c1 = length * from.v;
+    if (!_accelerations) {
+        const Eigen::Vector2d rest = to.w - from.w - c1;
+        const Eigen::Vector2d slope = length * to.v - c1;
+        const Eigen::Vector2d none = Eigen::Vector2d::Zero();
+        return {from.w, c1, 3 * rest - slope, slope - 2 * rest, none, none};
+    }
     const Eigen::Vector2d c2 = length * length / 2 * from.a;
     const Eigen::Vector2d rest = to.w - from.w - c1 - c2;
     const Eigen::Vector2d slope = length * to.v - c1 - 2 * c2;
@@ -111,8 +123,10 @@ void StationRecorder::look_for_peaks(std::size_t station, const Polynomial &w, d
 }
 
 void StationRecorder::step(double t, const double *state) {
-    std::vector<End> ends = ends_at(t, state);
     const double length = t - _time;
+    if (!(length > 0)) // begun here
+        return;
+    std::vector<End> ends = ends_at(t, state);
     std::vector<Polynomial> w;
     for (std::size_t i = 0; i < _rows.size(); ++i) {
         w.push_back(polynomial(_ends[i], ends[i], length));
@@ -126,6 +140,27 @@ void StationRecorder::step(double t, const double *state) {
     _ends = std::move(ends);
     _time = t;
     _state = Eigen::Map<const Eigen::VectorXd>(state, _motion.size());
+}
+
+void StationRecorder::save(model::Restart &restart) const {
+    for (std::size_t i = 0; i < _rows.size(); ++i) {
+        auto [value, time] = before(i);
+        if (!_peaks[i].empty() && _peaks[i].front().value > value)
+            std::tie(value, time) = std::pair(_peaks[i].front().value, _peaks[i].front().time);
+        if (last(i) > value)
+            std::tie(value, time) = std::pair(last(i), _time);
+        restart.peaks.push_back(value);
+        restart.peak_times.push_back(time);
+        restart.ends.push_back(_final[i]);
+    }
+}
+
+void StationRecorder::resume(const model::Restart &restart) {
+    for (std::size_t i = 0; i < _rows.size(); ++i)
+        _before.emplace_back(restart.peaks[i], restart.peak_times[i]);
+    if (restart.time >= _final_from) // else gathered towards an earlier end
+        _final = restart.ends;
+    _samples.leave_out_before(restart.time);
 }
 
 } // namespace whirl::simulation

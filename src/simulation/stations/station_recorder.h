@@ -1,9 +1,11 @@
 #pragma once
 
+#include "model/restart.h"
 #include "simulation/motion.h"
 #include "simulation/stations/waterfall.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace whirl::simulation {
@@ -19,13 +21,15 @@ struct PeakCandidate {
 
 /// Deflections of stations between the ends of the steps of an integration: polynomials of degree
 /// five through deflections, velocities and accelerations at both ends (error 2e-5 of the amplitude
-/// where a step is one radian of the motion).
+/// where a step is one radian of the motion); or, where accelerations would cost as much as the
+/// steps themselves, of degree three without them (2e-4 where a step is half a radian).
 class StationRecorder {
   public:
-    /// @param end      of the motion, s
-    /// @param fastest  rad/s: spectra reach beyond a few times this
+    /// @param end            of the motion, s
+    /// @param fastest        rad/s: spectra reach beyond a few times this
+    /// @param accelerations  whether polynomials take them in
     StationRecorder(const RotorMotion &motion, std::vector<reduction::Row> rows, double end,
-                    double fastest);
+                    double fastest, bool accelerations);
 
     /// At the start, and wherever the rates have jumped.
     void begin(double t, const double *state);
@@ -42,6 +46,14 @@ class StationRecorder {
     [[nodiscard]] double final_amplitude(std::size_t station) const { return _final[station]; }
     [[nodiscard]] const WindowSamples &samples() const { return _samples; }
 
+    /// What the restart of a run needs, and back. Spectra begin anew.
+    void save(model::Restart &restart) const;
+    void resume(const model::Restart &restart);
+    /// Largest |w| of a station before the restart, m, and when that was, s.
+    [[nodiscard]] std::pair<double, double> before(std::size_t station) const {
+        return _before.empty() ? std::pair(0.0, 0.0) : _before[station];
+    }
+
   private:
     /// Of one station at an end of a step.
     struct End {
@@ -53,16 +65,18 @@ class StationRecorder {
     const RotorMotion &_motion;
     std::vector<reduction::Row> _rows;
     double _final_from; ///< s
+    bool _accelerations;
     double _time = 0;
     Eigen::VectorXd _state;
     std::vector<double> _rates;
     std::vector<End> _ends;
     std::vector<std::vector<PeakCandidate>> _peaks;
     std::vector<double> _final;
+    std::vector<std::pair<double, double>> _before; ///< empty: from the start
     WindowSamples _samples;
 
     [[nodiscard]] std::vector<End> ends_at(double t, const double *state);
-    [[nodiscard]] static Polynomial polynomial(const End &from, const End &to, double length);
+    [[nodiscard]] Polynomial polynomial(const End &from, const End &to, double length) const;
     void look_for_peaks(std::size_t station, const Polynomial &w, double to);
     void offer(std::size_t station, PeakCandidate candidate);
 };

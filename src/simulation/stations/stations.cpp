@@ -6,34 +6,19 @@
 #include "model/errors.h"
 #include "simulation/equations.h"
 #include "simulation/outcome.h"
-#include "simulation/scene_outside.h"
+#include "simulation/steady_motion.h"
 #include "simulation/trend.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace whirl::simulation {
 
 namespace {
 
-using results::Sentence;
 namespace as = results::as;
-
-/// The case with all imbalances there are at the end, driven over the speeds passed.
-model::Case steady_case(const model::Case &scene, const results::SimulateResult &result) {
-    model::Case steady = scene;
-    steady.rotor = rotor_with_nodes(scene);
-    for (const model::SuddenImbalance &imbalance : scene.simulate.imbalances)
-        if (imbalance.time < result.time)
-            steady.rotor.imbalances.push_back(
-                {imbalance.name, imbalance.z, imbalance.mr, imbalance.phase});
-    const auto [low, high] = std::ranges::minmax_element(result.series.speed);
-    steady.speeds = model::SpeedRange{*low, *high, 2};
-    return steady;
-}
 
 void add_peaks(const model::Case &steady, const assembly::Discretization &d, results::Form form,
                results::SimulateResult &result) {
@@ -54,41 +39,48 @@ void add_peaks(const model::Case &steady, const assembly::Discretization &d, res
     result.steady = {curves.speeds, curves.values};
 }
 
-void add_last_speed(const assembly::Discretization &d, results::Form form,
+void add_last_speed(const assembly::Discretization &d, results::Form form, bool own,
                     results::SimulateResult &result) {
-    std::vector<double> places;
-    for (const results::StationMotion &station : result.stations)
-        places.push_back(station.z);
-    const std::vector<double> amplitudes = steady_amplitudes(d, form, result.speed, places);
-    for (std::size_t i = 0; i < places.size(); ++i)
-        result.stations[i].steady = amplitudes[i];
-}
-
-Sentence place_of(const results::StationMotion &station) {
-    return station.name.empty() ? Sentence("z = {}", as::length(station.z, 5))
-                                : Sentence("{}", station.name);
+    const SteadyMotion motion(d, form, result.speed);
+    for (results::StationMotion &station : result.stations) {
+        const double amplitude = motion.amplitude(station.z);
+        result.station_reference = std::max(result.station_reference, amplitude);
+        if (own)
+            station.steady = amplitude;
+    }
+    for (results::BalancerMotion &balancer : result.balancers)
+        balancer.reference = motion.amplitude(balancer.z);
 }
 
 } // namespace
 
+results::Sentence place_of(const results::StationMotion &station) {
+    return station.name.empty() ? results::Sentence("z = {}", as::length(station.z, 5))
+                                : results::Sentence("{}", station.name);
+}
+
 void add_steady_response(const model::Case &scene, int order, results::SimulateResult &result) {
+    const bool balancers = !scene.rotor.balancers.empty();
+    const char *judged = balancers ? "; balanced is judged by the amplitude of a free rotor" : "";
     try {
-        const model::Case steady = steady_case(scene, result);
-        if (!has_imbalance(steady.rotor))
+        const model::Rotor rotor = rotor_at_end(scene, result);
+        const bool own = has_imbalance(rotor);
+        if (!own && !balancers)
             return;
+        const model::Case steady = driven(scene, rotor_without_balls(rotor), result);
         const results::Form form = forced::response_formulation(steady).form;
         const assembly::Discretization d(steady.rotor, order);
-        if (steady.speeds->to > steady.speeds->from)
+        if (own && steady.speeds->to > steady.speeds->from)
             add_peaks(steady, d, form, result);
         if (result.speed != 0)
-            add_last_speed(d, form, result);
+            add_last_speed(d, form, own, result);
     } catch (const linalg::SolverError &) {
         result.model.notes.emplace_back("no steady motion at {} to compare with: the rotor is at a "
-                                        "resonance without damping, or free to move",
-                                        as::speed(result.speed));
+                                        "resonance without damping, or free to move{}",
+                                        as::speed(result.speed), judged);
     } catch (const model::AnalysisFailure &failure) { // the motion is worth having all the same
-        result.model.notes.emplace_back("no steady response to compare with: {}",
-                                        failure.sentence());
+        result.model.notes.emplace_back("no steady response to compare with: {}{}",
+                                        failure.sentence(), judged);
     }
 }
 
@@ -98,9 +90,9 @@ void classify_stations(const model::Case &scene, results::SimulateResult &result
     const double scale = *std::ranges::max_element(amplitudes);
     const results::StationMotion &worst =
         result.stations[results::largest_station(result.stations)];
-    result.evidence =
-        Sentence("largest amplitude {} at {} after {} at {}", as::amplitude(worst.peak.value, 5),
-                 place_of(worst), as::time(worst.peak.time), as::speed(worst.peak.speed));
+    result.evidence = {"largest amplitude {} at {} after {} at {}",
+                       as::amplitude(worst.peak.value, 5), place_of(worst),
+                       as::time(worst.peak.time), as::speed(worst.peak.speed)};
     if (worst.peak.at_end)
         result.evidence += ", where it still grew";
     result.outcome = results::Outcome::transient;
@@ -120,8 +112,8 @@ void classify_stations(const model::Case &scene, results::SimulateResult &result
     } else {
         result.outcome = results::Outcome::steady;
     }
-    result.evidence += Sentence("; over the last half of the time the amplitude {} ({})", how,
-                                as::rate(trend.end_rate, 3));
+    result.evidence += {"; over the last half of the time the amplitude {} ({})", how,
+                        as::rate(trend.end_rate, 3)};
 }
 
 } // namespace whirl::simulation

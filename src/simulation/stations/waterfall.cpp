@@ -47,6 +47,14 @@ std::vector<WindowSamples::Wanted> WindowSamples::between(double from, double to
     return out;
 }
 
+void WindowSamples::leave_out_before(double time) {
+    const auto first = std::ranges::lower_bound(_starts, time) - _starts.begin();
+    _starts.erase(_starts.begin(), _starts.begin() + first);
+    _next.resize(_starts.size());
+    for (auto &windows : _values)
+        windows.resize(_starts.size());
+}
+
 /// Hann's window, whose mean is a half: a circle of radius A at one of the frequencies gives A.
 results::Waterfall WindowSamples::spectra(std::size_t station) const {
     results::Waterfall out;

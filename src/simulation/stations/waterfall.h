@@ -28,6 +28,8 @@ class WindowSamples {
         _values[station][window][static_cast<std::size_t>(sample)] = {w(0), w(1)};
     }
 
+    /// Windows that begin before this time are none.
+    void leave_out_before(double time);
     /// Spectra of one station; without the speeds.
     [[nodiscard]] results::Waterfall spectra(std::size_t station) const;
 
