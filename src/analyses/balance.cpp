@@ -142,19 +142,19 @@ void fill_signature(const criterion::BalanceScene &s, criterion::BalanceForm &fo
 
 void fill_notes(const model::Case &scene, const criterion::BalanceScene &s,
                 results::BalanceResult &result) {
-    std::vector<std::string> &notes = result.model.notes;
+    std::vector<results::Sentence> &notes = result.model.notes;
     const model::Rotor &rotor = scene.rotor;
     if (!rotor.balancers.empty())
         notes.emplace_back("the criterion is that of balancers without mass: the rotor is taken "
                            "without their balls and pendulums");
     const bool hill = s.formulation.form == results::Form::hill;
     if (hill)
-        notes.push_back(fmt::format(
+        notes.emplace_back(
             "neither the rotor nor its bearings are the same from every direction: judged is the "
             "mean of the work over a turn, for imbalances in every direction of the rotor, with "
             "motions up to {} times the spin speed; not judged is whether these motions are stable "
             "(see stability), and there is no rigid closed form",
-            2 * s.harmonics + 1));
+            2 * s.harmonics + 1);
     else if (s.formulation.form == results::Form::rotating)
         notes.emplace_back(
             "the rotor is not axisymmetric: bands hold for imbalances in every direction of it");
