@@ -15,7 +15,7 @@ namespace {
 using namespace whirl;
 using results::BalanceResult;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A disc in the middle of a shaft without mass, which is stiffer in one direction, on two
 /// bearings: deflections of the disc and of the bearings, in axes that do not turn, real numbers in
@@ -51,8 +51,8 @@ struct Keyway {
     /// Mean over a turn, once the motion is steady, of the deflection of the disc along two
     /// imbalances that turn with the rotor, at `direction` and a quarter turn ahead (1/kg).
     [[nodiscard]] std::array<double, 2> work(double speed, double direction) const {
-        constexpr int steps = 1000; // a turn: errors of 1e-11 by the fourth order
-        constexpr int turns = 700;
+        constexpr int steps = 400; // a turn: errors of 1e-9 by the fourth order
+        constexpr int turns = 250;
         const double dt = 2 * pi / speed / steps;
         State q{};
         std::array<double, 2> sum{};
@@ -115,13 +115,14 @@ void expect_work(const Keyway &rotor, double from, double to, results::Form form
     EXPECT_EQ(result.model.formulation.form, form);
     const results::BalancePlane &plane = result.planes[0];
     ASSERT_EQ(plane.bands.bands.size(), 1U);
+    EXPECT_EQ(plane.bands.bands[0].to, to);
     int inside = 0;
     for (std::size_t k = 0; k < result.speeds.size(); ++k) {
         const double speed = result.speeds[k];
         const double work = rotor.largest_work(speed);
         // Steps in time, what is left of the start, and a shaft not quite rigid in shear.
         EXPECT_NEAR(plane.criterion[k] / work, 1, 2e-6) << speed;
-        const bool balanced = speed > plane.bands.bands[0].from && speed < plane.bands.bands[0].to;
+        const bool balanced = speed > plane.bands.bands[0].from; // to the end of the range
         EXPECT_EQ(work < 0, balanced) << speed;
         inside += balanced ? 1 : 0;
     }

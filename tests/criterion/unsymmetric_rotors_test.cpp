@@ -21,7 +21,7 @@ using results::BalanceResult;
 using results::Interval;
 using tests::Random;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The same rotor for the oracles.
 oracles::CaseRotor for_oracles(const model::Rotor &rotor) {
