@@ -109,7 +109,9 @@ Quadratic bordered(const linalg::HarmonicTerms &first, const linalg::HarmonicTer
         add(first.Kc, second.Kc, 1, D, M);
         add(first.C, second.C, i, D, M);
         unknowns.add(first.G, i, at, adjoint, M);
-        unknowns.add(first.M, -1, at, adjoint, M);
+        // Masses of a table, linear too, would make it cubic: those of the middle.
+        unknowns.add(first.M, -0.5, at, adjoint, M);
+        unknowns.add(second.M, -0.5, at, adjoint, M);
     }
     // The imbalances in a unit by which they weigh as much as the stiffness.
     const double weight = Sparse(first.K.view()).diagonal().cwiseAbs().mean();

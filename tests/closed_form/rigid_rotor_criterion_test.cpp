@@ -156,5 +156,38 @@ TEST(RigidRotorCriterion, ExcessPlanesLeaveTheFormSemidefinite) {
     EXPECT_NEAR(values[2] / values[0], 0.0, 1e-14);
 }
 
+/// With anisotropy the functional itself, of both principal planes, is negative in the bands alone.
+TEST(RigidRotorCriterion, AnisotropyLeavesWhatBothPrincipalPlanesHave) {
+    std::mt19937 engine(5);
+    const auto random = [&engine](double a, double b) {
+        return a + (b - a) * static_cast<double>(engine()) / 4294967296.0;
+    };
+    int balanced = 0;
+    for (int i = 0; i < 2000; ++i) {
+        TwoSupportRotor rotor = rotor_with(random(1, 3), random(0.5, 3));
+        const double a = random(0, 0.9) * rotor.diametral_inertia;
+        const TwoSupportRotor less = rotor_with(rotor.diametral_inertia - a, rotor.polar_inertia);
+        const TwoSupportRotor more = rotor_with(rotor.diametral_inertia + a, rotor.polar_inertia);
+        rotor.anisotropy = a;
+        const double z = random(-0.4, 0.5);
+        const double speed = random(50, 2000);
+        const auto bands = static_balancing_bands(rotor, z);
+        if (at_an_end(bands, speed))
+            continue;
+        const bool both = balances_at(less, z, speed) && balances_at(more, z, speed);
+        EXPECT_EQ(inside(bands, speed), both);
+        balanced += both ? 1 : 0;
+        const bool dynamic =
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(criterion_matrix(less, speed))
+                    .eigenvalues()
+                    .maxCoeff() < 0 &&
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(criterion_matrix(more, speed))
+                    .eigenvalues()
+                    .maxCoeff() < 0;
+        EXPECT_EQ(inside(dynamic_balancing_bands(rotor), speed), dynamic);
+    }
+    EXPECT_GT(balanced, 200);
+}
+
 } // namespace
 } // namespace whirl::closed_form::rigid_rotor_criterion_test

@@ -5,9 +5,13 @@
 #include "oracles/criterion.h"
 #include "oracles/influence.h"
 #include "oracles/rigid_rotor.h"
+#include "oracles/rotating_state.h"
+#include "oracles/rotor_axes.h"
 #include "oracles/statics.h"
 
 #include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
 
 #include <cmath>
 #include <numbers>
@@ -201,6 +205,37 @@ TEST(Balls, interval_of_the_second_harmonic) {
         EXPECT_NEAR(static_cast<double>(found.least), row.least, row.tolerance) << row.n;
         EXPECT_NEAR(static_cast<double>(found.most), row.most, row.tolerance) << row.n;
     }
+}
+
+/// Where the disc of a case on its massless shaft stands still without a force, by influence
+/// coefficients; two-node elements are exact there.
+TEST(RotorAxes, critical_speeds_are_those_of_the_disc_on_its_flexibility) {
+    for (const char *name : {"keyway_shaft", "anisotropic_disc_flexible"}) {
+        const CaseRotor rotor =
+            read_case(std::string(WHIRL_ROOT "/cases/") + name + "/case.toml", {});
+        const RotatingRotor disc = rotating_disc(rotor);
+        const auto found = RotorAxes(rotor).critical_speeds(rotor.speed_from, rotor.speed_to);
+        ASSERT_GE(found.size(), 2U);
+        for (const double speed : found) {
+            const Real below = determinant(disc.static_matrix(speed * (1 - 1e-8L)));
+            const Real above = determinant(disc.static_matrix(speed * (1 + 1e-8L)));
+            EXPECT_LT(static_cast<double>(below * above), 0) << name << " " << speed;
+        }
+    }
+}
+
+/// Of an axisymmetric rotor each eigenvalue twice, those of the exact continuum.
+TEST(RotorAxes, form_of_a_round_rotor_is_that_of_the_transfer_matrix) {
+    const CaseRotor rotor = long_rotor();
+    const std::vector<double> places{rotor.planes.at(0), rotor.planes.at(1)};
+    const auto exact = signature(criterion_form(stepped(rotor), 500, places));
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> real(
+        RotorAxes(rotor, 40).form(500, places));
+    ASSERT_EQ(real.eigenvalues().size(), 4);
+    for (Eigen::Index i = 0; i < 4; ++i) // elements converge with the square of their length
+        EXPECT_NEAR(real.eigenvalues()(i) /
+                        static_cast<double>(exact.at(static_cast<std::size_t>(i / 2))),
+                    1, 1e-4);
 }
 
 } // namespace

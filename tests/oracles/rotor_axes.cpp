@@ -184,7 +184,7 @@ std::vector<double> RotorAxes::sign_changes(double from, double to,
     const Eigen::MatrixXd inverse = B[0].partialPivLu().inverse();
     Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(2 * m, 2 * m);
     Eigen::EigenSolver<Eigen::MatrixXd> solver;
-    double unit = 1; // of the speed, over `to`
+    double unit = 1;                                       // of the speed, over `to`
     for (int tries = 0; tries < 4; ++tries, unit *= 0.7) { // the QR method may not converge
         companion.topLeftCorner(m, m) = -unit * (inverse * B[1]);
         companion.topRightCorner(m, m) = -unit * unit * (inverse * B[2]);
