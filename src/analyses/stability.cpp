@@ -250,8 +250,7 @@ void add_level1(const model::Case &scene, const stability::StabilityModel &model
         return;
     try {
         const process::Stage stage("added cross coupling", 0.95, 1.0);
-        result.level1 =
-            operation::level1(scene, model.form_of_lines, model.order, result.model.notes);
+        result.level1 = operation::level1(scene, model.order, result.model.notes);
     } catch (const model::AnalysisFailure &failure) {
         result.model.notes.push_back(failure.sentence());
     } catch (const model::BadInput &failure) { // all else is answered

@@ -69,6 +69,12 @@ AllMotions::AllMotions(const assembly::Discretization &discretization, results::
     }
 }
 
+AllMotions::AllMotions(const assembly::Discretization &discretization, modes::FormMatrices whole,
+                       std::shared_ptr<const Eigen::MatrixXd> shapes, double from, double to)
+    : _discretization(discretization), _form(results::Form::general), _shapes(std::move(shapes)),
+      _whole(std::move(whole)), _rotor(_whole, _shapes.get(), {from, to}, {}),
+      _slow(assembly::support_scale(discretization)), _from(from), _to(to) {}
+
 AllMotions::AllMotions(stability::BandFinder &finder, const std::vector<double> &speeds)
     : AllMotions(finder.solver().discretization(), finder.model().form, finder.arrangement(),
                  finder.good_shapes(speeds), speeds.front(), speeds.back()) {}

@@ -31,6 +31,11 @@ class AllMotions {
     AllMotions(const assembly::Discretization &discretization, results::Form form,
                const balancers::Arrangement &arrangement,
                std::shared_ptr<const Eigen::MatrixXd> shapes, double from, double to);
+    /// Of matrices that a parameter changes as the speed does those of the form general, over a
+    /// range of it: of the order of the spin speed, and not below zero.
+    /// @param discretization  bearings without tables
+    AllMotions(const assembly::Discretization &discretization, modes::FormMatrices whole,
+               std::shared_ptr<const Eigen::MatrixXd> shapes, double from, double to);
     /// Of the rotor of a finder, on shapes that it has or finds.
     /// @param finder  must outlive this
     /// @param speeds  ascending, over the range
@@ -39,6 +44,8 @@ class AllMotions {
     AllMotions &operator=(const AllMotions &) = delete;
 
     [[nodiscard]] const RotorPieces &rotor() const { return _rotor; }
+    /// On few shapes.
+    [[nodiscard]] bool reduced() const { return _shapes != nullptr; }
     /// Without those that rounding does not tell from infinitely fast ones.
     /// @param piece  of the range between table rows, which decides what the rates are at a row
     [[nodiscard]] Spectrum at(double speed, int piece) const;
@@ -61,6 +68,8 @@ class AllMotions {
     /// Sets it from the mesh (resolved_reach.h) and the shapes. From then on
     /// fastest_growing() tells of every motion whether it grows, however fast it is.
     void count_resolved();
+    /// The same without that: motions above this |l| (1/s) are not counted as resolved.
+    void count_up_to(double size) { _resolved = size; }
 
     /// The eigenvalue of largest real part at a speed, as the whole rotor has it, of the motions
     /// with |l| up to reach() and of those that grow, however fast they are. The fastest motions of

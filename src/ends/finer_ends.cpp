@@ -19,12 +19,19 @@ double likeness(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b,
 
 } // namespace
 
-FinerEnds::FinerEnds(const assembly::Discretization &discretization, results::Form form,
-                     const balancers::Arrangement &arrangement)
+FinerEnds::FinerEnds(
+    const assembly::Discretization &discretization,
+    const std::function<modes::FormMatrices(const assembly::Discretization &)> &matrices)
     : _discretization(discretization),
       _finer(discretization.rotor(), mesh_error::finer_order(discretization.order())),
-      _matrices(_finer, form, balancers::balancer_elements(discretization.rotor(), arrangement)),
-      _places(discretization.places_in(_finer)) {}
+      _matrices(matrices(_finer)), _places(discretization.places_in(_finer)) {}
+
+FinerEnds::FinerEnds(const assembly::Discretization &discretization, results::Form form,
+                     const balancers::Arrangement &arrangement)
+    : FinerEnds(discretization, [&](const assembly::Discretization &finer) {
+          return modes::FormMatrices(
+              finer, form, balancers::balancer_elements(discretization.rotor(), arrangement));
+      }) {}
 
 Eigen::VectorXcd FinerEnds::embedded(const Eigen::VectorXcd &vector) const {
     const Eigen::Index own = 2 * _discretization.planar_size();
@@ -49,8 +56,9 @@ std::optional<double> FinerEnds::error(const WholeMotion &own, double inward, do
         return std::nullopt;
     const double rounding =
         own.noise / std::abs(own.rate.real()) + other->noise / std::abs(other->rate.real());
-    return rounding + 1e-12 * std::abs(own.speed) +
-           mesh_error::estimate_safety * std::abs(other->speed - own.speed);
+    const double error = rounding + 1e-12 * std::abs(own.speed) +
+                         mesh_error::estimate_safety * std::abs(other->speed - own.speed);
+    return std::isfinite(error) ? std::optional(error) : std::nullopt;
 }
 
 } // namespace whirl::ends

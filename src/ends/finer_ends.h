@@ -6,6 +6,7 @@
 #include "modes/form_matrices.h"
 #include "results/formulation.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -19,6 +20,11 @@ class FinerEnds {
     /// @param discretization  of the rotor that the ends belong to; must outlive this
     FinerEnds(const assembly::Discretization &discretization, results::Form form,
               const balancers::Arrangement &arrangement);
+
+    /// Of matrices that a parameter changes as the speed does (AllMotions).
+    /// @param matrices  of the finer model, which it is given
+    FinerEnds(const assembly::Discretization &discretization,
+              const std::function<modes::FormMatrices(const assembly::Discretization &)> &matrices);
 
     /// Error of an end, rad/s: its distance to that of the finer model, with safety, and what
     /// rounding leaves open in both.

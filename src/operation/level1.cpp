@@ -1,10 +1,15 @@
 #include "operation/level1.h"
 
-#include "linalg/roots.h"
-#include "mesh_error/estimate.h"
-#include "mesh_error/safety.h"
+#include "assembly/planar_part.h"
+#include "assembly/system.h"
+#include "ends/all_motions.h"
+#include "ends/finer_ends.h"
+#include "ends/stability_ends.h"
+#include "ends/strands.h"
+#include "linalg/check.h"
+#include "linalg/definite_pair.h"
 #include "model/errors.h"
-#include "modes/spectrum.h"
+#include "reduction/planar_shapes.h"
 #include "results/damping.h"
 #include "results/sentence.h"
 
@@ -13,30 +18,19 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <iterator>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <utility>
 
 namespace whirl::operation {
 
 namespace {
 
-using results::Sentence;
-namespace as = results::as;
-
 using Complex = std::complex<double>;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double root_width = 1e-12; ///< of the critical cross coupling, relative
-constexpr int fewest_modes = 8;
-
-model::Rotor coupled(model::Rotor rotor, double z, double q) {
-    model::Bearing coupling;
-    coupling.seal = true;
-    coupling.z = z;
-    coupling.rows.emplace_back().k << 0, q, -q, 0;
-    rotor.bearings.push_back(coupling);
-    return rotor;
-}
 
 void require_axisymmetric(const model::Rotor &rotor) {
     if (rotor.rotating_anisotropy())
@@ -45,319 +39,322 @@ void require_axisymmetric(const model::Rotor &rotor) {
             "[[balancer]] or an asymmetric segment");
 }
 
-/// With the coupling, which is the same from every direction: a rotor that is so, too, is still
-/// described by w = x + i y.
-results::Form form_with_coupling(results::Form without) {
-    return results::is_planar(without) ? results::Form::planar_damped : results::Form::general;
-}
-
 double log_dec_of(Complex eigenvalue) { return *results::damping_of(eigenvalue).log_dec; }
 
-/// Eigenvalues of the motions that are followed; none: it no longer swings.
-using Followed = std::vector<std::optional<Complex>>;
-
-/// Index of the one that dies out most slowly, or grows fastest, in a turn of its own.
-std::size_t least_damped(const Followed &set) {
-    const auto rank = [](const std::optional<Complex> &l) {
-        return l ? log_dec_of(*l) : std::numeric_limits<double>::infinity();
-    };
-    return static_cast<std::size_t>(std::ranges::min_element(set, {}, rank) - set.begin());
-}
-
-double least_log_dec(const Followed &set) {
-    const auto &least = set[least_damped(set)];
-    return least ? log_dec_of(*least) : std::numeric_limits<double>::infinity();
-}
-
-/// Which value continues each of the set: pairs in the order of their distances.
-/// @param clear  set true where no other value could have been meant
-Followed matched(const Followed &set, const std::vector<modes::WhirlMode> &values, bool &clear) {
-    constexpr double near = 0.5;     // of the eigenvalue
-    constexpr double distinct = 0.3; // of the distance to values that continue none
-    struct Pair {
-        double distance;
-        std::size_t of, value;
-    };
-    std::vector<Pair> pairs;
-    for (std::size_t i = 0; i < set.size(); ++i)
-        for (std::size_t k = 0; set[i] && k < values.size(); ++k)
-            pairs.push_back({std::abs(values[k].eigenvalue - *set[i]), i, k});
-    std::ranges::stable_sort(pairs, {}, &Pair::distance);
-    Followed out(set.size());
-    std::vector<double> distances(set.size(), 0);
-    std::vector<bool> taken(values.size(), false);
-    for (const Pair &pair : pairs)
-        if (!out[pair.of] && !taken[pair.value] &&
-            pair.distance <= near * std::abs(*set[pair.of])) {
-            out[pair.of] = values[pair.value].eigenvalue;
-            distances[pair.of] = pair.distance;
-            taken[pair.value] = true;
-        }
-    clear = true;
-    for (const Pair &pair : pairs)
-        if (!taken[pair.value] && distances[pair.of] > distinct * pair.distance)
-            clear = false;
-    for (std::size_t i = 0; i < set.size(); ++i)
-        clear = clear && out[i].has_value() == set[i].has_value();
-    return out;
-}
-
-/// The rotor at one speed under any cross coupling.
-class CoupledRotor {
-  public:
-    CoupledRotor(const model::Case &scene, results::Form form, int order)
-        : _scene(scene), _form(form), _order(order) {}
-
-    [[nodiscard]] std::vector<modes::WhirlMode> modes(double q) const {
-        constexpr int most_solved = 5000; // some hundred do
-        if (++_solved > most_solved)
-            throw model::AnalysisFailure(
-                "level1: the first forward mode could not be followed over "
-                "the added cross coupling");
-        const modes::SpectrumSolver solver(coupled(_scene.rotor, _scene.level1->z, q), _form,
-                                           _order);
-        const int wanted = std::max(fewest_modes, _scene.campbell.modes);
-        std::vector<modes::WhirlMode> all = solver.at(_scene.operation->to, wanted).modes;
-        // Where all is the same from every direction the coupling only damps backward whirl, and
-        // both senses may have one eigenvalue: they are told apart by their sense.
-        if (results::is_planar(_form))
-            std::erase_if(all, [](const modes::WhirlMode &mode) {
-                return mode.whirl == results::Whirl::backward;
-            });
-        if (all.empty())
-            throw model::AnalysisFailure("level1: no whirl mode was found at the maximum "
-                                         "continuous speed");
-        return all;
+/// The rotor with its bearings as they are at a speed, and a support at z that holds nothing.
+model::Rotor at_speed(model::Rotor rotor, double speed, double z) {
+    for (model::Bearing &bearing : rotor.bearings) {
+        bearing.rows = {bearing.at(speed)};
+        bearing.speeds.clear();
     }
-
-    /// The motions that `set` with coupling `from` becomes with coupling `to`, in the same order.
-    /// Two of the set may pass each other closely: which of them continues which does not matter
-    /// then, and none outside of it is taken for one of them.
-    [[nodiscard]] Followed followed(double from, const Followed &set, double to,
-                                    int halvings = 0) const {
-        constexpr int most_halvings = 12;
-        bool clear = false;
-        const Followed there = matched(set, modes(to), clear);
-        if (clear || halvings == most_halvings)
-            return there;
-        const double middle = (from + to) / 2;
-        return followed(middle, followed(from, set, middle, halvings + 1), to, halvings + 1);
-    }
-
-  private:
-    const model::Case &_scene;
-    results::Form _form;
-    int _order;
-    mutable int _solved = 0;
-};
-
-/// The first forward mode, with the slower ones before it: where bearings differ between their
-/// directions cross coupling makes the forward mode of a pair out of both. Heavily damped ones are
-/// no modes in this sense; where all are, the least damped one counts. The other one of a pair may
-/// follow the forward one.
-std::vector<modes::WhirlMode> first_modes(std::vector<modes::WhirlMode> all) {
-    std::vector<modes::WhirlMode> light;
-    for (const modes::WhirlMode &mode : all)
-        if (!results::damping_of(mode.eigenvalue).heavy())
-            light.push_back(mode);
-    if (light.empty())
-        return {*std::ranges::min_element(
-            all, {}, [](const auto &mode) { return log_dec_of(mode.eigenvalue); })};
-    std::ranges::stable_sort(light, {}, [](const auto &mode) { return mode.eigenvalue.imag(); });
-    const auto forward =
-        std::ranges::find(light, results::Whirl::forward, &modes::WhirlMode::whirl);
-    const auto pair = static_cast<std::ptrdiff_t>(std::min<std::size_t>(light.size(), 2));
-    constexpr double close = 1.2; // ratio of two frequencies of a pair
-    auto end = forward == light.end() ? light.begin() + pair : forward + 1;
-    if (end != light.end() && end->eigenvalue.imag() < close * (end - 1)->eigenvalue.imag())
-        ++end;
-    light.erase(end, light.end());
-    return light;
+    model::Bearing coupling;
+    coupling.seal = true;
+    coupling.z = z;
+    coupling.rows.emplace_back();
+    rotor.bearings.push_back(coupling);
+    return rotor;
 }
 
 /// A stiffness of the size of the rotor's own, N/m.
-double stiffness_scale(const model::Case &scene) {
+double stiffness_scale(const model::Rotor &rotor) {
     double sum = 0;
-    for (const model::Bearing &bearing : scene.rotor.bearings)
-        sum += bearing.at(scene.operation->to).k.cwiseAbs().trace() / 2;
+    for (const model::Bearing &bearing : rotor.bearings)
+        sum += bearing.rows.front().k.cwiseAbs().trace() / 2;
     return sum > 0 ? sum : 1;
 }
 
-/// The motions followed, at a coupling.
-struct State {
-    double q = 0;
-    Followed set;
+/// The rotor at its maximum continuous speed under cross coupling q, which takes the place of the
+/// spin speed in everything that follows motions over a range: what `ends` calls a speed is
+/// s = q/largest times the spin speed, so that it is of the order of frequencies.
+struct CouplingRange {
+    double speed = 0;        ///< rad/s
+    double z = 0;            ///< m
+    double from = 0, to = 0; ///< N/m
+
+    [[nodiscard]] double s(double q) const { return q / to * speed; }
+    [[nodiscard]] double q(double s) const { return s / speed * to; }
+
+    /// M q'' + (C + speed G) q' + (K + speed Kc + s dq/ds [0 1; -1 0] at z) q = 0
+    [[nodiscard]] modes::FormMatrices matrices(const assembly::Discretization &d) const {
+        assembly::FixedSystem system = assembly::assemble_fixed(d, speed);
+        const int n = system.M.size();
+        std::vector<Eigen::Triplet<double>> coupling;
+        for (const auto &[i, a] : d.deflection_at(z))
+            for (const auto &[j, b] : d.deflection_at(z)) {
+                coupling.emplace_back(2 * i, 2 * j + 1, a * b * q(1));
+                coupling.emplace_back(2 * i + 1, 2 * j, -a * b * q(1));
+            }
+        using linalg::Matrix;
+        const assembly::FixedSystem coupled{
+            std::move(system.M), Matrix::sum(1, system.C, speed, system.G),
+            Matrix::from_entries(n, {}), Matrix::sum(1, system.K, speed, system.Kc),
+            Matrix::from_entries(n, coupling)};
+        return {d, coupled};
+    }
 };
 
-/// Where the first of the motions stops dying out; none up to far beyond any stiffness.
-/// @param creeps  true where they stop swinging before that
-std::optional<State> threshold(const CoupledRotor &rotor, State low, double first, bool &creeps) {
-    constexpr double last = 1e14; // of the first step
-    constexpr double step = 4;
-    for (double q = std::max(first, step * low.q); q <= last * first; q *= step) {
-        const State high{q, rotor.followed(low.q, low.set, q)};
-        const double at_high = least_log_dec(high.set);
-        if (at_high <= 0) {
-            const double root = linalg::root_between(
-                [&](double at) { return least_log_dec(rotor.followed(low.q, low.set, at)); }, low.q,
-                least_log_dec(low.set), q, at_high, root_width);
-            return State{root, rotor.followed(low.q, low.set, root)};
-        }
-        creeps = !std::isfinite(at_high);
-        if (creeps)
+/// A shaft on few planar shapes.
+struct FewShapes {
+    std::shared_ptr<const Eigen::MatrixXd> shapes; ///< none: the whole rotor, which is as small
+    /// Frequency of the motions that they describe, rad/s. What is found with them is found again
+    /// with the whole rotor.
+    double up_to = std::numeric_limits<double>::infinity();
+};
+
+FewShapes shapes_of(const assembly::Discretization &d, double speed) {
+    constexpr int small = 24; // planar unknowns
+    constexpr int modes = 16; // at rest; beside them the deflections under what acts on the shaft
+    if (d.rigid() || d.planar_size() <= small)
+        return {};
+    try {
+        const auto pair = assembly::planar_pair(d, speed);
+        const double last = linalg::DefinitePair(linalg::Matrix::from_sparse(pair.K),
+                                                 linalg::Matrix::from_sparse(pair.M))
+                                .smallest(modes)
+                                .back()
+                                .value;
+        constexpr double well = 0.5; // of the last mode's frequency
+        return {std::make_shared<const Eigen::MatrixXd>(
+                    reduction::PlanarShapes(d, speed, modes).matrix()),
+                well * last};
+    } catch (const linalg::SolverError &) { // bearings push away
+        return {};
+    }
+}
+
+/// The rotor under cross coupling over a range of it.
+class CoupledRotor {
+  public:
+    CoupledRotor(const assembly::Discretization &d, const CouplingRange &range,
+                 const FewShapes &few)
+        : _range(range),
+          _motions(d, range.matrices(d), few.shapes, range.s(range.from), range.speed) {
+        _motions.count_up_to(few.up_to);
+    }
+    [[nodiscard]] const CouplingRange &range() const { return _range; }
+    [[nodiscard]] const ends::AllMotions &motions() const { return _motions; }
+
+    /// Of largest real part, 1/s; a real part of 0: not told from nothing.
+    [[nodiscard]] Complex least_damped(double q) const {
+        return _motions.fastest_growing(_range.s(q), 0, _motions.resolved_up_to()).value;
+    }
+
+    /// What the motion of eigenvalue `value` at one coupling is at another: values and rates at
+    /// both ends of a step say which root continues which. Where two meet and neither does, either
+    /// is as good.
+    [[nodiscard]] Complex followed(double from, Complex value, double to, int halvings = 0) const {
+        constexpr int most_halvings = 14;
+        const ends::Spectrum before = _motions.at(_range.s(from));
+        const ends::Spectrum after = _motions.at(_range.s(to));
+        const ends::Root &root = before.nearest(value);
+        const ends::Strands strands = ends::followed(before, after);
+        for (const ends::Strand &strand : strands.strands)
+            if (strand.from == &root && strand.cluster == 0)
+                return strand.to->value;
+        if (halvings == most_halvings)
+            return after.nearest(root.value).value;
+        const double middle = (from + to) / 2;
+        return followed(middle, followed(from, value, middle, halvings + 1), to, halvings + 1);
+    }
+
+    /// As the whole rotor has it; none where it does not swing or is not found there.
+    [[nodiscard]] std::optional<Complex> of_whole(double q, Complex value) const {
+        const ends::Root root = _motions.at(_range.s(q)).nearest(value);
+        const auto whole = ends::at_its_speed(_motions.whole(), _motions.lifted(root, _range.s(q)));
+        constexpr double same = 0.01; // few shapes are better than that
+        Complex found = root.value;
+        if (whole && std::abs(whole->value - root.value) <= same * std::abs(root.value))
+            found = {std::abs(whole->value.real()) <= whole->noise ? 0 : whole->value.real(),
+                     whole->value.imag()};
+        else if (_motions.reduced())
             return std::nullopt;
-        low = high;
+        if (std::abs(found.imag()) <= root.noise)
+            return std::nullopt;
+        return Complex(found.real(), std::abs(found.imag()));
     }
-    return std::nullopt;
-}
 
-/// Relative difference of the root to that of finer elements.
-double error_of(const State &root, const model::Case &scene, results::Form form, int order) {
-    constexpr double rounding = 100 * root_width;
-    if (scene.rotor.shaft.rigid)
-        return rounding;
-    const CoupledRotor finer(scene, form, mesh_error::finer_order(order));
-    bool clear = false; // the models differ by less than their modes lie apart, or it is not known
-    const Followed start = matched(root.set, finer.modes(root.q), clear);
-    constexpr double beside = 0.05;
-    const auto f = [&](double q) { return least_log_dec(finer.followed(root.q, start, q)); };
-    const double low = (1 - beside) * root.q;
-    const double high = (1 + beside) * root.q;
-    const double at_low = f(low);
-    const double at_high = f(high);
-    if (!clear || !(at_low > 0 && at_high <= 0))
-        return unknown;
-    const double better = linalg::root_between(f, low, at_low, high, at_high, root_width);
-    return mesh_error::estimate_safety * std::abs(better - root.q) / root.q + rounding;
-}
+  private:
+    CouplingRange _range;
+    ends::AllMotions _motions;
+};
 
-/// One of the motions of `start` over the couplings of the curve.
-void fill_curve(const CoupledRotor &rotor, const State &start, std::size_t of,
-                results::Level1 &out) {
-    out.log_dec.assign(out.q.size(), unknown);
-    out.frequency.assign(out.q.size(), unknown);
-    const auto walk = [&](auto first, auto last) { // over indices, away from the start
-        State now = start;
-        for (auto i = first; i != last; ++i) {
-            now = {out.q[*i], rotor.followed(now.q, now.set, out.q[*i])};
-            if (!now.set[of])
-                return;
-            out.log_dec[*i] = log_dec_of(*now.set[of]);
-            out.frequency[*i] = now.set[of]->imag();
-        }
-    };
-    std::vector<std::size_t> below;
-    std::vector<std::size_t> above;
-    for (std::size_t i = 0; i < out.q.size(); ++i)
-        (out.q[i] <= start.q ? below : above).push_back(i);
-    walk(below.rbegin(), below.rend());
-    walk(above.begin(), above.end());
-}
+/// A motion at a coupling, N/m.
+struct State {
+    double q = 0;
+    Complex value;
+};
 
-/// The curve up to a coupling, and the decrement with that anticipated.
-void fill_answers(const CoupledRotor &rotor, const State &start, std::size_t of,
-                  const model::Level1Settings &settings, double to, results::Level1 &out) {
-    for (int i = 0; i < settings.count; ++i)
-        out.q.push_back(to * i / (settings.count - 1));
-    fill_curve(rotor, start, of, out);
-    if (settings.anticipated)
-        if (const auto with = rotor.followed(start.q, start.set, *settings.anticipated)[of])
-            out.anticipated_log_dec = log_dec_of(*with);
-}
-
-/// Without a threshold the curve goes as far as the case says.
-void fill_without_threshold(const CoupledRotor &rotor, const State &start,
-                            const model::Level1Settings &settings, results::Level1 &out) {
-    const std::size_t of = least_damped(start.set);
-    if (const auto to = settings.to ? settings.to : settings.anticipated) {
-        fill_answers(rotor, start, of, settings, *to, out);
-        return;
+/// The answers to one case.
+class Answer {
+  public:
+    Answer(const model::Case &scene, int order, std::vector<results::Sentence> &notes)
+        : _settings(*scene.level1), _speed(scene.operation->to),
+          _rotor(at_speed(scene.rotor, _speed, _settings.z)), _d(_rotor, order),
+          _few(shapes_of(_d, _speed)), _scale(stiffness_scale(_rotor)), _notes(notes) {
+        _out.z = _settings.z;
+        _out.speed = _speed;
+        _out.anticipated = _settings.anticipated;
     }
-    out.q = {0};
-    out.log_dec = {least_log_dec(start.set)};
-    out.frequency = {start.set[of]->imag()};
-}
 
-/// The modes that grow with such a coupling: the one followed may not be among them.
-std::vector<modes::WhirlMode> growing(const CoupledRotor &rotor, double q) {
-    constexpr double clearly = 1e-9;
-    std::vector<modes::WhirlMode> all = rotor.modes(q);
-    std::erase_if(all, [](const modes::WhirlMode &mode) {
-        return log_dec_of(modes::determined_value(mode)) >= -clearly;
-    });
-    return all;
-}
-
-void note_no_threshold(const CoupledRotor &rotor, double scale, bool grows, bool creeps,
-                       std::vector<results::Sentence> &notes) {
-    for (double q = 1e-3 * scale; !grows && q < 200 * scale; q *= 10)
-        if (!growing(rotor, q).empty()) {
-            notes.emplace_back(
-                "level1: the motion that was followed does not begin to grow, but another one "
-                "grows with a cross coupling of {}: the threshold lies below that and is not known",
-                as::stiffness(q, 3));
-            return;
+    results::Level1 found() {
+        const Complex without = rotor(0, least * _scale).least_damped(0);
+        if (without.real() > 0) {
+            _notes.emplace_back("level1: a motion grows at the maximum continuous speed without "
+                                "any added cross coupling");
+            add_without_threshold(without);
+        } else if (const auto driven = without.real() == 0 ? grows_at_once() : std::nullopt) {
+            _out.critical_cross_coupling = 0;
+            add_curve(*driven, _settings.to.value_or(in_sight * _scale));
+            _out.critical_frequency = _out.frequency.front();
+        } else if (!add_threshold()) {
+            add_without_threshold(without);
         }
-    if (grows)
-        notes.emplace_back("level1: the motion grows at the maximum continuous speed without any "
-                           "added cross coupling");
-    else if (creeps)
-        notes.emplace_back("level1: the motion that was followed stops swinging before it grows: "
-                           "with which cross coupling the rotor becomes unstable is not known");
-    else
-        notes.emplace_back("level1: no added cross coupling makes the motion followed grow; others "
-                           "were not followed: "
-                           "with a [[seal]] of some kxy the growth of all is known");
-}
+        return std::move(_out);
+    }
 
-/// Another motion that grows already with the coupling at which the one followed begins to.
-void note_others(const CoupledRotor &rotor, const State &root,
-                 std::vector<results::Sentence> &notes) {
-    for (const modes::WhirlMode &mode : growing(rotor, root.q))
-        notes.emplace_back("level1: another motion, of frequency {}, grows already with the "
-                           "critical cross coupling of the first one",
-                           as::frequency(mode.eigenvalue.imag()));
-}
+  private:
+    /// Parts of the stiffness of all bearings: the range of the first search, the largest coupling
+    /// tried, that with which undamped motions are seen to grow.
+    static constexpr double least = 1e-2;
+    static constexpr double largest = 1e4;
+    static constexpr double at_once = 1e-7;
+    static constexpr double in_sight = 1e-3; ///< the curve where the case does not say
+
+    const model::Level1Settings &_settings;
+    double _speed;
+    model::Rotor _rotor;
+    assembly::Discretization _d;
+    FewShapes _few;
+    double _scale; ///< N/m
+    std::vector<results::Sentence> &_notes;
+    results::Level1 _out;
+
+    [[nodiscard]] CoupledRotor rotor(double from, double to) const {
+        return {_d, {_speed, _settings.z, from, to}, _few};
+    }
+
+    /// Without damping: the slowest motion that any coupling drives.
+    [[nodiscard]] std::optional<State> grows_at_once() const {
+        const double q = at_once * _scale;
+        const CoupledRotor coupled = rotor(0, q);
+        std::optional<State> out;
+        for (const ends::Root &root : coupled.motions().at(coupled.range().speed).roots)
+            if (root.sign() > 0 && root.value.imag() > 0 && std::abs(root.value) <= _few.up_to &&
+                (!out || root.value.imag() < out->value.imag()))
+                out = {q, root.value};
+        return out;
+    }
+
+    /// @returns whether there is one
+    bool add_threshold() {
+        double from = 0;
+        for (double to = least * _scale; to <= largest * _scale; from = to, to *= 100) {
+            const CoupledRotor coupled = rotor(from, to);
+            const ends::EndsFound found = ends::find_ends(coupled.motions(), {});
+            const auto first = std::ranges::find_if(found.ends, [](const auto &end) {
+                return end.resolved.motion && end.resolved.below <= 0 && end.resolved.above > 0;
+            });
+            const bool doubtful = std::ranges::any_of(found.doubtful, [&](const auto &step) {
+                return first == found.ends.end() || step.from < first->speed;
+            });
+            if (doubtful)
+                _notes.emplace_back("level1: not all motions could be followed over the added "
+                                    "cross coupling: another one may grow with less");
+            if (first == found.ends.end())
+                continue;
+            add_end(coupled.range(), *first, found.roots);
+            return true;
+        }
+        _notes.emplace_back("level1: no added cross coupling up to {} makes a motion grow",
+                            results::as::stiffness(from, 3));
+        return false;
+    }
+
+    void add_end(const CouplingRange &range, const results::StabilityEnd &end,
+                 const std::vector<ends::WholeMotion> &roots) {
+        const double q = range.q(end.speed);
+        _out.critical_cross_coupling = q;
+        _out.critical_frequency = end.frequency.value_or(0);
+        const auto root = std::ranges::find(roots, end.speed, &ends::WholeMotion::speed);
+        if (root != roots.end()) {
+            _out.critical_frequency = std::abs(root->value.imag());
+            _out.error = error_of(range, *root);
+        }
+        if (*_out.critical_frequency == 0)
+            _notes.emplace_back("level1: the motion that begins to grow does not swing");
+        add_curve({q, {0, *_out.critical_frequency}}, _settings.to.value_or(1.5 * q));
+    }
+
+    /// Relative difference to that of finer elements.
+    [[nodiscard]] double error_of(const CouplingRange &range, const ends::WholeMotion &root) const {
+        constexpr double rounding = 1e-10;
+        if (_d.rigid())
+            return rounding;
+        const ends::FinerEnds finer(
+            _d, [&](const assembly::Discretization &d) { return range.matrices(d); });
+        constexpr double nearby = 0.3;
+        const auto error = finer.error(root, 1, nearby * root.speed);
+        return error ? *error / root.speed + rounding : unknown;
+    }
+
+    /// Without a threshold the curve goes as far as the case says.
+    void add_without_threshold(Complex without) {
+        const double none = _settings.anticipated.value_or(0);
+        add_curve({0, without}, _settings.to.value_or(none));
+    }
+
+    /// The motion of `start` from none up to a coupling, and with that anticipated.
+    void add_curve(const State &start, double to) {
+        const double anticipated = _settings.anticipated.value_or(0);
+        const double all = std::max({start.q, to, anticipated, in_sight * _scale});
+        const CoupledRotor coupled = rotor(0, all);
+        const int count = to > 0 ? _settings.count : 1;
+        for (int i = 0; i < count; ++i)
+            _out.q.push_back(to > 0 ? to * i / (count - 1) : 0);
+        _out.log_dec.assign(_out.q.size(), unknown);
+        _out.frequency.assign(_out.q.size(), unknown);
+        std::vector<std::pair<double, int>> places; // -1: with that anticipated
+        for (int i = 0; i < count; ++i)
+            places.emplace_back(_out.q[static_cast<std::size_t>(i)], i);
+        if (_settings.anticipated)
+            places.emplace_back(anticipated, -1);
+        std::ranges::sort(places);
+        const auto above =
+            std::ranges::find_if(places, [&](const auto &place) { return place.first > start.q; });
+        walk(coupled, start, above, places.end());
+        walk(coupled, start, std::reverse_iterator(above), places.rend());
+    }
+
+    /// Over couplings away from the start.
+    template <class Place>
+    void walk(const CoupledRotor &coupled, State now, Place first, Place last) {
+        for (Place place = first; place != last; ++place) {
+            const auto [q, i] = *place;
+            if (q != now.q)
+                now = {q, coupled.followed(now.q, now.value, q)};
+            const auto value = coupled.of_whole(q, now.value);
+            if (!value)
+                continue;
+            if (i < 0) {
+                _out.anticipated_log_dec = log_dec_of(*value);
+                continue;
+            }
+            _out.log_dec[static_cast<std::size_t>(i)] = log_dec_of(*value);
+            _out.frequency[static_cast<std::size_t>(i)] = value->imag();
+        }
+    }
+};
 
 } // namespace
 
-results::Level1 level1(const model::Case &asked, results::Form without, int order,
-                       std::vector<results::Sentence> &notes) {
-    require_axisymmetric(asked.rotor);
-    const results::Form form = form_with_coupling(without);
-    const model::Level1Settings &settings = *asked.level1;
-    results::Level1 out;
-    out.z = settings.z;
-    out.speed = asked.operation->to;
-    out.anticipated = settings.anticipated;
-    const CoupledRotor rotor(asked, form, order);
-    const std::vector<modes::WhirlMode> first = first_modes(rotor.modes(0));
-    State start;
-    double at_none = std::numeric_limits<double>::infinity(); // no damping is exactly none
-    for (const modes::WhirlMode &mode : first) {
-        start.set.emplace_back(mode.eigenvalue);
-        at_none = std::min(at_none, log_dec_of(modes::determined_value(mode)));
+results::Level1 level1(const model::Case &scene, int order, std::vector<results::Sentence> &notes) {
+    require_axisymmetric(scene.rotor);
+    try {
+        return Answer(scene, order, notes).found();
+    } catch (const linalg::SolverError &failure) {
+        throw model::AnalysisFailure(
+            fmt::format("level1: no eigenvalues under cross coupling: {}", failure.what()));
     }
-    const double scale = stiffness_scale(asked);
-    std::optional<State> root;
-    bool creeps = false;
-    if (at_none > 0)
-        root = threshold(rotor, start, 1e-6 * scale, creeps);
-    else if (at_none == 0)
-        root = start;
-    if (!root) {
-        note_no_threshold(rotor, scale, at_none < 0, creeps, notes);
-        fill_without_threshold(rotor, start, settings, out);
-        return out;
-    }
-    const std::size_t of = least_damped(root->set);
-    out.critical_cross_coupling = root->q;
-    out.critical_frequency = root->set[of]->imag();
-    out.error = root->q > 0 ? error_of(*root, asked, form, order) : unknown;
-    fill_answers(rotor, *root, of, settings,
-                 settings.to.value_or(root->q > 0 ? 1.5 * root->q : 1e-3 * scale), out);
-    note_others(rotor, *root, notes);
-    return out;
 }
 
 } // namespace whirl::operation

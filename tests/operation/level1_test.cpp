@@ -1,7 +1,6 @@
 #include "operation/level1.h"
 
 #include "model/errors.h"
-#include "modes/formulation.h"
 #include "support/rigid_jeffcott.h"
 #include "support/test_rotors.h"
 
@@ -25,8 +24,7 @@ model::Case coupled(const tests::RigidJeffcott &rotor) {
 
 results::Level1 level1(const model::Case &scene, std::vector<results::Sentence> &notes) {
     const model::Shaft &shaft = scene.rotor.shaft;
-    return operation::level1(scene, modes::choose_formulation(scene).form,
-                             shaft.rigid ? 1 : shaft.order, notes);
+    return operation::level1(scene, shaft.rigid ? 1 : shaft.order, notes);
 }
 
 results::Level1 level1(const model::Case &scene) {
