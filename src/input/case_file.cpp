@@ -1,5 +1,6 @@
 #include "input/case_file.h"
 
+#include "balancers/held.h"
 #include "input/file_text.h"
 #include "input/overrides.h"
 #include "input/sections.h"
@@ -115,6 +116,7 @@ model::Case CaseFile::load(const std::vector<std::string> &overrides) const {
     context.problems.throw_if_any();
     scene.remarks = std::move(context.remarks);
     add_remarks(scene, tree);
+    balancers::hold(scene);
     return scene;
 }
 
