@@ -50,7 +50,8 @@ class CompareDamage : public testing::Test {
             {"modes", cases + "friswell_5_9_1", "--set", "speeds.count=1"},
             {"balance", cases + "rigid_limit"},
             {"samples", cases + "uncertain_jeffcott", "--set", "samples.count=5"},
-            {"simulate", cases + "runup_jeffcott", "--set", "simulate.time=2"}};
+            {"simulate", cases + "runup_jeffcott", "--set", "simulate.time=2", "--set",
+             "simulate.output_points=400"}};
         std::vector<Json> out;
         for (const auto &command : commands)
             out.push_back(result_of(command));
