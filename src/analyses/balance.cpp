@@ -128,7 +128,7 @@ void fill_signature(const criterion::BalanceScene &s, criterion::BalanceForm &fo
 
 void fill_notes(const model::Case &scene, const criterion::BalanceScene &s,
                 results::BalanceResult &result) {
-    std::vector<std::string> &notes = result.model.notes;
+    std::vector<results::Sentence> &notes = result.model.notes;
     const model::Rotor &rotor = scene.rotor;
     if (!rotor.balancers.empty())
         notes.emplace_back("the criterion is that of balancers without mass: the rotor is taken "

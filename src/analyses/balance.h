@@ -2,6 +2,7 @@
 
 #include "model/case.h"
 #include "results/balance.h"
+#include "results/sentence.h"
 
 #include <string>
 #include <vector>
@@ -28,7 +29,7 @@ void judge_real_balancers(const model::Case &scene, int order, results::BalanceR
 
 /// Sentences that say what the bands mean and where flexible and rigid rotor, and the three tiers,
 /// differ, and why. None for one speed alone.
-[[nodiscard]] std::vector<std::string> balance_findings(const results::BalanceResult &result,
-                                                        const model::Case &scene);
+[[nodiscard]] std::vector<results::Sentence> balance_findings(const results::BalanceResult &result,
+                                                              const model::Case &scene);
 
 } // namespace whirl::analyses

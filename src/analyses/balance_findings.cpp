@@ -1,6 +1,7 @@
 #include "analyses/balance.h"
 
 #include "results/formulation.h"
+#include "results/sentence.h"
 
 #include <fmt/format.h>
 
@@ -26,7 +27,7 @@ bool rigid_says_on(const results::BalanceBands &bands, double speed) {
 }
 
 /// Upper ends of the joint band, and what the rigid form says of them.
-void joint_ends(const results::BalanceResult &result, std::vector<std::string> &out) {
+void joint_ends(const results::BalanceResult &result, std::vector<results::Sentence> &out) {
     const std::string where = result.planes.size() == 1 ? "there" : "at all planes";
     for (const results::BandEnd &end : result.joint.bands.ends) {
         if (!end.upper)
@@ -48,7 +49,7 @@ void joint_ends(const results::BalanceResult &result, std::vector<std::string> &
 }
 
 /// One sentence a plane: its additional speeds, beside the rigid ones.
-void plane_ends(const results::BalanceResult &result, std::vector<std::string> &out) {
+void plane_ends(const results::BalanceResult &result, std::vector<results::Sentence> &out) {
     for (std::size_t i = 0; i < result.planes.size() && result.planes.size() > 1; ++i) {
         std::string text;
         bool pinned = true;
@@ -72,7 +73,7 @@ void plane_ends(const results::BalanceResult &result, std::vector<std::string> &
 
 /// More planes than rigid motions: the form of a flexible rotor is indefinite by a little.
 void excess_planes(const results::BalanceResult &result, bool rigid,
-                   std::vector<std::string> &out) {
+                   std::vector<results::Sentence> &out) {
     const auto count = static_cast<int>(result.planes.size());
     if (count < 3 || result.joint.signature.empty())
         return;
@@ -106,7 +107,7 @@ void excess_planes(const results::BalanceResult &result, bool rigid,
         std::ranges::min(sizes), std::ranges::max(sizes), shape));
 }
 
-void without_bands(const results::BalanceResult &result, std::vector<std::string> &out) {
+void without_bands(const results::BalanceResult &result, std::vector<results::Sentence> &out) {
     if (!result.joint.bands.bands.empty() || result.planes.size() < 2)
         return;
     if (result.rigid && result.rigid->type != "long")
@@ -137,7 +138,7 @@ double common_width(const std::vector<results::Interval> &a,
 
 /// The criterion (balancers without mass) against the real ones at their balanced position.
 void real_balancers(const results::BalanceResult &result, bool damped,
-                    std::vector<std::string> &out) {
+                    std::vector<results::Sentence> &out) {
     if (!result.balanced_position)
         return;
     const std::vector<results::Interval> &criterion = result.joint.bands.bands;
@@ -200,7 +201,7 @@ std::string reason(const results::SimulatedSpeed &run, double time) {
 
 /// Motions in time against what the eigenvalues of the balanced position promise.
 void motions_in_time(const results::BalanceResult &result, double time,
-                     std::vector<std::string> &out) {
+                     std::vector<results::Sentence> &out) {
     if (result.simulated.empty() || !result.balanced_position)
         return;
     int agree = 0;
@@ -222,7 +223,7 @@ void motions_in_time(const results::BalanceResult &result, double time,
 }
 
 /// n < 1 is not enough: where the motion of least deflection is unstable.
-void pendulums(const results::BalanceResult &result, std::vector<std::string> &out) {
+void pendulums(const results::BalanceResult &result, std::vector<results::Sentence> &out) {
     for (const results::PendulumBalance &p : result.pendulum) {
         int helps = 0;
         std::vector<double> unstable; // speeds, rad/s
@@ -247,9 +248,9 @@ void pendulums(const results::BalanceResult &result, std::vector<std::string> &o
 
 } // namespace
 
-std::vector<std::string> balance_findings(const results::BalanceResult &result,
-                                          const model::Case &scene) {
-    std::vector<std::string> out;
+std::vector<results::Sentence> balance_findings(const results::BalanceResult &result,
+                                                const model::Case &scene) {
+    std::vector<results::Sentence> out;
     if (scene.speeds->to <= scene.speeds->from || scene.speeds->count < 2)
         return out;
     joint_ends(result, out);

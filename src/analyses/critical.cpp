@@ -15,6 +15,7 @@
 #include "results/damping.h"
 #include "results/formulation.h"
 #include "results/model_summary.h"
+#include "results/sentence.h"
 #include "rigid/shaft.h"
 #include "synchronous/critical_error.h"
 #include "synchronous/critical_speeds.h"
@@ -76,7 +77,7 @@ void keep_lowest(synchronous::SynchronousModes &list, int wanted, double top) {
 /// Which critical speeds the list can lack, in words.
 void note_completeness(const synchronous::SynchronousModes &found, bool more_wanted, bool rigid,
                        results::CriticalResult &result) {
-    std::vector<std::string> &notes = result.model.notes;
+    std::vector<results::Sentence> &notes = result.model.notes;
     for (const auto &[from, to] : found.doubtful)
         notes.push_back(fmt::format("critical speeds between {:.6g} and {:.6g} rad/s may be "
                                     "missing: the count there is not certain",

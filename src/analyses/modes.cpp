@@ -13,6 +13,7 @@
 #include "modes/orbits.h"
 #include "modes/spectrum.h"
 #include "results/modes.h"
+#include "results/sentence.h"
 #include "results/whirl.h"
 #include "synchronous/critical_speeds.h"
 #include "tracking/mode_names.h"
@@ -151,7 +152,7 @@ bool has(const std::vector<results::ModeShape> &shapes, const results::ModeShape
 
 /// Those of which shapes are drawn beside the modes at one speed.
 std::vector<results::CriticalSpeed> shown_critical_speeds(const model::Case &scene,
-                                                          std::vector<std::string> &notes) {
+                                                          std::vector<results::Sentence> &notes) {
     if (scene.modes.speed || scene.speeds->count < 2)
         return {};
     try {
@@ -169,7 +170,7 @@ std::vector<results::CriticalSpeed> shown_critical_speeds(const model::Case &sce
 
 void add_critical(results::ModesResult &result, const Shapes &shapes,
                   const std::vector<results::CriticalSpeed> &critical_speeds, int modes) {
-    std::vector<std::string> &notes = result.model.notes;
+    std::vector<results::Sentence> &notes = result.model.notes;
     try {
         for (const results::CriticalSpeed &critical : critical_speeds) {
             auto shape = shapes.critical(critical, modes);
@@ -262,7 +263,7 @@ results::ModesResult mode_shapes(const model::Case &scene) {
                                        result.model.order);
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     result.model.unknowns = solver.unknowns();
-    std::vector<std::string> critical_notes;
+    std::vector<results::Sentence> critical_notes;
     const std::vector<results::CriticalSpeed> critical_speeds =
         shown_critical_speeds(scene, critical_notes);
     const std::optional<tracking::ModeNames> names = names_at(

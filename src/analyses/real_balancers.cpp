@@ -7,6 +7,7 @@
 #include "model/variants.h"
 #include "process/processes.h"
 #include "process/progress.h"
+#include "results/sentence.h"
 #include "results/simulate.h"
 #include "stability/motions.h"
 #include "stability/rotor_at_speeds.h"
@@ -58,7 +59,7 @@ std::vector<results::EndErrors> errors_of(const std::vector<results::Interval> &
 
 results::BalancedPosition stable_speeds(const stability::StabilityModel &model,
                                         const model::SpeedRange &range,
-                                        std::vector<std::string> &notes) {
+                                        std::vector<results::Sentence> &notes) {
     const std::vector<double> grid = stability::search_speeds(range);
     const double from = range.from;
     const double to = range.to;
@@ -101,7 +102,7 @@ struct JudgedPosition {
 };
 
 /// Form and order are chosen once for all arrangements. Notes say what there is not, and why.
-JudgedPosition judged_position(const model::Case &scene, std::vector<std::string> &notes) {
+JudgedPosition judged_position(const model::Case &scene, std::vector<results::Sentence> &notes) {
     JudgedPosition out;
     try {
         const model::SpeedRange &range = model::required_speeds(scene);
@@ -139,7 +140,7 @@ std::optional<double> growth_at(const std::optional<stability::StabilityModel> &
 /// @param position  by what the growth beside them is judged
 std::vector<results::SimulatedSpeed>
 simulated_speeds(const model::Case &scene, const std::optional<stability::StabilityModel> &position,
-                 std::vector<std::string> &notes) {
+                 std::vector<results::Sentence> &notes) {
     std::vector<results::SimulatedSpeed> out;
     const int count = scene.balance.simulated;
     if (count == 0 || process::process_rank() != 0)
@@ -174,7 +175,7 @@ void judge_real_balancers(const model::Case &scene, int order, results::BalanceR
     const model::BalanceSettings &asked = scene.balance;
     if (!asked.balanced_position && asked.simulated == 0)
         return;
-    std::vector<std::string> &notes = result.model.notes;
+    std::vector<results::Sentence> &notes = result.model.notes;
     model::Case real = scene;
     real.rotor = model::with_order(std::move(real.rotor), order);
     real.formulation = model::FormChoice::automatic;

@@ -8,6 +8,7 @@
 #include "model/errors.h"
 #include "modes/formulation.h"
 #include "results/formulation.h"
+#include "results/sentence.h"
 #include "results/show.h"
 #include "rigid/anisotropy.h"
 #include "rigid/composite_rotor.h"
@@ -36,7 +37,7 @@ const char *name_of(model::TorqueKind kind) {
     }
 }
 
-void note_shaft(const model::Shaft &shaft, std::vector<std::string> &notes) {
+void note_shaft(const model::Shaft &shaft, std::vector<results::Sentence> &notes) {
     if (shaft.alpha != 0 || shaft.beta != 0)
         notes.push_back(fmt::format("the shaft has damping that does not turn: alpha = {:.6g} 1/s "
                                     "of its mass, beta = {:.6g} s of its stiffness",
@@ -50,7 +51,7 @@ void note_shaft(const model::Shaft &shaft, std::vector<std::string> &notes) {
 }
 
 void note_bearings(std::span<const model::Bearing> bearings, const char *kind,
-                   std::vector<std::string> &notes) {
+                   std::vector<results::Sentence> &notes) {
     for (std::size_t i = 0; i < bearings.size(); ++i) {
         const model::Bearing &b = bearings[i];
         const std::string name = b.name.empty() ? fmt::format("{}[{}]", kind, i) : b.name;

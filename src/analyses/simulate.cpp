@@ -99,7 +99,7 @@ void note_overlaps(const model::Case &scene, results::SimulateResult &result) {
                 result.model.notes.push_back(fmt::format(
                     "{}: {} {} of balls overlap at the end: their centres are nearer than the "
                     "diameter of a ball, {:.4g} m; contact = true keeps them apart",
-                    b.name.empty() ? fmt::format("balancer[{}]", i) : b.name, pairs,
+                    b.name.empty() ? scene.rotor.balancer_path(i) : b.name, pairs,
                     pairs == 1 ? "pair" : "pairs", row.diameter));
         }
     }

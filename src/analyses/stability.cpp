@@ -15,6 +15,7 @@
 #include "operation/level1.h"
 #include "process/progress.h"
 #include "results/formulation.h"
+#include "results/sentence.h"
 #include "stability/band_finder.h"
 #include "stability/hill/hill_motions.h"
 #include "stability/permissible.h"
@@ -138,18 +139,6 @@ results::ArrangementFamily family_of(const std::vector<balancers::Arrangement> &
     return out;
 }
 
-/// Beyond two, each ball or ring of a balancer adds a pair of roots for each of its coordinates,
-/// one of them 0, that the motion of the rotor does not see.
-int neutral_pairs(const model::Rotor &rotor) {
-    int pairs = 0;
-    for (const model::Balancer &balancer : rotor.balancers) {
-        const auto kind = balancers::kind_of(balancer);
-        if (const auto masses = static_cast<int>(kind->circled().size()); masses > 2)
-            pairs += (masses - 2) * static_cast<int>(kind->coordinates().size()) / masses;
-    }
-    return pairs;
-}
-
 /// Critical and additional speeds, and those at which a root is zero; band ends among them.
 void search_zero_roots(const stability::BandFinder &finder, const std::vector<double> &grid,
                        results::StabilityResult &result) {
@@ -269,7 +258,7 @@ void add_level1(const model::Case &scene, const stability::StabilityModel &model
 
 void add_notes(const model::Case &scene, const stability::StabilityModel &model,
                results::StabilityResult &result) {
-    std::vector<std::string> &notes = result.model.notes;
+    std::vector<results::Sentence> &notes = result.model.notes;
     if (model.conservative)
         notes.emplace_back("undamped with a positive definite stiffness: the energy is conserved "
                            "and bounds the motion at every speed");
@@ -295,8 +284,9 @@ void add_notes(const model::Case &scene, const stability::StabilityModel &model,
         notes.emplace_back("balls are placed against the imbalance of their own balancer; "
                            "[[imbalance]] entries move them in `simulate` only");
     if (result.neutral_pairs > 0)
-        notes.emplace_back("balls beyond two can move without changing the balance: that many "
-                           "neutral pairs 0, -h beside the eigenvalues computed");
+        notes.emplace_back("balls beyond two, and on one diameter beyond one, can move without "
+                           "changing the balance: that many neutral pairs 0, -h beside the "
+                           "eigenvalues computed");
 }
 
 } // namespace

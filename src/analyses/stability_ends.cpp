@@ -1,6 +1,7 @@
 #include "analyses/stability_ends.h"
 
 #include "balancers/arrangement.h"
+#include "balancers/kind.h"
 #include "ends/band_ends.h"
 #include "ends/finer_ends.h"
 #include "linalg/check.h"
@@ -247,11 +248,29 @@ void settle_rounding(GrowthAndVerdict of, const std::vector<double> &speeds,
     }
 }
 
-void add_neutral_balls(const model::Rotor &rotor, results::StabilityResult &result) {
-    const auto balancers =
+int neutral_pairs(const model::Rotor &rotor) {
+    const auto elements =
         balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor));
-    if (std::ranges::none_of(
-            balancers, [](const auto &balancer) { return balancer.parts.diameter.has_value(); }))
+    int pairs = 0;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const auto kind = balancers::kind_of(rotor.balancers[i]);
+        const auto masses = static_cast<int>(kind->circled().size());
+        const int felt = elements[i].parts.diameter ? 1 : 2;
+        if (masses > felt)
+            pairs += (masses - felt) * static_cast<int>(kind->coordinates().size()) / masses;
+    }
+    return pairs;
+}
+
+void add_neutral_balls(const model::Rotor &rotor, results::StabilityResult &result) {
+    const auto elements =
+        balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor));
+    bool against_each_other = false;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        against_each_other =
+            against_each_other || (elements[i].parts.diameter &&
+                                   balancers::kind_of(rotor.balancers[i])->circled().size() > 1);
+    if (!against_each_other)
         return;
     for (const GrowthAndVerdict &of : {GrowthAndVerdict{result.growth, result.verdict},
                                        {result.resolved_growth, result.resolved_verdict}})

@@ -60,7 +60,12 @@ struct GrowthAndVerdict {
 void settle_rounding(GrowthAndVerdict of, const std::vector<double> &speeds,
                      const std::vector<results::Interval> &bands, bool damped);
 
-/// Balls on one diameter can roll on without any effect, which neither grows nor dies out.
+/// Pairs of roots 0, -h that the motion of the rotor does not see: each ball or ring of a balancer
+/// beyond two, on one diameter beyond the first, adds one for each of its coordinates.
+[[nodiscard]] int neutral_pairs(const model::Rotor &rotor);
+
+/// Several balls on one diameter can roll against each other without any effect, which neither
+/// grows nor dies out. One alone cannot.
 void add_neutral_balls(const model::Rotor &rotor, results::StabilityResult &result);
 
 /// The longest run of speeds that a Hill series describes.

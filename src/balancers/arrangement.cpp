@@ -2,8 +2,6 @@
 
 #include "balancers/balanced_position.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace whirl::balancers {
@@ -34,15 +32,13 @@ BalancerElement balancer_element(const model::Balancer &balancer,
     return out;
 }
 
-std::string label_of(std::size_t index) { return fmt::format("balancer[{}]", index); }
-
 } // namespace
 
 Arrangement arrangement_at_balance(const model::Rotor &rotor) {
     Arrangement out;
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i)
         out.push_back(has_positions(rotor.balancers[i])
-                          ? turned(angles_at_balance(rotor.balancers[i], label_of(i)),
+                          ? turned(angles_at_balance(rotor.balancers[i], rotor.balancer_path(i)),
                                    rotor.balancers[i].imbalance_phase)
                           : std::vector<double>{});
     return out;
@@ -61,7 +57,7 @@ std::vector<Arrangement> sampled_arrangements(const model::Rotor &rotor, int cou
     std::size_t most = 1;
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
         choices.push_back(has_positions(rotor.balancers[i])
-                              ? sampled_positions(rotor.balancers[i], count, label_of(i))
+                              ? sampled_positions(rotor.balancers[i], count, rotor.balancer_path(i))
                               : Arrangement{{}});
         most = std::max(most, choices.back().size());
     }

@@ -22,6 +22,17 @@ double Outline::radius() const {
     return largest;
 }
 
+HeldParts Kind::held(const std::vector<double> &angles) const {
+    const PartsInertia inertia = this->inertia();
+    HeldParts out{inertia.mass, inertia.on_circle, inertia.own, 0, 0};
+    const std::vector<CircledMass> masses = circled();
+    for (std::size_t j = 0; j < masses.size(); ++j) {
+        out.second_moment += std::polar(masses[j].inertia, 2 * angles[j]);
+        out.moment_of_mass += std::polar(masses[j].moment, angles[j]);
+    }
+    return out;
+}
+
 std::unique_ptr<Kind> kind_of(const model::Balancer &balancer) {
     return std::visit([](const auto &parts) { return kind_of(parts); }, balancer.parts);
 }

@@ -29,6 +29,15 @@ struct PartsInertia {
     bool turn_with_rotor = false;
 };
 
+/// All parts fixed in the rotor at some angles.
+struct HeldParts {
+    double mass = 0;                     ///< kg
+    double on_circle = 0;                ///< polar inertia of the parts as points, kg m2
+    double own = 0;                      ///< the same about axes of their own, kg m2
+    std::complex<double> second_moment;  ///< sum m r^2 exp(2 i a), kg m2
+    std::complex<double> moment_of_mass; ///< sum m r exp(i a), kg m
+};
+
 /// What the parts can do against an imbalance.
 struct Reach {
     double imbalance = 0;    ///< the largest that they can balance, kg m
@@ -104,6 +113,8 @@ class Kind {
     usual_position([[maybe_unused]] double capacity) const {
         return std::nullopt;
     }
+    /// @param angles  of the circled masses in the rotor, or without any of all coordinates, rad
+    [[nodiscard]] virtual HeldParts held(const std::vector<double> &angles) const;
     /// @param angles  of the circled masses in the rotor, rad
     [[nodiscard]] virtual SmallMotions small_motions(const std::vector<double> &angles) const = 0;
     /// @param tilt     whether the parts resist tilting

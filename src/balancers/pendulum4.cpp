@@ -132,6 +132,23 @@ class PendulumKind final : public Kind {
     }
     [[nodiscard]] bool damped() const override { return _pendulums.damping > 0; }
 
+    /// The masses of a pair stand at +-(a + l cos f) along its line of hinges and at l sin f across
+    /// it: sum m r^2 exp(2 i b) = 2 m (along^2 - across^2) exp(2 i line).
+    [[nodiscard]] HeldParts held(const std::vector<double> &angles) const override {
+        HeldParts out;
+        out.mass = 4 * _pendulums.mass;
+        for (const std::size_t pair : {std::size_t{0}, std::size_t{1}}) {
+            const double along = _pendulums.pivot + _pendulums.arm * std::cos(angles[pair]);
+            const double across = _pendulums.arm * std::sin(angles[pair]);
+            const double twice = 2 * _pendulums.mass;
+            const std::complex<double> line = pair == 0 ? 1.0 : std::complex<double>(0, 1);
+            out.on_circle += twice * (along * along + across * across);
+            out.second_moment += twice * (along * along - across * across) * line * line;
+            out.moment_of_mass += std::complex<double>(0, twice * across) * line;
+        }
+        return out;
+    }
+
     [[nodiscard]] SmallMotions
     small_motions(const std::vector<double> & /*angles*/) const override {
         const double mass = 4 * _pendulums.mass;

@@ -259,7 +259,8 @@ std::optional<double> error_of(double end, bool upper, const std::vector<results
 /// Fills in the errors of one list of bands. Ends without a counterpart get a note.
 /// @param which  bands, in words
 void judge(const BalanceScene &scene, const std::string &which, const Judged &criterion,
-           const SpeedFunction *finer, results::BalanceBands &of, std::vector<std::string> &notes) {
+           const SpeedFunction *finer, results::BalanceBands &of,
+           std::vector<results::Sentence> &notes) {
     of.errors.clear();
     const auto judged = [&](double end, bool upper, double edge) -> std::optional<double> {
         if (end == edge)
@@ -284,7 +285,7 @@ void judge_band_ends(const BalanceScene &scene, BalanceForm &form, results::Bala
                                      rigid ? scene.order : mesh_error::finer_order(scene.order));
     BalanceForm finer(d, scene.formulation.form, deflections_at(d, scene.planes),
                       scene.plane_positions());
-    std::vector<std::string> &notes = result.model.notes;
+    std::vector<results::Sentence> &notes = result.model.notes;
     const std::vector<results::BalanceBands *> each = bands_of_each(result);
     const std::size_t planes = scene.planes.size();
     const auto name = [planes](std::size_t i) {

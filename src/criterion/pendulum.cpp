@@ -8,6 +8,7 @@
 #include "model/variants.h"
 #include "process/progress.h"
 #include "results/formulation.h"
+#include "results/sentence.h"
 #include "results/whirl.h"
 #include "rigid/projection.h"
 #include "synchronous/critical_speeds.h"
@@ -28,17 +29,17 @@ std::vector<balancers::PlacedPendulums> pendulums_of(const model::Case &scene) {
     std::vector<balancers::PlacedPendulums> out = balancers::pendulums_in(scene.rotor);
     for (const balancers::PlacedPendulums &pendulums : out)
         if (!(pendulums.pivot > 0))
-            throw model::BadInput(
-                fmt::format("{}: balancer[{}].pivot: expected a radius above 0 m (the pendulums "
-                            "stand still nowhere else), got {:.6g} m",
-                            scene.file.string(), pendulums.index, pendulums.pivot));
+            throw model::BadInput(fmt::format(
+                "{}: {}.pivot: expected a radius above 0 m (the pendulums "
+                "stand still nowhere else), got {:.6g} m",
+                scene.file.string(), scene.rotor.balancer_path(pendulums.index), pendulums.pivot));
     return out;
 }
 
 /// What the pendulums are to balance, at the right places.
 std::vector<model::Imbalance> drive_of(const model::Case &scene,
                                        const std::vector<balancers::PlacedPendulums> &pendulums,
-                                       std::vector<std::string> &notes) {
+                                       std::vector<results::Sentence> &notes) {
     std::vector<model::Imbalance> drive = model::with_balancer_imbalances(scene.rotor).imbalances;
     if (drive.empty()) {
         notes.emplace_back("pendulums without an imbalance to balance (balancer.imbalance or "
@@ -227,7 +228,7 @@ void fill_states(PendulumShaft &shaft, double bearing_speed, const std::vector<d
 
 std::vector<results::PendulumBalance> pendulum_balance(const model::Case &scene,
                                                        const BalanceScene &shared,
-                                                       std::vector<std::string> &notes) {
+                                                       std::vector<results::Sentence> &notes) {
     const std::vector<balancers::PlacedPendulums> pendulums = pendulums_of(scene);
     std::vector<results::PendulumBalance> out;
     if (pendulums.empty())

@@ -2,6 +2,7 @@
 
 #include "criterion/rotor.h"
 #include "results/pendulum.h"
+#include "results/sentence.h"
 
 #include <string>
 #include <vector>
@@ -21,6 +22,6 @@ namespace whirl::criterion {
 ///         forward critical speed; linalg::SolverError
 [[nodiscard]] std::vector<results::PendulumBalance>
 pendulum_balance(const model::Case &scene, const BalanceScene &shared,
-                 std::vector<std::string> &notes);
+                 std::vector<results::Sentence> &notes);
 
 } // namespace whirl::criterion

@@ -20,8 +20,7 @@ namespace {
 std::vector<model::CorrectionPlane> planes_of(const model::Case &scene) {
     std::vector<model::CorrectionPlane> planes = scene.rotor.planes;
     if (planes.empty())
-        for (const model::Balancer &balancer : scene.rotor.balancers)
-            planes.push_back({balancer.name, balancer.z});
+        planes = scene.rotor.balancer_planes();
     if (planes.empty())
         throw model::BadInput(fmt::format(
             "{}: plane: expected at least one [[plane]] with its z, or a [[balancer]] whose plane "

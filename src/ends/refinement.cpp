@@ -76,8 +76,10 @@ Forms forms(const modes::QuadraticAt &p, Complex l, const WholeMotion &m) {
 using Factors = linalg::SparseFactor<Complex>;
 
 /// Better vectors of the root next to l: Q(l)^-1 Q'(l) x, and the same from the left.
+/// @param standing  l is zero and the speed is the eigenvalue: Q' by the speed. By l it would be
+///                  skew without damping, y^H Q' x = 0, and lead away from the vectors wanted.
 /// @returns whether Q(l) could be factorised
-bool iterate(const modes::QuadraticAt &p, Complex l, WholeMotion &m, Factors &lu) {
+bool iterate(const modes::QuadraticAt &p, Complex l, bool standing, WholeMotion &m, Factors &lu) {
     const Eigen::VectorXd d =
         linalg::scales_at(std::max(std::abs(l), 1e-300), p.M.diagonal(), p.K.diagonal());
     const ComplexSparse whole = linalg::sum(l * l, p.M, l, p.D, 1, p.K);
@@ -85,9 +87,10 @@ bool iterate(const modes::QuadraticAt &p, Complex l, WholeMotion &m, Factors &lu
     Q.makeCompressed();
     if (!lu.factorize(Q))
         return false;
-    const Eigen::VectorXcd to_right = 2.0 * l * times(p.M, m.right) + times(p.D, m.right);
+    const Sparse &slope = standing ? p.above.K : p.D; // beside 2 l M
+    const Eigen::VectorXcd to_right = 2.0 * l * times(p.M, m.right) + times(slope, m.right);
     const Eigen::VectorXcd to_left =
-        2.0 * std::conj(l) * times(p.M.transpose(), m.left) + times(p.D.transpose(), m.left);
+        2.0 * std::conj(l) * times(p.M.transpose(), m.left) + times(slope.transpose(), m.left);
     const Eigen::VectorXcd x = lu.solution(d.asDiagonal() * to_right);
     const Eigen::VectorXcd y = lu.adjoint_solution(d.asDiagonal() * to_left);
     if (!x.allFinite() || !y.allFinite())
@@ -99,19 +102,20 @@ bool iterate(const modes::QuadraticAt &p, Complex l, WholeMotion &m, Factors &lu
 
 /// Newton's method, with better vectors at each step.
 /// @param scale    of speed and root, 1/s
+/// @param standing  the speed is the eigenvalue
 /// @param correct  moves the speed or the root of a motion by the forms of its vectors, and says
 ///                 how far, relative; not finite: it goes nowhere
 template <class Correct>
 std::optional<WholeMotion> corrected(const modes::FormMatrices &whole, WholeMotion m, double scale,
-                                     const Correct &correct) {
+                                     bool standing, const Correct &correct) {
     constexpr int most_steps = 25;
     Settled settled;
     Factors factors;
     modes::QuadraticAt problem = whole.at(m.speed);
     for (int step = 0; step < most_steps; ++step) {
         // At an eigenvalue itself the factorisation can fail: a little beside it does as well.
-        if (!iterate(problem, m.value, m, factors) &&
-            !iterate(problem, m.value + 1e-10 * scale, m, factors))
+        if (!iterate(problem, m.value, standing, m, factors) &&
+            !iterate(problem, m.value + 1e-10 * scale, standing, m, factors))
             return std::nullopt;
         const Forms f = forms(problem, m.value, m);
         const double speed = m.speed;
@@ -136,7 +140,7 @@ std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole, const W
     WholeMotion start = guess;
     start.value = {0, standing ? 0 : guess.value.imag()};
     const double scale = std::max(std::abs(guess.speed), std::abs(start.value));
-    return corrected(whole, start, scale, [&](const Forms &f, WholeMotion &m) {
+    return corrected(whole, start, scale, standing, [&](const Forms &f, WholeMotion &m) {
         const Complex of_w = Complex(0, 1) * f.by_root;
         double change = 0;
         double change_w = 0;
@@ -158,7 +162,7 @@ std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole, const W
 std::optional<WholeMotion> at_its_speed(const modes::FormMatrices &whole,
                                         const WholeMotion &guess) {
     const double scale = std::max(std::abs(guess.speed), std::abs(guess.value));
-    return corrected(whole, guess, scale, [&](const Forms &f, WholeMotion &m) {
+    return corrected(whole, guess, scale, false, [&](const Forms &f, WholeMotion &m) {
         Complex change = -f.value / f.by_root;
         if (guess.value.imag() == 0) // of a real root both vectors are real but for rounding
             change = change.real();

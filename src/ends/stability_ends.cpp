@@ -43,6 +43,7 @@ struct Found {
     WholeMotion motion;
     EndKind kind = EndKind::pair;
     int gain = 0;
+    double place = 0; ///< the same change of the reduced rotor, whose motions are counted, rad/s
 };
 
 class EndSearch {
@@ -161,11 +162,11 @@ class EndSearch {
         const int single = change.gain > 0 ? 1 : -1;
         if (confirmed && (standing || exact->rate.real() * single > 0)) {
             _found.push_back({*exact, standing ? EndKind::zero : EndKind::pair,
-                              standing ? change.gain : 2 * single});
+                              standing ? change.gain : 2 * single, change.speed});
         } else if (!change.smooth && change.from != change.to &&
                    change.to - change.from < 1e-9 * std::abs(change.speed)) {
             guess.value = {0, std::abs(change.value.imag())};
-            _found.push_back({guess, EndKind::collision, change.gain});
+            _found.push_back({guess, EndKind::collision, change.gain, change.speed});
         } else if (change.smooth) {
             _out.doubtful.push_back({change.from, change.to});
         }
@@ -213,12 +214,11 @@ class EndSearch {
         std::vector<int> out(found.size() + 1, none);
         std::size_t passed = 0;
         const auto apart = [&](std::size_t k, double speed) {
-            return k >= found.size() ||
-                   std::abs(found[k].motion.speed - speed) > 1e-9 * std::abs(speed);
+            return k >= found.size() || std::abs(found[k].place - speed) > 1e-9 * std::abs(speed);
         };
         std::vector<std::pair<std::size_t, std::pair<double, Count>>> seen;
         for (const auto &[speed, count] : _counts) {
-            while (passed < found.size() && found[passed].motion.speed <= speed)
+            while (passed < found.size() && found[passed].place <= speed)
                 ++passed;
             if (!apart(passed, speed) || (passed > 0 && !apart(passed - 1, speed)))
                 continue;

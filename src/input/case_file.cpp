@@ -1,5 +1,6 @@
 #include "input/case_file.h"
 
+#include "balancers/held.h"
 #include "input/overrides.h"
 #include "input/sections.h"
 #include "input/toml_text.h"
@@ -108,6 +109,7 @@ model::Case load_case(const fs::path &folder_or_file, const std::vector<std::str
     context.problems.throw_if_any();
     scene.remarks = std::move(context.remarks);
     add_remarks(scene, tree);
+    balancers::hold(scene);
     return scene;
 }
 

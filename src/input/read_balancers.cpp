@@ -188,6 +188,7 @@ void read_balancers(CheckedTable &root, model::Rotor &rotor) {
             balancer.imbalance_radius =
                 table.optional_number("imbalance_radius", Quantity::length, Range::positive());
             balancer.tilt_inertia = table.flag_or("tilt_inertia", true);
+            balancer.held = table.flag_or("held", false);
         });
 }
 

@@ -79,9 +79,10 @@ void check_modal_damping(const model::Rotor &rotor, const Check &check) {
     else if (coupled)
         check.fail(path, "expected bearings that do not couple x and y, whose modes at rest are "
                          "those of one plane, got one that does");
-    if (rotor.shaft.asymmetric() || !rotor.anisotropies.empty())
-        check.fail(path, "expected an axisymmetric rotor, got [[anisotropy]] or an asymmetric "
-                         "segment: its modes at rest turn with it");
+    const bool held = std::ranges::any_of(rotor.balancers, &model::Balancer::held);
+    if (rotor.shaft.asymmetric() || !rotor.anisotropies.empty() || held)
+        check.fail(path, "expected an axisymmetric rotor, got [[anisotropy]], an asymmetric "
+                         "segment or a balancer with held = true: its modes at rest turn with it");
 }
 
 } // namespace
@@ -112,7 +113,7 @@ void validate(model::Case &scene, const Check &check) {
         check_disc(rotor.discs[i], fmt::format("disc[{}]", i), check);
     check_modal_damping(rotor, check);
     check_anisotropies(rotor, check);
-    check_ball_positions(rotor, check);
+    check_ball_positions(scene, check);
     check_ball_angles(scene, scene.simulate.ball_angles, "simulate.ball_angles", check);
     for (std::size_t i = 0; i < scene.simulate.other_starts.size(); ++i) {
         const std::string path = fmt::format("simulate.other_starts[{}]", i);

@@ -25,8 +25,9 @@ struct Check {
 void check_anisotropies(const model::Rotor &rotor, const Check &check);
 
 /// Given ball angles balance the imbalance: |sum exp(i a_j)/n + m0 R0/(n m R)| <= 1e-6; one ball
-/// has a capacity E of 1. A capacity below 1 is no mistake here: the balls still move.
-void check_ball_positions(const model::Rotor &rotor, const Check &check);
+/// has a capacity E of 1. A capacity below 1 is no mistake here: the balls still move. Those that
+/// are held have one place, on balance or off it.
+void check_ball_positions(const model::Case &scene, const Check &check);
 
 /// Checks of the whole scene: every z on the shaft, discs that a rigid body can be
 /// (Ip <= 2 Id, mass where there is inertia), initial angles that fit the balancers. A z beyond an

@@ -108,10 +108,42 @@ void check_anisotropies(const model::Rotor &rotor, const Check &check) {
         check_place(place, Ip, check);
 }
 
-void check_ball_positions(const model::Rotor &rotor, const Check &check) {
+namespace {
+
+/// Parts that are held stand where the case puts them, once, on balance or off it.
+void check_held(const model::Case &scene, std::size_t index, const Check &check) {
+    const model::Balancer &balancer = scene.rotor.balancers[index];
+    const auto kind = balancers::kind_of(balancer);
+    const std::string path = fmt::format("balancer[{}]", index);
+    const auto &starts = scene.simulate.ball_angles;
+    const std::vector<double> *start = index < starts.size() ? &starts[index] : nullptr;
+    const std::size_t masses = kind->circled().size();
+    const bool placed = balancer.position.size() == masses && masses > 0;
+    if (start && placed && *start != balancer.position)
+        check.fail(path + ".position",
+                   fmt::format("expected one place of {} that are held, got another one in "
+                               "simulate.ball_angles[{}]; leave one of them out",
+                               kind->parts(), index));
+    if (start || placed || !(kind->reach().imbalance > 0) || masses == 0 ||
+        balancers::balance_exists(kind->circled(), balancer.imbalance))
+        return;
+    check.fail(path + ".held",
+               fmt::format("expected the place of {} that cannot balance (capacity E = {} = "
+                           "{:.6g}), position or simulate.ball_angles, got neither",
+                           kind->parts(), kind->reach().formula, balancers::capacity(balancer)));
+}
+
+} // namespace
+
+void check_ball_positions(const model::Case &scene, const Check &check) {
+    const model::Rotor &rotor = scene.rotor;
     constexpr double tolerance = 1e-6; // angles as printed with six or seven digits
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
         const model::Balancer &balancer = rotor.balancers[i];
+        if (balancer.held) {
+            check_held(scene, i, check);
+            continue;
+        }
         const auto kind = balancers::kind_of(balancer);
         const std::vector<balancers::CircledMass> masses = kind->circled();
         if (masses.empty())

@@ -67,6 +67,9 @@ struct Balancer {
                               ///< models that leave their moments of inertia out
     /// Angles of the balls (row after row) or ring centres in the rotor, rad; empty: chosen.
     std::vector<double> position;
+    /// Its parts are to be fixed in the rotor. balancers::hold, with which a case is loaded, takes
+    /// such balancers out of Rotor::balancers; all that are left there are free.
+    bool held = false;
 };
 
 } // namespace whirl::model

@@ -1,5 +1,7 @@
 #include "model/rotor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace whirl::model {
@@ -64,6 +66,35 @@ bool Rotor::damped() const {
 
 bool Rotor::bearings_depend_on_speed() const {
     return std::ranges::any_of(bearings, &Bearing::depends_on_speed);
+}
+
+std::string Rotor::balancer_path(std::size_t index) const {
+    for (const HeldBalancer &other : held) // in the order of the case file
+        if (other.index <= index)
+            ++index;
+    return fmt::format("balancer[{}]", index);
+}
+
+Rotor Rotor::with_held_among_balancers() const {
+    Rotor out = *this;
+    for (const HeldBalancer &one : held) { // all that come before it are there already
+        out.balancers.insert(out.balancers.begin() + static_cast<std::ptrdiff_t>(one.index),
+                             one.balancer);
+        out.discs.pop_back();
+        if (one.anisotropic)
+            out.anisotropies.pop_back();
+        if (one.unbalanced)
+            out.imbalances.pop_back();
+    }
+    out.held.clear();
+    return out;
+}
+
+std::vector<CorrectionPlane> Rotor::balancer_planes() const {
+    std::vector<CorrectionPlane> planes;
+    for (const Balancer &balancer : with_held_among_balancers().balancers)
+        planes.push_back({balancer.name, balancer.z});
+    return planes;
 }
 
 std::vector<double> Rotor::table_bends() const {

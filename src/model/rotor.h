@@ -6,10 +6,22 @@
 #include "model/shaft.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace whirl::model {
+
+/// A balancer whose parts are fixed in the rotor. What they are to it is among the discs,
+/// anisotropies and imbalances of the rotor, behind all others (balancers/held.h).
+struct HeldBalancer {
+    Balancer balancer;
+    std::size_t index = 0;      ///< among the balancers of the case file
+    std::vector<double> angles; ///< of balls and ring centres in the rotor, of tied pendulums φ, ψ
+    bool anisotropic = false;   ///< one of the anisotropies is that of the parts
+    bool unbalanced = false;    ///< one of the imbalances is what they leave of the balance
+};
 
 /// Everything physical in a scene. z runs along the shaft from 0 to shaft.length().
 struct Rotor {
@@ -17,7 +29,8 @@ struct Rotor {
     std::vector<Disc> discs;
     std::vector<Bearing> bearings; ///< seals behind all others
     std::vector<Anisotropy> anisotropies;
-    std::vector<Balancer> balancers;
+    std::vector<Balancer> balancers; ///< whose parts are free to move
+    std::vector<HeldBalancer> held;
     std::vector<CorrectionPlane> planes;
     std::vector<Imbalance> imbalances;
     std::vector<Probe> probes;
@@ -46,6 +59,12 @@ struct Rotor {
     [[nodiscard]] bool bearings_depend_on_speed() const;
     /// Speeds at which some bearing's coefficients bend (Bearing::bends), rad/s, ascending.
     [[nodiscard]] std::vector<double> table_bends() const;
+    /// Where a free balancer stands in the case file, for messages: "balancer[0]".
+    [[nodiscard]] std::string balancer_path(std::size_t index) const;
+    /// The planes of all balancers, free and held, in the order of the case file.
+    [[nodiscard]] std::vector<CorrectionPlane> balancer_planes() const;
+    /// As the case file has it: held balancers among the others, without what stands for them.
+    [[nodiscard]] Rotor with_held_among_balancers() const;
     /// Something turns with the rotor and is not axisymmetric.
     [[nodiscard]] bool rotating_anisotropy() const {
         return !anisotropies.empty() || !balancers.empty() || shaft.asymmetric();

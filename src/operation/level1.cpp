@@ -6,6 +6,7 @@
 #include "model/errors.h"
 #include "modes/spectrum.h"
 #include "results/damping.h"
+#include "results/sentence.h"
 
 #include <fmt/format.h>
 
@@ -285,7 +286,7 @@ std::vector<modes::WhirlMode> growing(const CoupledRotor &rotor, double q) {
 }
 
 void note_no_threshold(const CoupledRotor &rotor, double scale, bool grows, bool creeps,
-                       std::vector<std::string> &notes) {
+                       std::vector<results::Sentence> &notes) {
     for (double q = 1e-3 * scale; !grows && q < 200 * scale; q *= 10)
         if (!growing(rotor, q).empty()) {
             notes.push_back(
@@ -308,7 +309,8 @@ void note_no_threshold(const CoupledRotor &rotor, double scale, bool grows, bool
 }
 
 /// Another motion that grows already with the coupling at which the one followed begins to.
-void note_others(const CoupledRotor &rotor, const State &root, std::vector<std::string> &notes) {
+void note_others(const CoupledRotor &rotor, const State &root,
+                 std::vector<results::Sentence> &notes) {
     for (const modes::WhirlMode &mode : growing(rotor, root.q))
         notes.push_back(fmt::format("level1: another motion, of frequency {:.6g} rad/s, grows "
                                     "already with the critical cross coupling of the first one",
@@ -318,7 +320,7 @@ void note_others(const CoupledRotor &rotor, const State &root, std::vector<std::
 } // namespace
 
 results::Level1 level1(const model::Case &asked, results::Form without, int order,
-                       std::vector<std::string> &notes) {
+                       std::vector<results::Sentence> &notes) {
     require_axisymmetric(asked.rotor);
     const results::Form form = form_with_coupling(without);
     const model::Level1Settings &settings = *asked.level1;

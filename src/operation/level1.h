@@ -3,6 +3,7 @@
 #include "model/case.h"
 #include "results/formulation.h"
 #include "results/level1.h"
+#include "results/sentence.h"
 
 #include <string>
 #include <vector>
@@ -23,6 +24,6 @@ namespace whirl::operation {
 /// @throws model::BadInput for rotors that are not axisymmetric; model::AnalysisFailure where
 ///         eigenvalues are not found.
 [[nodiscard]] results::Level1 level1(const model::Case &scene, results::Form form, int order,
-                                     std::vector<std::string> &notes);
+                                     std::vector<results::Sentence> &notes);
 
 } // namespace whirl::operation

@@ -219,7 +219,7 @@ void note_unlisted(const model::Operation &operation,
                    const std::vector<CriticalSpeed> &critical_speeds,
                    const std::vector<ResponsePeak> &peaks,
                    const std::vector<SeparationMargin> &margins, bool backward_too,
-                   std::vector<std::string> &notes) {
+                   std::vector<results::Sentence> &notes) {
     for (const CriticalSpeed &critical : critical_speeds) {
         const bool backward = critical.whirl == Whirl::backward;
         if (critical.speed <= 0 || critical.speed > highest_relevant_speed(operation) ||
@@ -242,7 +242,8 @@ void note_unlisted(const model::Operation &operation,
 
 /// Names the probes whose peak at a critical speed with AF >= 2.5 has no factor of its own.
 void note_without_factor(const std::vector<CriticalSpeed> &critical_speeds,
-                         const std::vector<ResponsePeak> &peaks, std::vector<std::string> &notes) {
+                         const std::vector<ResponsePeak> &peaks,
+                         std::vector<results::Sentence> &notes) {
     for (const ResponsePeak *peak : judged(peaks))
         if (peak->of == "probe" && !has_factor(*peak) &&
             std::ranges::any_of(critical_speeds, [&](const auto &critical) {
@@ -260,7 +261,7 @@ void note_without_factor(const std::vector<CriticalSpeed> &critical_speeds,
 /// Says so where the damping of critical speeds is not known (asymmetric damped rotors): margins
 /// are then those of the peaks of the response alone.
 void note_unknown_damping(const std::vector<CriticalSpeed> &critical_speeds,
-                          std::vector<std::string> &notes) {
+                          std::vector<results::Sentence> &notes) {
     if (std::ranges::any_of(critical_speeds, [](const CriticalSpeed &critical) {
             return !critical.damping.known();
         }))
@@ -274,7 +275,7 @@ std::vector<SeparationMargin> separation_margins(const model::Operation &operati
                                                  const std::vector<CriticalSpeed> &critical_speeds,
                                                  const std::vector<ResponsePeak> &peaks,
                                                  bool backward_too,
-                                                 std::vector<std::string> &notes) {
+                                                 std::vector<results::Sentence> &notes) {
     constexpr double one = 1e-9; // the same motion in two directions counts once
     std::vector<Resonance> excited;
     for (const CriticalSpeed &critical : critical_speeds)

@@ -4,6 +4,7 @@
 #include "results/critical.h"
 #include "results/margins.h"
 #include "results/response.h"
+#include "results/sentence.h"
 
 #include <optional>
 #include <string>
@@ -39,7 +40,7 @@ namespace whirl::operation {
 separation_margins(const model::Operation &operation,
                    const std::vector<results::CriticalSpeed> &critical_speeds,
                    const std::vector<results::ResponsePeak> &peaks, bool backward_too,
-                   std::vector<std::string> &notes);
+                   std::vector<results::Sentence> &notes);
 
 /// Speed up to which critical speeds matter: above it every margin is enough, rad/s.
 [[nodiscard]] double highest_relevant_speed(const model::Operation &operation);

@@ -34,22 +34,22 @@ const Columns<AccuracyRow> accuracy_columns{
     {"true_error", InCsv("true_error"), OnPage("True error", "{:.3g}"), InText("true error", rough),
      &AccuracyRow::true_error}};
 
-Json json_of(const AccuracyResult &result) {
+Json json_of(const AccuracyResult &result, const Units &) {
     return {{"reference", result.reference},
             {"speed", result.speed},
             {"reference_frequencies", result.reference_frequencies},
             {"rows", json_rows(accuracy_columns, result.rows)}};
 }
 
-std::string csv_of(const AccuracyResult &result) {
+std::string csv_of(const AccuracyResult &result, const Units &) {
     return csv_table(accuracy_columns, result.rows);
 }
 
-std::vector<Section> sections_of(const AccuracyResult &result) {
+std::vector<Section> sections_of(const AccuracyResult &result, const Units &) {
     return {{"Error against " + result.reference, page_table(accuracy_columns, result.rows)}};
 }
 
-std::string text_of(const model::Case &scene, const AccuracyResult &result) {
+std::string text_of(const model::Case &scene, const AccuracyResult &result, const Units &) {
     return heading(scene, fmt::format("Speed and error at {:.6g} rpm, against {}",
                                       result.speed * rpm, result.reference)) +
            text_table(accuracy_columns, result.rows) + model_text(result.model);
@@ -98,7 +98,7 @@ std::string plots(const Families &families, const auto &x, bool legend) {
 
 /// True error over wall time and over unknowns, logarithmic, one line for each element family and
 /// order.
-Figure accuracy_figure(const model::Case &scene, const AccuracyResult &result) {
+Figure accuracy_figure(const model::Case &scene, const AccuracyResult &result, const Units &) {
     const Families families = families_of(result);
     return figure_of(1180, 600, "Speed and accuracy: " + title_of(scene),
                      "largest relative error of the frequencies against " + result.reference,

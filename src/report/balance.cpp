@@ -154,7 +154,7 @@ void add_pendulum_lines(std::vector<CsvLine> &lines, const BalanceResult &result
     }
 }
 
-std::string csv_of(const BalanceResult &result) {
+std::string csv_of(const BalanceResult &result, const Units &) {
     std::vector<CsvLine> lines;
     const std::vector<Planes> planes = all_planes(result);
     for (const Planes &plane : planes)
@@ -263,46 +263,48 @@ std::string placement_text(const results::Placement &map) {
     return text;
 }
 
-Json json_of(const BalanceResult &result) {
+Json json_of(const BalanceResult &result, const Units &units) {
     Json joint = bands_json(result.joint.bands);
     joint["rank"] = result.joint.rank;
     joint["signature"] = json_rows(signature_columns, result.joint.signature);
-    Json json{{"findings", result.findings},
-              {"speeds", result.speeds},
-              {"critical_speeds", result.critical_speeds},
-              {"sharp", result.sharp},
-              {"planes", json_list(result.planes,
-                                   [](const BalancePlane &plane) {
-                                       Json entry{{"name", plane.name}, {"z", plane.z}};
-                                       take_entries(entry, bands_json(plane.bands));
-                                       entry["criterion"] = plane.criterion;
-                                       return entry;
-                                   })},
-              {"joint", joint},
-              {"rigid", result.rigid ? rigid_json(*result.rigid) : Json()},
-              {"simulated", json_rows(simulated_columns, result.simulated)},
-              {"balanced_position",
-               result.balanced_position ? position_json(*result.balanced_position) : Json()},
-              {"pendulum", json_list(result.pendulum, pendulum_json)}};
+    Json json{
+        {"findings",
+         json_list(result.findings, [&units](const auto &finding) { return units.text(finding); })},
+        {"speeds", result.speeds},
+        {"critical_speeds", result.critical_speeds},
+        {"sharp", result.sharp},
+        {"planes", json_list(result.planes,
+                             [](const BalancePlane &plane) {
+                                 Json entry{{"name", plane.name}, {"z", plane.z}};
+                                 take_entries(entry, bands_json(plane.bands));
+                                 entry["criterion"] = plane.criterion;
+                                 return entry;
+                             })},
+        {"joint", joint},
+        {"rigid", result.rigid ? rigid_json(*result.rigid) : Json()},
+        {"simulated", json_rows(simulated_columns, result.simulated)},
+        {"balanced_position",
+         result.balanced_position ? position_json(*result.balanced_position) : Json()},
+        {"pendulum", json_list(result.pendulum, pendulum_json)}};
     if (result.placement)
         json["placement"] = placement_json(*result.placement);
     return json;
 }
 
-std::string findings_html(const std::vector<std::string> &findings) {
+std::string findings_html(const std::vector<model::Sentence> &findings, const Units &units) {
     std::string html = findings.empty() ? "<p>Nothing beyond the bands.</p>\n" : "";
-    for (const std::string &finding : findings)
-        html += kept_as_written(element("p", note_in_written_units(finding)));
+    for (const model::Sentence &finding : findings)
+        html += kept_as_written(element("p", units.text(finding)));
     return html;
 }
 
-std::vector<Section> sections_of(const BalanceResult &result) {
+std::vector<Section> sections_of(const BalanceResult &result, const Units &units) {
     std::vector<End> ends;
     for (const Planes &of : planes_and_joint(result))
         for (const End &end : ends_of(of.on_page, *of.of))
             ends.push_back(end);
     std::vector<Section> sections{
-        {"What it says", findings_html(result.findings)},
+        {"What it says", findings_html(result.findings, units)},
         {fmt::format("Bands of spin speed ({})", unit_name("speed", "rad/s")),
          page_table(band_columns, planes_and_joint(result))}};
     if (!ends.empty())
@@ -336,16 +338,16 @@ std::string table_of_bands(const BalanceResult &result) {
     return text_table(table);
 }
 
-std::string text_of(const model::Case &scene, const BalanceResult &result) {
+std::string text_of(const model::Case &scene, const BalanceResult &result, const Units &units) {
     std::string text =
         heading(scene, "Auto-balancing, " + range_text(result.speeds)) + table_of_bands(result);
     for (const SimulatedSpeed &run : result.simulated)
         text += fmt::format(
             "  motion in time at {:.6g} rpm: {}{}\n", run.speed * rpm, run.outcome,
             run.residual_ratio ? fmt::format(", residual {:.3g}", *run.residual_ratio) : "");
-    for (const std::string &finding : result.findings)
+    for (const model::Sentence &finding : result.findings)
         text += (&finding == &result.findings.front() ? "\n" : "") +
-                kept_as_written(note_in_written_units(finding)) + "\n";
+                kept_as_written(units.text(finding)) + "\n";
     if (result.placement)
         text += placement_text(*result.placement);
     for (const auto &pendulum : result.pendulum)
@@ -353,17 +355,18 @@ std::string text_of(const model::Case &scene, const BalanceResult &result) {
     return text + model_text(result.model);
 }
 
-std::vector<Picture> pictures_of(const model::Case &scene, const BalanceResult &result) {
+std::vector<Picture> pictures_of(const model::Case &scene, const BalanceResult &result,
+                                 const Units &units) {
     std::vector<Picture> pictures;
     if (result.placement)
-        pictures.push_back({"placement", placement_figure(scene, *result.placement), ""});
+        pictures.push_back({"placement", placement_figure(scene, *result.placement, units), {}});
     for (std::size_t i = 0; i < result.pendulum.size(); ++i) {
         const results::PendulumBalance &of = result.pendulum[i];
         const std::string number = i == 0 ? "" : "_" + std::to_string(i + 1);
-        pictures.push_back({"pendulum" + number, pendulum_figure(scene, of), ""});
+        pictures.push_back({"pendulum" + number, pendulum_figure(scene, of, units), {}});
         if (!of.dampings.empty())
             pictures.push_back(
-                {"pendulum_designs" + number, pendulum_designs_figure(scene, of), ""});
+                {"pendulum_designs" + number, pendulum_designs_figure(scene, of, units), {}});
     }
     return pictures;
 }
@@ -374,7 +377,7 @@ Report describe(const model::Case &scene, const BalanceResult &result) {
     Report report =
         report_of<BalanceResult>("balance", "Auto-balancing", scene, result,
                                  {json_of, csv_of, sections_of, text_of, balance_figure});
-    report.pictures = [&] { return pictures_of(scene, result); };
+    report.pictures = [&](const Units &units) { return pictures_of(scene, result, units); };
     report.pictures_heading = "Pictures";
     return report;
 }

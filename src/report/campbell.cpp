@@ -154,7 +154,7 @@ Json mode_json(const CampbellResult &result, const CampbellMode &mode) {
     return json;
 }
 
-Json json_of(const CampbellResult &result) {
+Json json_of(const CampbellResult &result, const Units &) {
     Json json = json_object(5);
     json["speeds"] = result.speeds;
     json["modes"] =
@@ -165,7 +165,7 @@ Json json_of(const CampbellResult &result) {
     return json;
 }
 
-std::string csv_of(const CampbellResult &result) {
+std::string csv_of(const CampbellResult &result, const Units &) {
     const std::vector<std::string> head = csv_head(mode_columns);
     std::string csv = csv_head_line(head);
     for (std::size_t i = 0; i < result.speeds.size(); ++i)
@@ -173,7 +173,7 @@ std::string csv_of(const CampbellResult &result) {
     return csv;
 }
 
-std::vector<Section> sections_of(const CampbellResult &result) {
+std::vector<Section> sections_of(const CampbellResult &result, const Units &) {
     const std::string crossings =
         result.crossings.empty()
             ? "<p>No mode crosses a multiple of the spin speed in this range.</p>\n"
@@ -188,7 +188,7 @@ std::vector<Section> sections_of(const CampbellResult &result) {
     return sections;
 }
 
-std::string text_of(const model::Case &scene, const CampbellResult &result) {
+std::string text_of(const model::Case &scene, const CampbellResult &result, const Units &) {
     std::string text = heading(scene, "Campbell diagram, " + range_text(result.speeds));
     if (result.speeds.empty())
         return text + model_text(result.model);

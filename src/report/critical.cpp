@@ -49,7 +49,7 @@ const Columns<CriticalSpeed> critical_columns = with_error_parts<CriticalSpeed>(
      {"residual", InCsv("residual"), &CriticalSpeed::residual}},
     error_part);
 
-std::string text_of(const model::Case &scene, const CriticalResult &result) {
+std::string text_of(const model::Case &scene, const CriticalResult &result, const Units &) {
     return heading(scene, "Critical speeds") +
            (result.critical_speeds.empty() ? "  none found\n"
                                            : text_table(critical_columns, result.critical_speeds)) +
@@ -123,7 +123,7 @@ std::string speed_labels(const CriticalResult &result, const MarksAxis &axis) {
 }
 
 /// The critical speeds as marks on a speed axis, forward and backward in rows of their own.
-Figure critical_figure(const model::Case &scene, const CriticalResult &result) {
+Figure critical_figure(const model::Case &scene, const CriticalResult &result, const Units &) {
     const MarksAxis axis = axis_of(scene, result);
     const Range &x = axis.x;
     Curves drawn;
@@ -168,16 +168,16 @@ Report describe(const model::Case &scene, const CriticalResult &result) {
         .scene = &scene,
         .model = &result.model,
         .json =
-            [&] {
+            [&](const Units &) {
                 Json json{{"critical_speeds", json_rows(critical_columns, speeds)}};
                 add_margins(json, result.margins);
                 if (result.map)
                     json["map"] = critical_map_json(scene, *result.map);
                 return json;
             },
-        .csv = [&] { return csv_table(critical_columns, speeds); },
+        .csv = [&](const Units &) { return csv_table(critical_columns, speeds); },
         .sections =
-            [&] {
+            [&](const Units &) {
                 std::vector sections{Section{"Table", page_table(critical_columns, speeds)}};
                 if (result.margins)
                     sections.push_back({margins_heading, margins_page(*result.margins)});
@@ -186,10 +186,12 @@ Report describe(const model::Case &scene, const CriticalResult &result) {
                         sections.push_back(std::move(section));
                 return sections;
             },
-        .text = [&] { return text_of(scene, result); },
-        .figure = [&] { return critical_figure(scene, result); }};
+        .text = [&](const Units &units) { return text_of(scene, result, units); },
+        .figure = [&](const Units &units) { return critical_figure(scene, result, units); }};
     if (result.map) {
-        report.pictures = [&] { return std::vector{critical_map_picture(scene, *result.map)}; };
+        report.pictures = [&](const Units &units) {
+            return std::vector{critical_map_picture(scene, *result.map, units)};
+        };
         report.pictures_heading = "Critical speed map";
         report.pictures_after = result.margins ? 2 : 1;
     }

@@ -87,7 +87,7 @@ const Columns<MapLine> map_line_columns{{InCsv("kind"), &MapLine::kind},
                                         {InCsv("z [m]"), &MapLine::z},
                                         {InCsv("deflection"), &MapLine::deflection}};
 
-std::string csv_of(const model::Case &scene, const CriticalMap &map) {
+std::string csv_of(const model::Case &scene, const CriticalMap &map, const Units &) {
     std::vector<MapLine> lines;
     for (const CriticalMapCurve &curve : map.curves)
         for (std::size_t i = 0; i < map.stiffness.size(); ++i)
@@ -176,8 +176,9 @@ std::string critical_map_text(const model::Case &scene, const CriticalMap &map) 
                               : text_table(map_crossing_columns, crossings));
 }
 
-Picture critical_map_picture(const model::Case &scene, const CriticalMap &map) {
-    return {"critical_map", critical_map_figure(scene, map), csv_of(scene, map)};
+Picture critical_map_picture(const model::Case &scene, const CriticalMap &map, const Units &units) {
+    return {"critical_map", critical_map_figure(scene, map, units),
+            [&scene, &map](const Units &files) { return csv_of(scene, map, files); }};
 }
 
 } // namespace whirl::report

@@ -19,7 +19,7 @@ namespace whirl::report {
                                             const results::CriticalMap &map);
 /// The map with its CSV: rows of kind "curve", "bearing", "crossing" and "shape".
 [[nodiscard]] Picture critical_map_picture(const model::Case &scene,
-                                           const results::CriticalMap &map);
+                                           const results::CriticalMap &map, const Units &units);
 
 /// "left, right (z = 1.5 m)": the bearings whose stiffness is laid across a map.
 [[nodiscard]] std::string bearings_text(const model::Case &scene,

@@ -117,7 +117,7 @@ const Columns<Deflection> deflection_columns{
     {InCsv("y_real"), [](const auto &at) { return at.y.real(); }},
     {InCsv("y_imag"), [](const auto &at) { return at.y.imag(); }}};
 
-std::string csv_of(const ModesResult &result) {
+std::string csv_of(const ModesResult &result, const Units &) {
     std::vector<Deflection> rows;
     for (const std::vector<ModeShape> *list : {&result.modes, &result.critical})
         for (const ModeShape &mode : *list)
@@ -131,7 +131,7 @@ std::string after_a_line(const Texts &table) {
     return table.empty() ? "" : "\n" + text_table(table);
 }
 
-std::string text_of(const model::Case &scene, const ModesResult &result) {
+std::string text_of(const model::Case &scene, const ModesResult &result, const Units &) {
     return heading(scene, fmt::format("Mode shapes at {:.6g} rpm", result.speed * rpm)) +
            text_table(shape_columns, result.modes) +
            after_a_line(dissipation_texts(result.modes, "-")) +
@@ -189,7 +189,7 @@ std::string drawn_modes(const ModesResult &result) {
     return text + "];\n";
 }
 
-std::vector<Section> sections_of(const ModesResult &result) {
+std::vector<Section> sections_of(const ModesResult &result, const Units &) {
     std::vector<Section> sections{{"Shapes in space", "<div id=\"space\"></div>\n"},
                                   {fmt::format("Modes at {:.6g} rpm", result.speed * rpm),
                                    page_table(shape_columns, result.modes)}};
@@ -213,17 +213,18 @@ Report describe(const model::Case &scene, const ModesResult &result) {
             .scene = &scene,
             .model = &result.model,
             .json =
-                [&] {
+                [&](const Units &) {
                     return Json{{"speed", result.speed},
                                 {"z", result.z},
                                 {"modes", json_rows(shape_columns, result.modes)},
                                 {"critical_modes", json_rows(shape_columns, result.critical)}};
                 },
-            .csv = [&] { return csv_of(result); },
-            .sections = [&] { return sections_of(result); },
-            .text = [&] { return text_of(scene, result); },
-            .figure = [&] { return modes_figure(scene, result); },
-            .script_data = [&] { return drawn_rotor(scene.rotor) + drawn_modes(result); },
+            .csv = [&](const Units &units) { return csv_of(result, units); },
+            .sections = [&](const Units &units) { return sections_of(result, units); },
+            .text = [&](const Units &units) { return text_of(scene, result, units); },
+            .figure = [&](const Units &units) { return modes_figure(scene, result, units); },
+            .script_data =
+                [&](const Units &) { return drawn_rotor(scene.rotor) + drawn_modes(result); },
             .vtp = [&] { return to_vtp(scene, result); }};
 }
 

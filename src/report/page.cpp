@@ -63,7 +63,7 @@ std::string escaped_attribute(const std::string &text) {
 
 /// @param pictures  in the units that were asked for
 std::string sections_of(const Report &report, const std::string &pictures) {
-    std::vector<Section> sections = report.sections();
+    std::vector<Section> sections = report.sections(Units::of_readers(report.scene->units));
     if (!pictures.empty())
         sections.insert(sections.begin() + static_cast<std::ptrdiff_t>(report.pictures_after),
                         {report.pictures_heading, kept_as_written(pictures)});
@@ -93,8 +93,9 @@ std::string to_html(const Report &report, const std::string &still, const std::s
     const std::string script = embedded(report.command + ".js");
     const bool moves = !plotly_bundle().empty() && !script.empty();
     std::string notes;
-    for (const std::string &note : report.model->notes)
-        notes += element("p", note_in_written_units(note), "note");
+    const Units readers = Units::of_readers(report.scene->units);
+    for (const model::Sentence &note : report.model->notes)
+        notes += element("p", readers.text(note), "note");
     const std::string title = title_of(*report.scene);
     std::string plot =
         moves ? fmt::format("<figure aria-label=\"{}; the numbers are in the tables below\">"
@@ -106,7 +107,7 @@ std::string to_html(const Report &report, const std::string &still, const std::s
             element("p", "This build has no Plotly, so the diagram is a still picture.", "note");
     std::string scripts;
     const std::string of_space = embedded(report.command + "_space.js"); // which needs no library
-    const std::string data = report.script_data ? report.script_data() : "";
+    const std::string data = report.script_data ? report.script_data(readers) : "";
     if (moves)
         scripts = script_element(plotly_bundle());
     if (moves || !of_space.empty()) // in a function of its own: names such as `top` belong to the
@@ -116,28 +117,28 @@ std::string to_html(const Report &report, const std::string &still, const std::s
                                                         data + of_space + (moves ? script : "")) +
                            "})();\n");
     const bool is_drawing = static_cast<bool>(report.drawing); // the rotor itself
-    return with_contents(
-        filled(embedded("page.html"),
-               {{"heading", escaped(report.heading)},
-                {"title", escaped(title)},
-                {"case", escaped(report.scene->name)},
-                {"command", report.command},
-                {"version", program_version()},
-                {"style", embedded("page.css")},
-                {"notes", notes},
-                {"rotor", is_drawing ? ""
-                                     : element("h2", "Rotor") +
-                                           picture_element(to_svg(scene_drawing(*report.scene)),
-                                                           "Side view of the rotor: " + title)},
-                {"files", file_links(files)},
-                {"page_script", embedded("page.js")},
-                {"plot", plot},
-                {"sections", sections_of(report, pictures)},
-                {"model", formulation(*report.model)},
-                {"date", report.provenance.date},
-                {"case_text", escaped_lines(report.provenance.case_text)},
-                {"json", json_for_script(to_si_json(report))},
-                {"scripts", scripts}}));
+    return with_contents(filled(
+        embedded("page.html"),
+        {{"heading", escaped(report.heading)},
+         {"title", escaped(title)},
+         {"case", escaped(report.scene->name)},
+         {"command", report.command},
+         {"version", program_version()},
+         {"style", embedded("page.css")},
+         {"notes", notes},
+         {"rotor", is_drawing ? ""
+                              : element("h2", "Rotor") +
+                                    picture_element(to_svg(scene_drawing(*report.scene, readers)),
+                                                    "Side view of the rotor: " + title)},
+         {"files", file_links(files)},
+         {"page_script", embedded("page.js")},
+         {"plot", plot},
+         {"sections", sections_of(report, pictures)},
+         {"model", formulation(*report.model)},
+         {"date", report.provenance.date},
+         {"case_text", escaped_lines(report.provenance.case_text)},
+         {"json", json_for_script(to_si_json(report))},
+         {"scripts", scripts}}));
 }
 
 } // namespace whirl::report

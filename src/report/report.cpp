@@ -15,15 +15,17 @@ namespace {
 /// while this one writes the other files.
 class Writer {
   public:
-    Writer(const Report &report, const fs::path &folder) : _report(report), _files(folder) {}
+    Writer(const Report &report, const fs::path &folder)
+        : _report(report), _readers(Units::of_readers(report.scene->units)),
+          _in_files(Units::of_files(report.scene->units)), _files(folder) {}
 
     Files write() {
         start_main();
         if (_report.pictures)
-            for (const Picture &picture : _report.pictures())
+            for (const Picture &picture : _report.pictures(_readers))
                 start_further(picture);
         add(_report.command + ".json", to_json(_report));
-        add(_report.command + ".csv", _report.csv());
+        add(_report.command + ".csv", _report.csv(_in_files));
         if (_report.vtp)
             add(_report.command + ".vtp", _report.vtp());
         write_page();
@@ -52,7 +54,8 @@ class Writer {
     /// Both files of a picture, in the units that were asked for. The PNG takes longest, so it
     /// starts first; the SVG is announced first. @returns the latter, or nothing without gnuplot
     fs::path start_both(Figure figure, const std::string &name) {
-        figure.script = script_in_written_units(figure.script);
+        if (!figure.in_units)
+            figure.script = script_in_written_units(figure.script);
         const fs::path svg = _files.reserve(name + ".svg");
         if (!start_png(figure, name)) {
             _files.drop(name + ".svg");
@@ -66,7 +69,7 @@ class Writer {
     void start_main() {
         const std::string name = _report.command;
         if (_report.drawing) {
-            const Drawing drawing = _report.drawing();
+            const Drawing drawing = _report.drawing(_readers);
             _still = to_svg(drawing);
             add(name + ".svg", _still);
             _still = picture_element(_still, _report.heading + ": " + title_of(*_report.scene));
@@ -74,7 +77,7 @@ class Writer {
                 _written.notes.emplace_back("gnuplot is not installed: no PNG picture");
             return;
         }
-        _svg = start_both(_report.figure(), name);
+        _svg = start_both(_report.figure(_readers), name);
         if (_svg.empty())
             _written.notes.emplace_back("gnuplot is not installed: no SVG and PNG pictures");
     }
@@ -82,8 +85,8 @@ class Writer {
     void start_further(const Picture &picture) {
         if (const fs::path svg = start_both(picture.figure, picture.name); !svg.empty())
             _further.push_back(svg);
-        if (!picture.csv.empty())
-            add(picture.name + ".csv", picture.csv);
+        if (picture.csv)
+            add(picture.name + ".csv", picture.csv(_in_files));
     }
 
     void write_page() {
@@ -101,6 +104,7 @@ class Writer {
     }
 
     const Report &_report;
+    Units _readers, _in_files;
     OutputFiles _files;
     PlotJobs _jobs;
     Files _written;

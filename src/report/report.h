@@ -3,6 +3,7 @@
 #include "model/case.h"
 #include "report/common/drawing.h"
 #include "report/common/gnuplot.h"
+#include "report/common/units.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -28,7 +29,8 @@ struct Section {
 struct Picture {
     std::string name; ///< of its files, without ending
     Figure figure;
-    std::string csv; ///< its curves as a table; empty: no such file
+    /// Its curves as a table; none: no such file.
+    std::function<std::string(const Units &)> csv{};
 };
 
 /// What a result was computed from and when; the program's version joins them.
@@ -37,35 +39,38 @@ struct Provenance {
     std::string case_text{}; ///< the case file as it was used, TOML
 };
 
-/// A result for all its readers. What is written comes from functions, so that it costs nothing
-/// where nobody asks for it; they look at the case and the result, which must outlive the report.
+/// A result for all its readers. What is written comes from functions of the units in which it is,
+/// so that it costs nothing where nobody asks for it; they look at the case and the result, which
+/// must outlive the report.
 struct Report {
     std::string command{}; ///< "campbell", ...: name of the files
     std::string heading{}; ///< of the page
     const model::Case *scene = nullptr;
     const results::ModelSummary *model = nullptr;
-    Provenance provenance{};                        ///< from whoever ran the analysis
-    std::function<nlohmann::ordered_json()> json{}; ///< keys beside those of every result
-    std::function<std::string()> csv{};
-    std::function<std::vector<Section>()> sections{}; ///< below the diagram of the page
-    std::function<std::string()> text{};              ///< for the terminal
-    std::function<Figure()> figure{};                 ///< the main picture
+    Provenance provenance{}; ///< from whoever ran the analysis
+    std::function<nlohmann::ordered_json(const Units &)>
+        json{}; ///< keys beside those of every result
+    std::function<std::string(const Units &)> csv{};
+    std::function<std::vector<Section>(const Units &)>
+        sections{};                                   ///< below the diagram of the page
+    std::function<std::string(const Units &)> text{}; ///< for the terminal
+    std::function<Figure(const Units &)> figure{};    ///< the main picture
     // What some commands have:
-    std::function<Drawing()> drawing{}; ///< in place of the figure
-    std::function<std::vector<Picture>()> pictures{};
+    std::function<Drawing(const Units &)> drawing{}; ///< in place of the figure
+    std::function<std::vector<Picture>(const Units &)> pictures{};
     std::string pictures_heading{}; ///< of their section of the page, after as many others as
     std::size_t pictures_after = 0; ///< this
-    std::function<std::string()> script_data{}; ///< for the script of the page
-    std::function<std::string()> vtp{};         ///< for ParaView
+    std::function<std::string(const Units &)> script_data{}; ///< for the script of the page
+    std::function<std::string()> vtp{};                      ///< for ParaView
 };
 
 /// What every command has to say of its result.
 template <class Result> struct Parts {
-    nlohmann::ordered_json (*json)(const Result &);
-    std::string (*csv)(const Result &);
-    std::vector<Section> (*sections)(const Result &);
-    std::string (*text)(const model::Case &, const Result &);
-    Figure (*figure)(const model::Case &, const Result &);
+    nlohmann::ordered_json (*json)(const Result &, const Units &);
+    std::string (*csv)(const Result &, const Units &);
+    std::vector<Section> (*sections)(const Result &, const Units &);
+    std::string (*text)(const model::Case &, const Result &, const Units &);
+    Figure (*figure)(const model::Case &, const Result &, const Units &);
 };
 
 /// The report of a result from its parts.
@@ -74,11 +79,17 @@ template <class Result>
                                const model::Case &scene, const Result &result,
                                const Parts<Result> &parts) {
     Report report{.command = command, .heading = heading, .scene = &scene, .model = &result.model};
-    report.json = [&result, json = parts.json] { return json(result); };
-    report.csv = [&result, csv = parts.csv] { return csv(result); };
-    report.sections = [&result, sections = parts.sections] { return sections(result); };
-    report.text = [&scene, &result, text = parts.text] { return text(scene, result); };
-    report.figure = [&scene, &result, figure = parts.figure] { return figure(scene, result); };
+    report.json = [&result, json = parts.json](const Units &units) { return json(result, units); };
+    report.csv = [&result, csv = parts.csv](const Units &units) { return csv(result, units); };
+    report.sections = [&result, sections = parts.sections](const Units &units) {
+        return sections(result, units);
+    };
+    report.text = [&scene, &result, text = parts.text](const Units &units) {
+        return text(scene, result, units);
+    };
+    report.figure = [&scene, &result, figure = parts.figure](const Units &units) {
+        return figure(scene, result, units);
+    };
     return report;
 }
 

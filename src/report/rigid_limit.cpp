@@ -125,7 +125,7 @@ const Columns<Point> point_columns{
      [](const Point &at) { return at.row.relative_difference[at.index]; }},
     {InCsv("rate"), [](const Point &at) { return at.row.rate; }}};
 
-std::string csv_of(const RigidLimitResult &result) {
+std::string csv_of(const RigidLimitResult &result, const Units &) {
     std::vector<Point> points;
     for (const RigidLimitRow &row : result.rows)
         for (std::size_t k = 0; k < row.fe.size(); ++k)
@@ -143,7 +143,7 @@ Json shaft_json(const std::optional<results::RigidShaft> &shaft) {
             {"quantity", shaft->quantity}};
 }
 
-Json json_of(const RigidLimitResult &result) {
+Json json_of(const RigidLimitResult &result, const Units &) {
     return {{"sentence", result.sentence},
             {"stiffness_definition", "48 EI/L^3 (N/m): EI the mean over the length L of the shaft"},
             {"shaft_stiffness", result.stiffness},
@@ -179,7 +179,7 @@ std::string sweep_table(const RigidLimitResult &result) {
     return page_table(table);
 }
 
-std::vector<Section> sections_of(const RigidLimitResult &result) {
+std::vector<Section> sections_of(const RigidLimitResult &result, const Units &) {
     return {{"From which stiffness the rigid formulas do", element("p", result.sentence)},
             {"While the shaft stiffens", page_table(stiffness_columns, sweep(result, false))},
             {"Relative differences", sweep_table(result)},
@@ -189,7 +189,7 @@ std::vector<Section> sections_of(const RigidLimitResult &result) {
              page_table(mesh_columns, sweep(result, true))}};
 }
 
-std::string text_of(const model::Case &scene, const RigidLimitResult &result) {
+std::string text_of(const model::Case &scene, const RigidLimitResult &result, const Units &) {
     std::string text =
         heading(scene, "Flexible model and rigid closed forms") + result.sentence + "\n\n";
     if (std::isfinite(result.stiffness))

@@ -136,7 +136,7 @@ std::string failure_of(const SamplesResult &result, int sample) {
 }
 
 /// A line a sample; its columns are the inputs and answers.
-std::string csv_of(const SamplesResult &result) {
+std::string csv_of(const SamplesResult &result, const Units &) {
     Json samples = Json::array();
     Json failures = Json::array();
     for (int sample = 0; sample < result.count; ++sample) {
@@ -152,7 +152,7 @@ std::string csv_of(const SamplesResult &result) {
     return csv_lists(lists);
 }
 
-Json json_of(const SamplesResult &result) {
+Json json_of(const SamplesResult &result, const Units &) {
     return {{"samples",
              {{"count", result.count},
               {"failed", result.failed},
@@ -162,7 +162,7 @@ Json json_of(const SamplesResult &result) {
             {"answers", json_rows(answer_columns, result.answers)}};
 }
 
-std::vector<Section> sections_of(const SamplesResult &result) {
+std::vector<Section> sections_of(const SamplesResult &result, const Units &) {
     std::vector<Section> sections{
         {"Quantiles", page_table(sample_line_columns, lines_of(result))},
         {"Mean and standard deviation", page_table(answer_columns, result.answers)},
@@ -172,7 +172,7 @@ std::vector<Section> sections_of(const SamplesResult &result) {
     return sections;
 }
 
-std::string text_of(const model::Case &scene, const SamplesResult &result) {
+std::string text_of(const model::Case &scene, const SamplesResult &result, const Units &) {
     std::string text =
         heading(scene, fmt::format("{} samples, seed {}", result.count, result.seed));
     text += result.answers.empty() ? "  no answers\n"

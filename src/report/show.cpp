@@ -87,7 +87,8 @@ auto ends(std::optional<results::Interval> BalancerNumbers::*of, const char *for
 }
 
 std::string name_of(const BalancerNumbers &balancer, std::size_t index) {
-    return balancer.name.empty() ? std::to_string(index + 1) : balancer.name;
+    return (balancer.name.empty() ? std::to_string(index + 1) : balancer.name) +
+           (balancer.held ? " (held)" : "");
 }
 
 std::string position_text(const BalancerNumbers &balancer) {
@@ -104,9 +105,10 @@ const Columns<BalancerNumbers> balancer_columns{
     {InText("balancer"), name_of},
     {"name", &BalancerNumbers::name},
     {"z", OnPage("Place, z", "{:.8g} m"), InText("z (m)"), &BalancerNumbers::z},
+    {"held", [](const auto &b) { return b.held; }},
     {"E", OnPage("Capacity E", "{:.8g}", "∞"), InText("E", "{:.6g}", "infinite"),
      &BalancerNumbers::E},
-    {OnPage("Balanced position of the balls"), position_text},
+    {OnPage("Place of the balls"), position_text},
     {"D_c", OnPage("Second harmonic D: cosine part", "{:.8g}"), InText("D_c"),
      [](const auto &b) { return b.D ? Json(b.D->real()) : Json(); }},
     {"D_s", OnPage("Second harmonic D: sine part", "{:.8g}"), InText("D_s"),
@@ -200,31 +202,35 @@ std::string chart_text(const AnisotropyChart &chart) {
                               chart.permissible, chart.anisotropy);
 }
 
-std::vector<Picture> pictures_of(const model::Case &scene, const ShowResult &result) {
+std::vector<Picture> pictures_of(const model::Case &scene, const ShowResult &result,
+                                 const Units &units) {
     std::vector<Picture> pictures;
     for (std::size_t i = 0; i < result.balancers.size(); ++i) {
         if (!result.balancers[i].curves)
             continue;
         const CompositeCurves &c = *result.balancers[i].curves;
         pictures.push_back({i == 0 ? "composite" : "composite_" + std::to_string(i + 1),
-                            composite_figure(scene, result, i),
-                            csv_lists({{"n m/M_s", c.m},
-                                       {"A_m", c.A_m},
-                                       {"A_C1", c.A_C1},
-                                       {"A_C2", c.A_C2},
-                                       {"A", c.A},
-                                       {"C", c.C},
-                                       {"A_C1 with |D|", c.A_C1_paper},
-                                       {"A_C2 with |D|", c.A_C2_paper},
-                                       {"A with |D|", c.A_paper},
-                                       {"A least", c.A_least},
-                                       {"A largest", c.A_largest}})});
+                            composite_figure(scene, result, i, units), [&c](const Units &) {
+                                return csv_lists({{"n m/M_s", c.m},
+                                                  {"A_m", c.A_m},
+                                                  {"A_C1", c.A_C1},
+                                                  {"A_C2", c.A_C2},
+                                                  {"A", c.A},
+                                                  {"C", c.C},
+                                                  {"A_C1 with |D|", c.A_C1_paper},
+                                                  {"A_C2 with |D|", c.A_C2_paper},
+                                                  {"A with |D|", c.A_paper},
+                                                  {"A least", c.A_least},
+                                                  {"A largest", c.A_largest}});
+                            }});
     }
     if (const auto &chart = result.anisotropy)
-        pictures.push_back({"anisotropy", anisotropy_figure(scene, *chart),
-                            csv_lists({{"speed [rad/s]", chart->speed},
-                                       {"anisotropy at the stability limit", chart->limit},
-                                       {"anisotropy at a critical speed", chart->undamped}})});
+        pictures.push_back(
+            {"anisotropy", anisotropy_figure(scene, *chart, units), [&chart](const Units &) {
+                 return csv_lists({{"speed [rad/s]", chart->speed},
+                                   {"anisotropy at the stability limit", chart->limit},
+                                   {"anisotropy at a critical speed", chart->undamped}});
+             }});
     return pictures;
 }
 
@@ -247,7 +253,7 @@ Json chart_json(const AnisotropyChart &chart) {
     return json;
 }
 
-Json json_of(const ShowResult &result) {
+Json json_of(const ShowResult &result, const Units &) {
     Json json = json_row(show_columns, result);
     json["static"] = result.sag ? sag_json(*result.sag) : Json();
     json["balancers"] = json_list(result.balancers, balancer_json);
@@ -260,7 +266,7 @@ Json json_of(const ShowResult &result) {
     return json;
 }
 
-std::vector<Section> sections_of(const ShowResult &result) {
+std::vector<Section> sections_of(const ShowResult &result, const Units &) {
     std::vector<Section> sections{{"Rigid body", page_properties(show_columns, result)}};
     if (const auto &sag = result.sag)
         sections.push_back({sag_heading(*sag), page_table(load_columns, sag->bearings) +
@@ -269,7 +275,7 @@ std::vector<Section> sections_of(const ShowResult &result) {
         const BalancerNumbers &balancer = result.balancers[i];
         const std::string name =
             balancer.name.empty() ? fmt::format("balancer {}", i + 1) : balancer.name;
-        sections.push_back({"Composite rotor: " + name,
+        sections.push_back({"Composite rotor: " + name + (balancer.held ? " (held)" : ""),
                             page_properties(balancer_columns, balancer) +
                                 page_table(dimensionless_columns, std::vector{balancer})});
     }
@@ -302,7 +308,7 @@ std::string forms_text(const ShowResult &result) {
     return text;
 }
 
-std::string text_of(const model::Case &scene, const ShowResult &result) {
+std::string text_of(const model::Case &scene, const ShowResult &result, const Units &) {
     Texts lines = properties(show_columns, result, &Column<ShowResult>::text, "-");
     if (result.dI.value_or(0) > 0)
         lines.push_back({"anisotropy dI", fmt::format("{:.6g} kg m2", *result.dI)});
@@ -326,12 +332,12 @@ Report describe(const model::Case &scene, const ShowResult &result) {
             .heading = "Scene",
             .scene = &scene,
             .model = &result.model,
-            .json = [&] { return json_of(result); },
-            .csv = [&] { return csv_table(show_columns, std::vector{result}); },
-            .sections = [&] { return sections_of(result); },
-            .text = [&] { return text_of(scene, result); },
-            .drawing = [&] { return show_drawing(scene, result); },
-            .pictures = [&] { return pictures_of(scene, result); },
+            .json = [&](const Units &units) { return json_of(result, units); },
+            .csv = [&](const Units &) { return csv_table(show_columns, std::vector{result}); },
+            .sections = [&](const Units &units) { return sections_of(result, units); },
+            .text = [&](const Units &units) { return text_of(scene, result, units); },
+            .drawing = [&](const Units &units) { return show_drawing(scene, result, units); },
+            .pictures = [&](const Units &units) { return pictures_of(scene, result, units); },
             .pictures_heading = "Curves of the rigid rotor",
             .pictures_after =
                 (result.sag ? 2 : 1) + result.balancers.size() + (result.anisotropy ? 1 : 0)};

@@ -39,7 +39,7 @@ std::string text_angles(const std::vector<double> &angles) {
 const Columns<SimulateResult> outcome_columns{
     {"outcome", OnPage("Outcome"),
      [](const auto &result) { return results::outcome_name(result.outcome); }},
-    {"evidence", &SimulateResult::evidence},
+    {"evidence", [](const auto &r) { return r.evidence.text(); }},
     {"residual_ratio", OnPage("Amplitude left over that without balls", "{:.5g}"),
      &SimulateResult::residual_ratio},
     {"impacts", OnPage("Impacts between balls", "{}"), &SimulateResult::impacts},
@@ -85,7 +85,7 @@ const Columns<OtherStart> start_columns{
     {OnPage("Start (deg)"), [](const auto &start) { return page_angles(start.start_angles); }},
     {"outcome", OnPage("Outcome"),
      [](const auto &start) { return results::outcome_name(start.outcome); }},
-    {"evidence", &OtherStart::evidence},
+    {"evidence", [](const auto &r) { return r.evidence.text(); }},
     {"residual_ratio", OnPage("Amplitude left over that without balls", "{:.5g}"),
      &OtherStart::residual_ratio},
     {"balls", &OtherStart::angles},
@@ -191,7 +191,7 @@ const Columns<SimulateResult> quality_columns{
                             result.audit.momentum_scale);
      }}};
 
-Json json_of(const SimulateResult &result) {
+Json json_of(const SimulateResult &result, const Units &) {
     const MotionAudit &audit = result.audit;
     Json json = json_row(outcome_columns, result);
     json["balls"] = json_list(result.balancers, [](const auto &b) { return b.angles; });
@@ -220,7 +220,7 @@ Json json_of(const SimulateResult &result) {
 }
 
 /// The time series; a column for each plane and each ball.
-std::string csv_of(const SimulateResult &result) {
+std::string csv_of(const SimulateResult &result, const Units &) {
     const results::MotionSeries &series = result.series;
     std::vector<std::pair<std::string, Json>> lists{{"time [s]", series.time},
                                                     {"speed [rad/s]", series.speed}};
@@ -234,9 +234,9 @@ std::string csv_of(const SimulateResult &result) {
     return csv_lists(lists);
 }
 
-std::vector<Section> sections_of(const SimulateResult &result) {
+std::vector<Section> sections_of(const SimulateResult &result, const Units &units) {
     std::vector<Section> sections{
-        {"How it ended", kept_as_written(element("p", note_in_written_units(result.evidence))) +
+        {"How it ended", kept_as_written(element("p", units.text(result.evidence))) +
                              page_properties(outcome_columns, result)}};
     if (!result.balancers.empty())
         sections.push_back({"Balancers", page_table(balancer_motion_columns, result.balancers)});
@@ -248,9 +248,9 @@ std::vector<Section> sections_of(const SimulateResult &result) {
     return sections;
 }
 
-std::string outcome_text(const SimulateResult &result) {
+std::string outcome_text(const SimulateResult &result, const Units &units) {
     std::string text = fmt::format("Outcome: {}\n  {}\n", results::outcome_name(result.outcome),
-                                   kept_as_written(note_in_written_units(result.evidence)));
+                                   kept_as_written(units.text(result.evidence)));
     if (result.residual_ratio)
         text +=
             fmt::format("  left of the amplitude without balls: {:.4g}\n", *result.residual_ratio);
@@ -279,12 +279,12 @@ std::string quality_text(const SimulateResult &result) {
                        audit.energy_scale, audit.momentum_error, audit.momentum_scale);
 }
 
-std::string text_of(const model::Case &scene, const SimulateResult &result) {
+std::string text_of(const model::Case &scene, const SimulateResult &result, const Units &units) {
     std::string text =
         heading(scene, fmt::format("Motion in time, {:.6g} s, {:.6g} revolutions, {:.6g} rpm at "
                                    "the end",
                                    result.time, result.revolutions, result.speed * rpm)) +
-        outcome_text(result) + "\n" +
+        outcome_text(result, units) + "\n" +
         (result.stations.empty() ? text_table(balancer_motion_columns, result.balancers)
                                  : text_table(station_columns, result.stations));
     for (const OtherStart &start : result.other_starts)
@@ -303,9 +303,10 @@ Report describe(const model::Case &scene, const SimulateResult &result) {
                                   {json_of, csv_of, sections_of, text_of,
                                    result.stations.empty() ? simulate_figure : stations_figure});
     if (result.waterfall) {
-        report.pictures = [&scene, &result] {
-            return std::vector<Picture>{{"waterfall", waterfall_figure(scene, *result.waterfall),
-                                         waterfall_csv(*result.waterfall)}};
+        report.pictures = [&scene, &result](const Units &units) {
+            return std::vector<Picture>{
+                {"waterfall", waterfall_figure(scene, *result.waterfall, units),
+                 [&result](const Units &) { return waterfall_csv(*result.waterfall); }}};
         };
         report.pictures_heading = "Waterfall";
         report.pictures_after = 2;

@@ -116,7 +116,7 @@ struct BalanceResult {
     std::vector<SimulatedSpeed> simulated;
     std::optional<Placement> placement;
     std::vector<PendulumBalance> pendulum;
-    std::vector<std::string> findings; ///< sentences for the reader
+    std::vector<Sentence> findings; ///< sentences for the reader
 };
 
 } // namespace whirl::results

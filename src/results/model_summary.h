@@ -1,6 +1,7 @@
 #pragma once
 
 #include "results/formulation.h"
+#include "results/sentence.h"
 
 #include <string>
 #include <vector>
@@ -10,11 +11,11 @@ namespace whirl::results {
 /// What every result says of the model behind it.
 struct ModelSummary {
     Formulation formulation;
-    int order = 0;                  ///< of the shaft elements; 1: classical
-    int elements = 0;               ///< of the shaft
-    int unknowns = 0;               ///< of the eigenproblem or the linear systems
-    double seconds = 0;             ///< wall time of the computation, from whoever asked for it
-    std::vector<std::string> notes; ///< what a user must know beside the numbers
+    int order = 0;               ///< of the shaft elements; 1: classical
+    int elements = 0;            ///< of the shaft
+    int unknowns = 0;            ///< of the eigenproblem or the linear systems
+    double seconds = 0;          ///< wall time of the computation, from whoever asked for it
+    std::vector<Sentence> notes; ///< what a user must know beside the numbers
 };
 
 } // namespace whirl::results

@@ -45,13 +45,14 @@ struct CompositeCurves {
     std::vector<double> A_C, A_C_paper;         ///< diametral inertia about that angle, case's mass
 };
 
-/// What a balancer adds to the rotor at its balanced position. Without a balanced position (E < 1)
-/// what depends on it is empty.
+/// What a balancer adds to the rotor at its balanced position, or where its parts are held. Without
+/// such a position (E < 1) what depends on it is empty.
 struct BalancerNumbers {
     std::string name;
-    double z = 0; ///< m
-    double E = 0; ///< capacity, infinite without an imbalance
-    std::vector<double> position;
+    double z = 0;                 ///< m
+    double E = 0;                 ///< capacity, infinite without an imbalance
+    bool held = false;            ///< its parts are fixed in the rotor, where `position` says
+    std::vector<double> position; ///< in the rotor, rad
     std::optional<std::complex<double>> D;
     std::optional<Interval> D_interval; ///< of |D| over all balanced positions
     std::optional<double> dA;           ///< |A_m0 + A_m D|/2, kg m2

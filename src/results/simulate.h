@@ -61,7 +61,7 @@ struct MotionAudit {
 struct OtherStart {
     std::vector<double> start_angles; ///< of all balls and pairs, rad
     Outcome outcome = Outcome::whirling;
-    std::string evidence;
+    Sentence evidence;
     std::optional<double> residual_ratio;
     std::vector<std::vector<double>> angles; ///< final ones of each balancer, rad
     std::vector<double> amplitude;           ///< over the output times, largest of the planes, m
@@ -70,7 +70,7 @@ struct OtherStart {
 struct SimulateResult {
     ModelSummary model;
     Outcome outcome = Outcome::whirling;
-    std::string evidence; ///< the numbers behind the outcome, for readers
+    Sentence evidence; ///< the numbers behind the outcome, for readers
     std::optional<double> residual_ratio;
     /// Rate at which the amplitude grows over the last half of the time, 1/s; none where the speed
     /// changes.

@@ -77,8 +77,9 @@ void add_curves_over_polar_inertia(results::AnisotropyChart &chart,
 
 } // namespace
 
-std::optional<results::AnisotropyChart>
-anisotropy_chart(const model::Rotor &rotor, const Inertia &whole, std::vector<std::string> &notes) {
+std::optional<results::AnisotropyChart> anisotropy_chart(const model::Rotor &rotor,
+                                                         const Inertia &whole,
+                                                         std::vector<results::Sentence> &notes) {
     if (rotor.anisotropies.empty())
         return std::nullopt;
     closed_form::ReducedSupports supports;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "results/sentence.h"
 #include "results/show.h"
 #include "rigid/inertia.h"
 
@@ -11,7 +12,8 @@ namespace whirl::rigid {
 ///
 /// @param whole  inertia of the rotor
 [[nodiscard]] std::optional<results::AnisotropyChart>
-anisotropy_chart(const model::Rotor &rotor, const Inertia &whole, std::vector<std::string> &notes);
+anisotropy_chart(const model::Rotor &rotor, const Inertia &whole,
+                 std::vector<results::Sentence> &notes);
 
 /// Closed form of the permissible inertial anisotropy (kg m2) of this rotor as a rigid body, over
 /// the spin speeds from `from` to `to` (rad/s). None where the closed form does not apply.

@@ -1,6 +1,7 @@
 #include "rigid/composite_rotor.h"
 
 #include "balancers/balanced_position.h"
+#include "balancers/held.h"
 #include "balancers/kind.h"
 #include "model/errors.h"
 #include "rigid/projection.h"
@@ -10,7 +11,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
+#include <utility>
 
 namespace whirl::rigid {
 
@@ -23,6 +26,49 @@ double without_rounding(double difference, double terms) {
     return difference <= 4 * std::numeric_limits<double>::epsilon() * terms ? 0 : difference;
 }
 
+/// A balancer of the case, free or held.
+struct Placed {
+    const model::Balancer *balancer;
+    const model::HeldBalancer *held; ///< null: free
+    std::string label;               ///< "balancer[0]"
+
+    [[nodiscard]] std::unique_ptr<balancers::Kind> kind() const {
+        return balancers::kind_of(*balancer);
+    }
+    /// Of the parts where they are held; of free ones at rest, whose second moment depends on the
+    /// balanced position.
+    [[nodiscard]] balancers::HeldParts parts() const {
+        if (held)
+            return kind()->held(held->angles);
+        const balancers::PartsInertia inertia = kind()->inertia();
+        return {inertia.mass, inertia.on_circle, inertia.own, 0, 0};
+    }
+    /// A_m and A_m0, kg m2: 0 without tilt inertia.
+    [[nodiscard]] std::pair<double, double> inertias() const {
+        if (!balancer->tilt_inertia)
+            return {0, 0};
+        return {parts().on_circle, balancers::imbalance_inertia(*balancer)};
+    }
+    /// Parts and point-mass imbalance as a body of the rotor.
+    [[nodiscard]] Inertia body() const {
+        if (!held)
+            return inertia_of(*balancer);
+        const model::Disc disc = balancers::held_masses(*balancer, held->angles).disc;
+        return {disc.mass, disc.mass * disc.z, disc.mass * disc.z * disc.z + disc.Id, disc.Ip, 0};
+    }
+};
+
+/// In the order of the case file.
+std::vector<Placed> all_balancers(const model::Rotor &rotor) {
+    std::vector<Placed> all;
+    for (std::size_t i = 0; i < rotor.balancers.size(); ++i)
+        all.push_back({&rotor.balancers[i], nullptr, rotor.balancer_path(i)});
+    for (const model::HeldBalancer &one : rotor.held)
+        all.insert(all.begin() + static_cast<std::ptrdiff_t>(one.index),
+                   {&one.balancer, &one, fmt::format("balancer[{}]", one.index)});
+    return all;
+}
+
 /// One balancer, its point-mass imbalance and the rest of the rotor, for the closed forms.
 struct Parts {
     closed_form::BareRotor rest;
@@ -31,10 +77,11 @@ struct Parts {
     double center = 0; ///< of the composite rotor, m
 };
 
-Parts parts_of(const model::Balancer &balancer, const Inertia &whole) {
-    const balancers::PartsInertia masses = balancers::kind_of(balancer)->inertia();
+Parts parts_of(const Placed &placed, const Inertia &whole) {
+    const model::Balancer &balancer = *placed.balancer;
+    const balancers::HeldParts masses = placed.parts();
     Inertia rest = whole;
-    rest -= inertia_of(balancer);
+    rest -= placed.body();
     if (balancer.tilt_inertia) // of bodies about axes of their own: the closed forms know points
         rest += {0, 0, masses.own / 2, masses.own, 0};
     Parts parts;
@@ -54,8 +101,7 @@ double relative_anisotropy(closed_form::CompositeRotor composite, std::complex<d
 }
 
 /// Unit of time sqrt(M_s/c_x), of mass M_s, of length rho = sqrt(A_Sigma/M_s).
-results::DimensionlessNumbers dimensionless_numbers(const Parts &parts,
-                                                    const model::Balancer &balancer,
+results::DimensionlessNumbers dimensionless_numbers(const Parts &parts, const Placed &placed,
                                                     std::optional<std::complex<double>> D,
                                                     const model::Rotor &rotor, std::string &why) {
     // Masses and inertias do not ask for D: any will do.
@@ -80,7 +126,7 @@ results::DimensionlessNumbers dimensionless_numbers(const Parts &parts,
     numbers.h_x = supports->h_x / (M * w0);
     numbers.h_beta = supports->h_beta / (A * w0);
     numbers.h_y = supports->h_y / (cross * w0);
-    if (const auto rate = balancers::kind_of(balancer)->rate())
+    if (const auto rate = placed.kind()->rate(); rate && !placed.held)
         numbers.h_s = *rate / w0;
     return numbers;
 }
@@ -166,57 +212,80 @@ std::optional<results::Interval> ends(const std::optional<balancers::PositionInt
                              without_rounding(interval->largest, terms)};
 }
 
-/// Everything that depends on the balanced position.
-void add_position(results::BalancerNumbers &numbers, const model::Balancer &balancer,
-                  const Parts &parts, const std::string &label, std::vector<std::string> &notes) {
-    const auto kind = balancers::kind_of(balancer);
+/// Second harmonic D of the parts where they stand, measured from the imbalance, and their angles;
+/// a note where they have no such place.
+void add_place(results::BalancerNumbers &numbers, const Placed &placed,
+               std::vector<results::Sentence> &notes) {
+    const model::Balancer &balancer = *placed.balancer;
+    const auto kind = placed.kind();
     const bool positions = !kind->circled().empty();
-    if (!positions) {
+    if (!positions)
+        notes.push_back(fmt::format("{}: inertias are those of the {} {}; E = {}", placed.label,
+                                    kind->parts(), placed.held ? "where they are held" : "at rest",
+                                    kind->reach().formula));
+    if (placed.held) {
+        const balancers::HeldParts parts = placed.parts();
+        numbers.D =
+            parts.second_moment / parts.on_circle * std::polar(1.0, -2 * balancer.imbalance_phase);
+        if (positions)
+            numbers.position = placed.held->angles;
+    } else if (!positions) {
         numbers.D = 0;
-        notes.push_back(fmt::format("{}: inertias are those of the {} at rest; E = {}", label,
-                                    kind->parts(), kind->reach().formula));
     } else {
         try {
-            numbers.position = balancers::angles_at_balance(balancer, label);
+            numbers.position = balancers::angles_at_balance(balancer, placed.label);
         } catch (const model::BadInput &none) {
             notes.emplace_back(none.what());
             return;
         }
         numbers.D = balancers::second_harmonic_of(balancer, numbers.position);
-        if (without_rounding(std::abs(numbers.D->imag()), 1) == 0)
-            numbers.D = numbers.D->real();
         numbers.position = balancers::turned(numbers.position, balancer.imbalance_phase);
     }
-    const auto [A_m, A_m0, own] = balancers::added_inertias(balancer);
+    if (without_rounding(std::abs(numbers.D->imag()), 1) == 0)
+        numbers.D = numbers.D->real();
+}
+
+/// Everything that depends on where the parts stand.
+void add_position(results::BalancerNumbers &numbers, const Placed &placed, const Parts &parts,
+                  std::vector<results::Sentence> &notes) {
+    const model::Balancer &balancer = *placed.balancer;
+    add_place(numbers, placed, notes);
+    if (!numbers.D)
+        return;
+    const auto [A_m, A_m0] = placed.inertias();
     numbers.dA = without_rounding(std::abs(A_m0 + A_m * *numbers.D) / 2, A_m0 + A_m);
     numbers.dA_paper = (A_m0 + A_m * std::abs(*numbers.D)) / 2;
-    if (!positions)
+    const auto kind = placed.kind();
+    if (kind->circled().empty())
         return;
     numbers.D_interval = ends(balancers::second_harmonic_interval(balancer), 1);
     numbers.dA_interval = ends(balancers::anisotropy_interval(balancer), A_m0 + A_m);
-    if (!numbers.D_interval)
+    if (!numbers.D_interval && std::ssize(kind->circled()) > balancers::largest_searched_count)
         notes.push_back(fmt::format("{}: the intervals over all balanced positions are searched "
                                     "for up to {} {}",
-                                    label, balancers::largest_searched_count, kind->parts()));
+                                    placed.label, balancers::largest_searched_count,
+                                    kind->parts()));
     numbers.curves = composite_curves(parts, *numbers.D, numbers.dA_interval);
 }
 
 } // namespace
 
-std::vector<results::BalancerNumbers>
-show_balancers(const model::Rotor &rotor, const Inertia &whole, std::vector<std::string> &notes) {
+std::vector<results::BalancerNumbers> show_balancers(const model::Rotor &rotor,
+                                                     const Inertia &whole,
+                                                     std::vector<results::Sentence> &notes) {
     std::vector<results::BalancerNumbers> all;
     std::string why;
-    for (const model::Balancer &balancer : rotor.balancers) {
-        const Parts parts = parts_of(balancer, whole);
+    for (const Placed &placed : all_balancers(rotor)) {
+        const Parts parts = parts_of(placed, whole);
         results::BalancerNumbers numbers;
-        numbers.name = balancer.name;
-        numbers.z = balancer.z;
-        numbers.E = balancers::capacity(balancer);
+        numbers.name = placed.balancer->name;
+        numbers.z = placed.balancer->z;
+        numbers.E = balancers::capacity(*placed.balancer);
+        numbers.held = placed.held != nullptr;
         numbers.bare = {parts.rest.mass, parts.rest.diametral_inertia, parts.rest.polar_inertia,
                         parts.rest.balancer_distance};
-        add_position(numbers, balancer, parts, fmt::format("balancer[{}]", all.size()), notes);
-        numbers.dimensionless = dimensionless_numbers(parts, balancer, numbers.D, rotor, why);
+        add_position(numbers, placed, parts, notes);
+        numbers.dimensionless = dimensionless_numbers(parts, placed, numbers.D, rotor, why);
         all.push_back(numbers);
     }
     if (!why.empty())
@@ -232,13 +301,16 @@ anisotropy_of(const model::Rotor &rotor, const std::vector<results::BalancerNumb
     std::complex<double> a = 0;
     for (const model::Anisotropy &anisotropy : rotor.anisotropies)
         a += anisotropy.dI * std::polar(1.0, 2 * anisotropy.angle);
-    for (std::size_t i = 0; i < balancers.size(); ++i) {
-        if (!balancers[i].D)
+    auto free = rotor.balancers.begin();
+    for (const results::BalancerNumbers &numbers : balancers) {
+        if (numbers.held) // among the rotor's anisotropies
+            continue;
+        if (!numbers.D)
             return std::nullopt;
-        const model::Balancer &balancer = rotor.balancers[i];
+        const model::Balancer &balancer = *free++;
         const auto [A_m, A_m0, own] =
             balancers::added_inertias(balancer); // D is measured from the imbalance
-        a += (A_m0 + A_m * *balancers[i].D) / 2.0 * std::polar(1.0, 2 * balancer.imbalance_phase);
+        a += (A_m0 + A_m * *numbers.D) / 2.0 * std::polar(1.0, 2 * balancer.imbalance_phase);
     }
     return a;
 }

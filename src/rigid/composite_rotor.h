@@ -1,5 +1,6 @@
 #pragma once
 
+#include "results/sentence.h"
 #include "results/show.h"
 #include "rigid/inertia.h"
 
@@ -11,7 +12,8 @@ namespace whirl::rigid {
 /// @param whole  inertia of the rotor with all its balancers
 /// @param notes  gets what is missing and why
 [[nodiscard]] std::vector<results::BalancerNumbers>
-show_balancers(const model::Rotor &rotor, const Inertia &whole, std::vector<std::string> &notes);
+show_balancers(const model::Rotor &rotor, const Inertia &whole,
+               std::vector<results::Sentence> &notes);
 
 /// Anisotropy a = sum of dI exp(2 i angle) and (A_m0 + A_m D)/2 of the whole rotor, kg m2: its
 /// modulus, and twice the direction of the axis of smaller inertia. Empty where a balancer has no

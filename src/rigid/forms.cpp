@@ -85,7 +85,7 @@ std::vector<std::pair<std::string, double>> planes_of(const model::Rotor &rotor)
                                 item.z);
     };
     if (rotor.planes.empty())
-        add(rotor.balancers);
+        add(rotor.balancer_planes());
     else
         add(rotor.planes);
     return planes;
@@ -166,7 +166,7 @@ void add_permissible(RigidForms &forms, const model::Case &scene) {
 
 } // namespace
 
-model::Case rigid_limit_scene(const model::Case &scene, std::vector<std::string> &notes) {
+model::Case rigid_limit_scene(const model::Case &scene, std::vector<results::Sentence> &notes) {
     model::Case out = scene;
     if (scene.rotor.shaft.damped_outside())
         throw model::AnalysisFailure("the rigid rotor has no closed form: the shaft has damping of "

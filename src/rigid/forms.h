@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/case.h"
+#include "results/sentence.h"
 #include "rigid/inertia.h"
 
 #include <optional>
@@ -35,7 +36,7 @@ struct RigidForms {
     Inertia inertia;              ///< balancers at their balanced position
     double bearing_stiffness = 0; ///< sum, N/m
     std::vector<RigidTarget> targets;
-    std::vector<std::string> notes;
+    std::vector<results::Sentence> notes;
 };
 
 /// The scene with bearing tables replaced by their coefficients at rest, which both sides of the
@@ -43,7 +44,7 @@ struct RigidForms {
 /// @throws model::AnalysisFailure in words where the rigid rotor has no closed form: bearings that
 /// differ between directions, pedestals.
 [[nodiscard]] model::Case rigid_limit_scene(const model::Case &scene,
-                                            std::vector<std::string> &notes);
+                                            std::vector<results::Sentence> &notes);
 
 /// Closed forms: A. N. Gorbenko (composite and anisotropic rotor), G. Filimonikhin et al. (rotor on
 /// two supports); src/closed_form. @throws model::AnalysisFailure where the bearings leave a rigid

@@ -2,6 +2,7 @@
 
 #include "model/case.h"
 #include "results/formulation.h"
+#include "results/sentence.h"
 #include "simulation/motion.h"
 
 #include <string>
@@ -26,7 +27,7 @@ struct MotionScene {
                         ///< scale_at_rest()
     int order = 0;      ///< of the shaft elements
     int elements = 0;
-    std::vector<std::string> notes;
+    std::vector<results::Sentence> notes;
 };
 
 /// @throws model::BadInput where something is missing or absurd; model::AnalysisFailure.

@@ -4,6 +4,7 @@
 #include "linalg/check.h"
 #include "modes/orbits.h"
 #include "results/formulation.h"
+#include "results/sentence.h"
 
 #include <fmt/format.h>
 
@@ -119,7 +120,7 @@ critical_errors(const assembly::Discretization &coarse, results::Form form,
 std::vector<results::ErrorParts> errors_by_finer_model(const assembly::Discretization &rotor,
                                                        results::Form form,
                                                        const SynchronousModes &list, bool symmetric,
-                                                       std::vector<std::string> &notes) {
+                                                       std::vector<results::Sentence> &notes) {
     constexpr results::ErrorParts unknown{std::numeric_limits<double>::infinity(), 0, 0};
     std::vector<results::ErrorParts> errors(list.modes.size(), unknown);
     if (list.modes.empty())

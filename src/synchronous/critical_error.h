@@ -3,6 +3,7 @@
 #include "mesh_error/safety.h"
 #include "results/error_parts.h"
 #include "results/formulation.h"
+#include "results/sentence.h"
 #include "synchronous/critical_speeds.h"
 
 #include <optional>
@@ -28,6 +29,6 @@ critical_errors(const assembly::Discretization &coarse, results::Form form,
 [[nodiscard]] std::vector<results::ErrorParts>
 errors_by_finer_model(const assembly::Discretization &rotor, results::Form form,
                       const SynchronousModes &modes, bool symmetric,
-                      std::vector<std::string> &notes);
+                      std::vector<results::Sentence> &notes);
 
 } // namespace whirl::synchronous

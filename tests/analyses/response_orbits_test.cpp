@@ -148,7 +148,7 @@ TEST(ResponseOrbits, the_largest_use_of_a_clearance_is_a_maximum_not_a_sample) {
         EXPECT_GT(use.share, 1);
     }
     int told = 0;
-    for (const std::string &note : result.model.notes)
+    for (const auto &note : result.model.notes)
         told += note.find("clearance: ") == 0 && note.find(" would touch") != std::string::npos;
     EXPECT_EQ(told, 2);
     // The peaks and curves of the result are those of the same rotor without clearances.
@@ -217,7 +217,7 @@ TEST(ResponseOrbits, no_limit_at_a_resonance_without_damping) {
     const ResponseResult result = unbalance_response(rotor.scene(50, 900));
     EXPECT_TRUE(std::isinf(result.clearances.at(0).share));
     bool told = false;
-    for (const std::string &note : result.model.notes)
+    for (const auto &note : result.model.notes)
         told = told || note.find("has no limit") != std::string::npos;
     EXPECT_TRUE(told);
     model::Case scene = rotor.scene(50, 900);
@@ -226,7 +226,7 @@ TEST(ResponseOrbits, no_limit_at_a_resonance_without_damping) {
     ASSERT_EQ(asked.orbits.size(), 1U);
     EXPECT_EQ(asked.orbits[0].speed, 100);
     told = false;
-    for (const std::string &note : asked.model.notes)
+    for (const auto &note : asked.model.notes)
         told = told || note.find("orbits_at: ") == 0;
     EXPECT_TRUE(told);
 }

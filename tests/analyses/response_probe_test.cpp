@@ -275,8 +275,8 @@ std::pair<std::string, std::vector<double>> words_and_numbers(const std::string 
 
 /// The same notes: their words, their counts, and speeds and growth (1/s) in the other unit, to the
 /// four digits that are printed of some.
-void expect_notes_in(const tests::Units &u, const std::vector<std::string> &notes,
-                     const std::vector<std::string> &expected) {
+void expect_notes_in(const tests::Units &u, const std::vector<results::Sentence> &notes,
+                     const std::vector<results::Sentence> &expected) {
     ASSERT_EQ(notes.size(), expected.size());
     for (std::size_t i = 0; i < notes.size(); ++i) {
         const auto [words, numbers] = words_and_numbers(notes[i]);

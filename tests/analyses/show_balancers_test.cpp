@@ -160,7 +160,7 @@ TEST(ShowBalancers, bearings_without_isotropic_coefficients_leave_the_masses) {
     EXPECT_NEAR(d.C, 0.901, 0.0005);
     EXPECT_TRUE(d.A);
     bool said = false;
-    for (const std::string &note : result.model.notes)
+    for (const auto &note : result.model.notes)
         said = said || note.find("bearing is not isotropic") != std::string::npos;
     EXPECT_TRUE(said);
 }
@@ -300,7 +300,7 @@ TEST(ShowAnisotropy, no_chart_without_symmetry) {
         const results::ShowResult result = analyses::show(scene);
         EXPECT_FALSE(result.anisotropy);
         bool said = false;
-        for (const std::string &note : result.model.notes)
+        for (const auto &note : result.model.notes)
             said = said || note.find("no chart") != std::string::npos;
         EXPECT_TRUE(said);
         EXPECT_TRUE(result.dI);

@@ -63,7 +63,7 @@ TEST(TwoPlaneBalancerDecay, AsFastAsPublished) {
     model::Case scene = rodrigues_rotor(4, .01, .005);
     scene.simulate.ball_angles[0][0] -= 0.01;
     for (model::Balancer &b : scene.rotor.balancers)
-        b.tilt_inertia = false; // as in the published equations
+        b.tilt_inertia = false; // as in the later equations, of which the decay is
     scene.simulate.time = 620;
     scene.simulate.output_points = 621;
     const results::SimulateResult result = simulate(scene);

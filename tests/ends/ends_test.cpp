@@ -293,7 +293,7 @@ TEST(Ends, OfAShaftWithoutMassAreThoseOfALightOne) {
         EXPECT_EQ(without.ends[i].growing_below, light.ends[i].growing_below);
         EXPECT_NEAR(without.ends[i].speed, light.ends[i].speed, 1e-6 * light.ends[i].speed);
     }
-    for (const std::string &note : without.model.notes)
+    for (const auto &note : without.model.notes)
         EXPECT_EQ(note.find("doubt"), std::string::npos) << note;
 }
 

@@ -40,6 +40,19 @@ inline std::vector<BrokenCase> broken_rotating_parts() {
         {"balls off balance by their imbalance's phase", 15, "balancer[0].position",
          "got -0.5 and 0.8660254",
          balls + "2\nimbalance_phase = \"60 deg\"\nposition = [\"180 deg\", \"180 deg\"]\n"},
+        {"held balls that cannot balance, without a place", 14, "balancer[0].held",
+         "the place of balls that cannot balance (capacity E = n m R/(m0 R0) = 0.5), position or "
+         "simulate.ball_angles, got neither",
+         ball + "imbalance = 0.04\nn = 2\nheld = true\n"},
+        {"held balls in two places", 14, "balancer[0].position",
+         "one place of balls that are held, got another one in simulate.ball_angles[0]",
+         balls + "2\nposition = [1, 2]\nheld = true\n" +
+             "[simulate]\ntime = 1\nball_angles = [[1, 2.5]]\n"},
+        {"held by a word", 14, "balancer[0].held", "true or false", balls + "2\nheld = \"yes\"\n"},
+        {"damping ratios of a rotor with held balls", 8, "shaft.modal_damping",
+         "a balancer with held = true",
+         base + "modal_damping = [0.01]\n[[balancer]]\nz = 0.5\nmass = 0.1\nradius = 0.1\nheld = "
+                "true\n"},
         {"another start without a balancer's balls", 14, "simulate.other_starts[0]",
          "expected 1 lists, one for each balancer, got 2",
          ball + "[simulate]\ntime = 1\nother_starts = [[[0, 1], [2, 3]]]\n"},

@@ -321,6 +321,50 @@ TEST(RotatingParts, OnTheLimitsAreAccepted) {
     EXPECT_NEAR(turned.rotor.balancers.at(0).imbalance_phase, std::acos(0.5), 1e-15);
 }
 
+// What is held is put among discs, anisotropies and imbalances; what is left keeps its place in
+// messages, and the starts of what is held are gone.
+TEST(HeldBalancers, BecomePartsOfTheRotor) {
+    const std::string balls = "[[balancer]]\nz = 0.5\nmass = 0.1\nradius = 0.1\nimbalance = 0.01\n";
+    const std::string start = "[simulate]\ntime = 1\nball_angles = [[0, 1], [2, 3]]\n"
+                              "other_starts = [[[4, 5], [6, 7]]]\n";
+    const model::Case free = load_text(sound_case + balls + balls + start);
+    EXPECT_TRUE(free.rotor.held.empty());
+    ASSERT_EQ(free.rotor.balancers.size(), 2U);
+    EXPECT_EQ(free.rotor.balancer_path(1), "balancer[1]");
+
+    const model::Case one =
+        load_text(sound_case + balls + balls + start, {"balancer[0].held=true"});
+    ASSERT_EQ(one.rotor.held.size(), 1U);
+    ASSERT_EQ(one.rotor.balancers.size(), 1U);
+    EXPECT_EQ(one.rotor.balancer_path(0), "balancer[1]");
+    EXPECT_EQ(one.rotor.balancer_planes().size(), 2U);
+    EXPECT_EQ(one.rotor.held[0].angles, (std::vector<double>{0, 1}));
+    EXPECT_EQ(one.simulate.ball_angles, (std::vector<std::vector<double>>{{2, 3}}));
+    ASSERT_EQ(one.simulate.other_starts.size(), 1U);
+    EXPECT_EQ(one.simulate.other_starts[0], (std::vector<std::vector<double>>{{6, 7}}));
+    ASSERT_EQ(one.rotor.discs.size(), free.rotor.discs.size() + 1);
+    EXPECT_NEAR(one.rotor.discs.back().mass, 0.2, 1e-15);
+    // Two balls at 0 and 1 rad: 0.01 (1 + cos 1) and 0.01 sin 1 kg m with the imbalance at 0.
+    ASSERT_EQ(one.rotor.imbalances.size(), free.rotor.imbalances.size() + 1);
+    EXPECT_NEAR(one.rotor.imbalances.back().mr,
+                std::hypot(0.02 + 0.01 * std::cos(1), 0.01 * std::sin(1)), 1e-15);
+    EXPECT_TRUE(std::ranges::any_of(one.remarks, [](const std::string &remark) {
+        return remark.find("balancer[0]: its balls are held off balance") == 0;
+    }));
+    EXPECT_EQ(one.rotor.with_held_among_balancers().imbalances.size(),
+              free.rotor.imbalances.size());
+
+    const model::Case all =
+        load_text(sound_case + balls + balls + start, {"balancer[*].held=true"});
+    EXPECT_TRUE(all.rotor.balancers.empty());
+    EXPECT_TRUE(all.simulate.ball_angles.empty());
+    EXPECT_TRUE(all.simulate.other_starts.empty());
+    // Without a start at their balanced position, where nothing is left of the imbalance.
+    const model::Case balanced = load_text(sound_case + balls + balls, {"balancer[*].held=true"});
+    EXPECT_EQ(balanced.rotor.imbalances.size(), free.rotor.imbalances.size());
+    EXPECT_NEAR(std::abs(std::cos(balanced.rotor.held.at(1).angles.at(0))), 0.5, 1e-15);
+}
+
 TEST(RotatingParts, InertiasLeftOutCarryNoAnisotropy) {
     // Ip/2 of the bare shaft is 0.0023930, with two balls of m R^2 = 0.001 it is 0.0033930, with
     // their point mass of m0 R0^2 = 0.02 as well 0.0133930.

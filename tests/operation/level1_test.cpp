@@ -23,14 +23,14 @@ model::Case coupled(const tests::RigidJeffcott &rotor) {
     return scene;
 }
 
-results::Level1 level1(const model::Case &scene, std::vector<std::string> &notes) {
+results::Level1 level1(const model::Case &scene, std::vector<results::Sentence> &notes) {
     const model::Shaft &shaft = scene.rotor.shaft;
     return operation::level1(scene, modes::choose_formulation(scene).form,
                              shaft.rigid ? 1 : shaft.order, notes);
 }
 
 results::Level1 level1(const model::Case &scene) {
-    std::vector<std::string> notes;
+    std::vector<results::Sentence> notes;
     const results::Level1 out = level1(scene, notes);
     EXPECT_TRUE(notes.empty()) << notes.front();
     return out;
@@ -114,7 +114,7 @@ TEST(Level1, SaysThatARotorGrowsWithoutAddedCoupling) {
     const double q = 1.1 * rotor.c * rotor.natural();
     seal.rows.emplace_back().k << 0, q, -q, 0;
     scene.rotor.bearings.push_back(seal);
-    std::vector<std::string> notes;
+    std::vector<results::Sentence> notes;
     const results::Level1 found = level1(scene, notes);
     EXPECT_FALSE(found.critical_cross_coupling.has_value());
     ASSERT_EQ(notes.size(), 1U);
@@ -144,7 +144,7 @@ TEST(Level1, EstimatesItsError) {
 TEST(Level1, IsForAxisymmetricRotors) {
     model::Case scene = coupled({});
     scene.rotor.anisotropies.push_back({"", 0.5, 0.001, 0});
-    std::vector<std::string> notes;
+    std::vector<results::Sentence> notes;
     EXPECT_THROW((void)level1(scene, notes), model::BadInput);
 }
 

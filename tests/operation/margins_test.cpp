@@ -85,7 +85,7 @@ const model::Operation running{1000, 2000, {}};
 std::vector<SeparationMargin> margins_of(const std::vector<results::CriticalSpeed> &speeds,
                                          const std::vector<results::ResponsePeak> &peaks,
                                          bool backward_too) {
-    std::vector<std::string> notes;
+    std::vector<results::Sentence> notes;
     return separation_margins(running, speeds, peaks, backward_too, notes);
 }
 
@@ -137,7 +137,7 @@ TEST(Margins, AreThoseOfEveryProbeTheLargestReadingFirst) {
     EXPECT_FALSE(margins[3].passes);
     // A peak that does not come down to its half-power points is not passed over in silence.
     peaks[0].amplification.reset();
-    std::vector<std::string> notes;
+    std::vector<results::Sentence> notes;
     (void)separation_margins(running, {critical(900, Whirl::forward, 4)}, peaks, false, notes);
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_NE(notes[0].find("z = 0.1 m reads at its peak, 8642.11 rpm"), std::string::npos); // 905
@@ -187,7 +187,7 @@ TEST(Margins, LeaveOutHeavilyDampedOnesAndBackwardWhirlThatNothingExcites) {
 TEST(Margins, SayWhyACriticalSpeedIsNotAmongThem) {
     const auto notes_of = [](const std::vector<results::CriticalSpeed> &speeds,
                              const std::vector<results::ResponsePeak> &peaks, bool backward_too) {
-        std::vector<std::string> notes;
+        std::vector<results::Sentence> notes;
         (void)separation_margins(running, speeds, peaks, backward_too, notes);
         return notes;
     };

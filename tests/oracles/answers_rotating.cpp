@@ -13,6 +13,13 @@ namespace whirl::oracles {
 
 namespace {
 
+/// The rotor with balls that are held; those that are free are not of its body.
+RigidRotor body_of(const CaseRotor &rotor) {
+    const bool held = std::any_of(rotor.balancers.begin(), rotor.balancers.end(),
+                                  [](const Balancer &b) { return b.held; });
+    return held ? composite_rotor(rotor) : bare_rotor(rotor);
+}
+
 bool round(const Block &b) { return b[0][0] == b[1][1] && b[0][1] == 0 && b[1][0] == 0; }
 
 Answer unstable_bands(const CaseRotor &rotor) {
@@ -28,9 +35,14 @@ Answer unstable_bands(const CaseRotor &rotor) {
     }
     // Below the growth of a thousandth of a step of the search, above the rounding of double roots
     const Real noise = rotor.damped() ? Real(0) : 2e-9L;
+    if (rotor.rigid && !rotor.balancers.empty() && !rotor.balancers.front().held)
+        return {"rotating state matrix, balls free",
+                flat(growing_bands(rotating_composite(rotor), from, to, 600, noise)),
+                {},
+                {}};
     if (rotor.rigid)
         return {"rotating state matrix",
-                flat(growing_bands(rotating_body(bare_rotor(rotor)), from, to, 600, noise)),
+                flat(growing_bands(rotating_body(body_of(rotor)), from, to, 600, noise)),
                 {},
                 {}};
     if (rotor.discs.size() == 1 && isotropic)
@@ -92,6 +104,8 @@ Real dimensionless(const CaseRotor &rotor, const std::string &name) {
         return b.imbalance * static_cast<Real>(b.imbalance_radius) / body.A;
     if (name == "C")
         return body.C / body.A;
+    if (name == "A")
+        return std::abs(body.a) / body.A;
     no_answer("show: no oracle for the dimensionless " + name);
 }
 
@@ -103,7 +117,7 @@ Answer answer_balls(const CaseRotor &rotor, const std::string &path) {
     if (path == "/balancers/0/E")
         return {position, {E}, {}, {}};
     if (path == "/balancers/0/D_c")
-        return {position, {second_harmonic(symmetric_position(balancer.n, E)).real()}, {}, {}};
+        return {position, {second_harmonic(balanced_position(balancer)).real()}, {}, {}};
     if (path == "/balancers/0/D_interval") {
         const HarmonicInterval interval = harmonic_interval(balancer.rows, balancer.imbalance);
         return {"search over balanced positions", {interval.least, interval.most}, {}, {}};
@@ -135,7 +149,7 @@ Answer answer_stability(const Request &request) {
     if (request.path == "/permissible/0/dI" && rotor.rigid)
         return {"rotating state matrix", {permissible_anisotropy(rotor)}, {}, {}};
     if (request.path == "/permissible/0/closed_form" && rotor.rigid) {
-        const AnisotropicRotor closed(bare_rotor(rotor));
+        const AnisotropicRotor closed(body_of(rotor));
         return {"closed form of the anisotropic rotor", {closed.permissible() * closed.A}, {}, {}};
     }
     no_answer("stability: no oracle for " + request.path);
@@ -146,9 +160,9 @@ Answer answer_show(const Request &request) {
     const std::string &path = request.path;
     const std::string anisotropic = "closed form of the anisotropic rotor";
     if (path == "/dI")
-        return {"the case itself", {std::abs(bare_rotor(rotor).a)}, {}, {}};
+        return {"the case itself", {std::abs(body_of(rotor).a)}, {}, {}};
     if (path.rfind("/anisotropy/", 0) == 0) {
-        const AnisotropicRotor closed(bare_rotor(rotor));
+        const AnisotropicRotor closed(body_of(rotor));
         if (path == "/anisotropy/critical_speeds")
             return {anisotropic, closed.critical_speeds(), {}, {}};
         if (path == "/anisotropy/unstable/0")

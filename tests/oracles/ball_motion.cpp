@@ -46,6 +46,8 @@ Vector start(const CarriedRotor &rotor, const std::vector<std::vector<double>> &
     Vector q = Vector::Zero(rotor.unknowns());
     std::vector<std::size_t> used(angles.size(), 0);
     for (std::size_t k = 0; k < rotor.beads().size(); ++k) {
+        if (rotor.beads()[k].held)
+            continue;
         const std::size_t balancer = rotor.beads()[k].balancer;
         q[rotor.place(k)] = angles.at(balancer).at(used.at(balancer)++);
     }
@@ -65,6 +67,7 @@ std::string BallOutcome::name() const {
 BallOutcome ball_motion(const CaseRotor &rotor, double speed,
                         const std::vector<std::vector<double>> &angles, double time) {
     const CarriedRotor carried(rotor, speed);
+    const double without = carried.amplitude_without_beads();
     Marching motion(carried, start(carried, angles));
     const auto steps = static_cast<long>(steps_a_turn * time * speed / (2 * std::numbers::pi)) + 1;
     const auto beads = static_cast<Eigen::Index>(carried.beads().size());
@@ -92,7 +95,7 @@ BallOutcome ball_motion(const CaseRotor &rotor, double speed,
     const Vector end = in_rotor();
     out.drift = (end - tenth).cwiseAbs().maxCoeff();
     out.swing = (high - low).maxCoeff();
-    out.residual = largest / carried.amplitude_without_beads();
+    out.residual = largest / without;
     out.angles.resize(rotor.balancers.size());
     for (std::size_t k = 0; k < carried.beads().size(); ++k)
         out.angles[carried.beads()[k].balancer].push_back(

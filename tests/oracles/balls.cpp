@@ -116,6 +116,8 @@ Real pull_of(const std::vector<Row> &rows) {
 Real capacity(const Balancer &b) { return pull_of(b.rows) / static_cast<Real>(b.imbalance); }
 
 std::vector<Real> symmetric_position(int n, Real capacity) {
+    if (n == 1 && std::abs(capacity - 1) < 1e-12L)
+        return {std::numbers::pi_v<Real>};
     const bool odd = n % 2 == 1;
     const Real pairs = n - (odd ? 1 : 0);
     const Real cosine = (-n / capacity + (odd ? 1 : 0)) / pairs;
@@ -127,6 +129,12 @@ std::vector<Real> symmetric_position(int n, Real capacity) {
     for (int i = odd ? 1 : 0; i < n; ++i)
         out.push_back((i % 2 == 0 ? 1 : -1) * std::acos(cosine));
     return out;
+}
+
+std::vector<Real> balanced_position(const Balancer &balancer) {
+    if (balancer.position.empty())
+        return symmetric_position(balancer.n, capacity(balancer));
+    return {balancer.position.begin(), balancer.position.end()};
 }
 
 Complex second_harmonic(const std::vector<Real> &angles) {
@@ -141,7 +149,7 @@ BallInertia ball_inertia(const Balancer &b) {
     const Real m0 = R0 > 0 ? b.imbalance / R0 : 0;
     const Real A_m = b.n * static_cast<Real>(b.mass) * b.radius * b.radius;
     const Real A_m0 = m0 * R0 * R0;
-    const Complex D = second_harmonic(symmetric_position(b.n, capacity(b)));
+    const Complex D = second_harmonic(balanced_position(b));
     return {b.n * static_cast<Real>(b.mass) + m0, (A_m + A_m0) / 2, A_m + A_m0,
             (A_m0 + A_m * D) / Real(2), (A_m0 + A_m * std::abs(D)) / 2};
 }

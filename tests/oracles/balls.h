@@ -12,6 +12,9 @@ namespace whirl::oracles {
 /// at +-alpha.
 [[nodiscard]] std::vector<Real> symmetric_position(int n, Real capacity);
 
+/// The position that the case gives, else the symmetric one.
+[[nodiscard]] std::vector<Real> balanced_position(const Balancer &balancer);
+
 /// D = (1/n) sum exp(2 i alpha).
 [[nodiscard]] Complex second_harmonic(const std::vector<Real> &angles);
 

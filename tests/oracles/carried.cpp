@@ -126,6 +126,7 @@ Sums<Number> summed(const CarriedRotor &rotor, const RigidRotor &body, Number W,
                     const Eigen::Matrix<Number, Eigen::Dynamic, 1> &r) {
     Sums<Number> out(rotor.unknowns());
     std::array<Eigen::Index, local> places{0, 1, 2, 3, -1, -1};
+    Real held = 0;
     const auto local_motion = [&] {
         std::array<Number, 2 * local> at{};
         for (std::size_t i = 0; i < local; ++i)
@@ -133,16 +134,29 @@ Sums<Number> summed(const CarriedRotor &rotor, const RigidRotor &body, Number W,
                 at[i] = q[places[i]];
                 at[local + i] = r[places[i]];
             }
+        at[4] += static_cast<Number>(held);
         return at;
     };
     auto at = local_motion();
     out.add(of_rotor(Local<Number>(at, W), body, W, force, moment), places, at);
     for (std::size_t k = 0; k < rotor.beads().size(); ++k) {
+        const Bead &bead = rotor.beads()[k];
+        held = bead.held ? bead.angle : 0;
         places[4] = rotor.place(k);
-        places[5] = rotor.beads()[k].ring ? places[4] + 1 : -1;
+        places[5] = bead.ring && !bead.held ? places[4] + 1 : -1;
         at = local_motion();
         out.add(of_bead(Local<Number>(at, W), rotor.beads()[k], W), places, at);
     }
+    return out;
+}
+
+std::vector<Real> angles_at_balance(const Balancer &balancer) {
+    std::vector<Real> out;
+    if (!balancer.position.empty())
+        return balanced_position(balancer);
+    for (const Row &row : balancer.rows)
+        for (const Real angle : symmetric_position(row.n, capacity(balancer)))
+            out.push_back(angle);
     return out;
 }
 
@@ -153,13 +167,26 @@ std::vector<Bead> beads_of(const CaseRotor &rotor) {
     const Real centre = bare_rotor(rotor).centre;
     for (std::size_t b = 0; b < rotor.balancers.size(); ++b) {
         const Balancer &balancer = rotor.balancers[b];
-        if (balancer.pendulums || balancer.imbalance_radius > 0)
-            throw std::runtime_error("motion of balls and rings: no pendulums, no point masses");
+        if (balancer.pendulums)
+            throw std::runtime_error("motion of balls and rings: no pendulums");
+        std::vector<Real> angles;
+        if (balancer.held && !rotor.ball_angles.empty())
+            angles.assign(rotor.ball_angles[b].begin(), rotor.ball_angles[b].end());
+        else if (balancer.held)
+            angles = angles_at_balance(balancer);
+        std::size_t at = 0;
         for (const Row &row : balancer.rows)
-            for (int i = 0; i < row.n; ++i)
+            for (int i = 0; i < row.n; ++i, ++at)
                 out.push_back({b, static_cast<Real>(balancer.z) - centre, row.mass, row.radius,
                                row.damping, balancer.ring, balancer.bore, balancer.inertia,
-                               balancer.drag});
+                               balancer.drag, balancer.held, balancer.held ? angles.at(at) : 0});
+    }
+    for (std::size_t b = 0; b < rotor.balancers.size(); ++b) {
+        const Balancer &balancer = rotor.balancers[b];
+        const Real R0 = balancer.imbalance_radius;
+        if (R0 > 0)
+            out.push_back({b, static_cast<Real>(balancer.z) - centre, balancer.imbalance / R0, R0,
+                           0, false, 0, 0, 0, true, 0});
     }
     return out;
 }
@@ -167,32 +194,38 @@ std::vector<Bead> beads_of(const CaseRotor &rotor) {
 std::vector<Real> balanced_angles(const CaseRotor &rotor) {
     std::vector<Real> out;
     for (const Balancer &balancer : rotor.balancers)
-        for (const Row &row : balancer.rows)
-            for (const Real angle : symmetric_position(row.n, capacity(balancer)))
+        if (!balancer.held)
+            for (const Real angle : angles_at_balance(balancer))
                 out.push_back(angle);
     return out;
 }
 
 CarriedRotor::CarriedRotor(const CaseRotor &rotor, Real speed)
     : _body(bare_rotor(rotor)), _speed(speed), _beads(beads_of(rotor)) {
-    for (const Balancer &balancer : rotor.balancers) {
-        _force += balancer.imbalance;
-        _moment += balancer.imbalance * (balancer.z - _body.centre);
-    }
+    for (const Balancer &balancer : rotor.balancers)
+        if (!(balancer.imbalance_radius > 0)) { // else a bead
+            _force += balancer.imbalance;
+            _moment += balancer.imbalance * (balancer.z - _body.centre);
+        }
     for (const Bead &bead : _beads) {
-        _places.push_back(_unknowns);
-        _unknowns += bead.ring ? 2 : 1;
+        _places.push_back(bead.held ? -1 : _unknowns);
+        _unknowns += bead.held ? 0 : bead.ring ? 2 : 1;
     }
 }
 
 std::vector<Complex> CarriedRotor::eigenvalues(const std::vector<Real> &angles) const {
     using Vector = Sums<Real>::Vector;
     Vector q = Vector::Zero(_unknowns);
-    for (std::size_t k = 0; k < _beads.size(); ++k)
-        q[_places[k]] = angles.at(k);
+    Real moments = _force;
+    auto angle = angles.begin();
+    for (std::size_t k = 0; k < _beads.size(); ++k) {
+        moments += _beads[k].mass * _beads[k].radius;
+        if (!_beads[k].held)
+            q[_places[k]] = *angle++;
+    }
     const Vector rest = Vector::Zero(_unknowns);
     const Sums<Real> s = summed<Real>(*this, _body, _speed, _force, _moment, q, rest);
-    if (s.f.norm() > 1e-15L * _force * _speed * _speed)
+    if (_unknowns > 4 && s.f.norm() > 1e-15L * moments * _speed * _speed)
         throw std::runtime_error("the balls do not balance the rotor there");
     return state_eigenvalues(s.M, s.D, s.K, _speed);
 }
@@ -216,6 +249,8 @@ double CarriedRotor::amplitude(const Eigen::VectorXd &q) const {
 }
 
 double CarriedRotor::amplitude_without_beads() const {
+    if (std::ranges::any_of(_beads, &Bead::held))
+        throw std::runtime_error("motion without balls and rings: none of them held");
     const Real W2 = _speed * _speed;
     Eigen::Matrix<Complex, 2, 2> D;
     D << Complex(_body.k0 - W2 * _body.mass, _speed * _body.c0),

@@ -14,14 +14,18 @@ struct Bead {
     Real radius = 0;  ///< of the circle its centre moves on, m
     Real damping = 0; ///< N s/m, against sliding
     bool ring = false;
-    Real bore = 0;    ///< radius of a ring's bore, m
-    Real inertia = 0; ///< of a ring about its own axis, kg m2
-    Real drag = 0;    ///< against its turning in the rotor, N m s
+    Real bore = 0;     ///< radius of a ring's bore, m
+    Real inertia = 0;  ///< of a ring about its own axis, kg m2
+    Real drag = 0;     ///< against its turning in the rotor, N m s
+    bool held = false; ///< fixed in the rotor: a point mass, or a ring, without motions of its own
+    Real angle = 0;    ///< where it is held, rad
 };
 
-/// The beads of a case, balancer after balancer, row after row.
+/// The beads of a case, balancer after balancer, row after row; then the point masses that
+/// imbalances are, held.
 [[nodiscard]] std::vector<Bead> beads_of(const CaseRotor &rotor);
-/// Their angles (rad) in the balanced position in which every row takes the same share.
+/// Angles (rad) of those that are free in the balanced position in which every row takes the same
+/// share.
 [[nodiscard]] std::vector<Real> balanced_angles(const CaseRotor &rotor);
 
 /// A rigid rotor at constant speed on isotropic supports with all its beads, in axes that turn with
@@ -36,10 +40,11 @@ class CarriedRotor {
 
     [[nodiscard]] const std::vector<Bead> &beads() const { return _beads; }
     [[nodiscard]] Eigen::Index unknowns() const { return _unknowns; }
-    /// Place of a bead's angle among the unknowns.
+    /// Place of a bead's angle among the unknowns; negative: held.
     [[nodiscard]] Eigen::Index place(std::size_t bead) const { return _places[bead]; }
 
-    /// Of small motions about the balanced position, 1/s.
+    /// Of small motions about the balanced position of the free beads, 1/s; without any about any
+    /// motion, the equations being linear.
     [[nodiscard]] std::vector<Complex> eigenvalues(const std::vector<Real> &angles) const;
 
     /// Accelerations from unknowns q and rates r.

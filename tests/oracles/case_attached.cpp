@@ -92,6 +92,10 @@ Balancer balancer_of(const toml::table &table) {
     out.damping = number(table, "damping");
     out.imbalance = number(table, "imbalance");
     out.imbalance_radius = number(table, "imbalance_radius");
+    out.held = table["held"].value_or(false);
+    if (const toml::array *position = table["position"].as_array())
+        for (const toml::node &angle : *position)
+            out.position.push_back(number(angle));
     if (!out.pendulums)
         out.rows.push_back(row_of(table));
     if (table.contains("rows")) {

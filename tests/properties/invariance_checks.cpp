@@ -9,6 +9,7 @@
 #include "results/campbell.h"
 #include "results/critical.h"
 #include "results/formulation.h"
+#include "results/sentence.h"
 #include "support/balancer_parts.h"
 
 #include <algorithm>
@@ -124,7 +125,7 @@ Answer negative_spin(InvarianceScene &s) {
                               its_speed, s.scene().campbell.modes, {});
 }
 
-bool could_not_follow(const std::vector<std::string> &notes) {
+bool could_not_follow(const std::vector<results::Sentence> &notes) {
     return std::any_of(notes.begin(), notes.end(), [](const std::string &note) {
         return note.find("could not be followed") != std::string::npos;
     });

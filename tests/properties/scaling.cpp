@@ -29,7 +29,7 @@ namespace {
 
 template <class Result> CommandOutput output_of(const model::Case &scene, const Result &result) {
     const report::Report report = report::describe(scene, result);
-    return {report.text(), report::to_json(report), {}};
+    return {report.text({}), report::to_json(report), {}};
 }
 
 CommandOutput run(const std::string &command, const model::Case &scene,

@@ -83,7 +83,7 @@ TEST_F(OperationReport, MarginsAreInTextPageAndData) {
     EXPECT_EQ(margin.at("required"), 10.2);
     EXPECT_EQ(margin.at("passes"), false);
     EXPECT_TRUE(margin.at("z").is_null());
-    const std::string text = describe(scene, result).text();
+    const std::string text = describe(scene, result).text({});
     EXPECT_NE(text.find("Separation margins"), std::string::npos);
     EXPECT_NE(text.find("fails"), std::string::npos);
     EXPECT_NE(content_of(folder / "report.html").find("Margin required"), std::string::npos);
@@ -97,7 +97,7 @@ TEST_F(OperationReport, WithoutOperatingSpeedsThereAreNone) {
     const nlohmann::json json = expect_whole_report(files, folder, "critical");
     EXPECT_FALSE(json.contains("margins"));
     EXPECT_FALSE(json.contains("operation"));
-    EXPECT_EQ(describe(scene, result).text().find("Separation"), std::string::npos);
+    EXPECT_EQ(describe(scene, result).text({}).find("Separation"), std::string::npos);
 }
 
 /// A motion that no longer swings leaves a gap, and no root is null.
@@ -116,7 +116,7 @@ TEST_F(OperationReport, AddedCouplingWithoutARoot) {
     const nlohmann::json json = expect_whole_report(files, folder, "stability");
     EXPECT_TRUE(json.at("level1").at("critical_cross_coupling").is_null());
     EXPECT_TRUE(json.at("level1").at("log_dec")[1].is_null());
-    EXPECT_EQ(describe(scene, result).text().find("nan"), std::string::npos);
+    EXPECT_EQ(describe(scene, result).text({}).find("nan"), std::string::npos);
     EXPECT_TRUE(std::filesystem::exists(folder / "level1.csv"));
 }
 

@@ -123,7 +123,8 @@ TEST(PlotData, GrowthIsZeroAtTheEndsOfBands) {
     result.speeds = {0, 10, 20, 30};
     result.growth = {-1, -1, 4, -1};
     result.unstable = {{18 / rpm, 25 / rpm}};
-    const std::string script = stability_figure(sample_case(), result).script;
+    const std::string script =
+        stability_figure(sample_case(), result, Units::of_readers({})).script;
     const std::string block = script.substr(script.find("$curve0"));
     const std::size_t begins = block.find("\n18 0\n");
     const std::size_t ends = block.find("\n25 0\n");
@@ -132,10 +133,12 @@ TEST(PlotData, GrowthIsZeroAtTheEndsOfBands) {
     EXPECT_LT(begins, ends);
     result.growth = {-0.003351, -0.0033515, -0.003352, -0.0033525};
     result.unstable = {};
-    EXPECT_NE(stability_figure(sample_case(), result).script.find("set format y '%.6g'"),
+    EXPECT_NE(stability_figure(sample_case(), result, Units::of_readers({}))
+                  .script.find("set format y '%.6g'"),
               std::string::npos);
     result.growth = {-100.00001, -100.00002, -100.00003, -100.00004};
-    EXPECT_NE(stability_figure(sample_case(), result).script.find("set format y '%.9g'"),
+    EXPECT_NE(stability_figure(sample_case(), result, Units::of_readers({}))
+                  .script.find("set format y '%.9g'"),
               std::string::npos);
 }
 
@@ -167,7 +170,7 @@ TEST(PlotData, PolarLoopsAreRound) {
     result.speeds = result.curves.speeds;
     result.nodes[0].amplitude = result.curves.values[0];
     result.nodes[0].phase = result.curves.phases[0];
-    const std::string script = polar_figure(sample_case(), result).script;
+    const std::string script = polar_figure(sample_case(), result, Units::of_readers({})).script;
     const std::size_t from = script.find("$curve0 << EOD\n");
     ASSERT_NE(from, std::string::npos);
     std::istringstream data(script.substr(from + 15, script.find("EOD", from + 15) - from - 15));
@@ -183,7 +186,7 @@ TEST(PlotData, PolarLoopsAreRound) {
     result.probes[0].angle = pi / 2;
     result.curves.values.push_back({1e-6, 2e-6, 1e-6});
     result.curves.phases.push_back({0, pi / 2, pi});
-    const std::string read = polar_figure(sample_case(), result).script;
+    const std::string read = polar_figure(sample_case(), result, Units::of_readers({})).script;
     EXPECT_NE(read.find("1Y, z = 0 m at 90°"), std::string::npos);
     EXPECT_NE(read.find("set xlabel 'in phase ("), std::string::npos);
     EXPECT_EQ(read.find("$curve1 << EOD"), std::string::npos);

@@ -115,7 +115,7 @@ TEST_F(ReportTest, LinesWithoutAFrequencyStandLastInTheTextOrNotAtAll) {
     result.modes.back().label = "7M";
     result.modes.back().absent.back() = "not followed";
     const model::Case scene = sample_case();
-    const std::string text = describe(scene, result).text();
+    const std::string text = describe(scene, result).text({});
     EXPECT_LT(text.find("\n  1F "), text.find("\n  1B "));
     EXPECT_NE(text.find("\n  1B "), std::string::npos);
     EXPECT_EQ(text.find("7M"), std::string::npos) << text;
@@ -203,7 +203,7 @@ TEST(SceneDrawing, ShowsImbalances) {
     scene.rotor.shaft.segments = {segment};
     scene.rotor.imbalances = {
         {"", 0.25, 12e-6, 0}, {"blade", 0.5, 2e-3, std::numbers::pi}, {"", 0.75, 0, 0}};
-    const Drawing drawing = show_drawing(scene, results::ShowResult{});
+    const Drawing drawing = show_drawing(scene, results::ShowResult{}, Units::of_readers({}));
     const auto text = [&](const std::string &wanted) {
         return std::count_if(drawing.texts.begin(), drawing.texts.end(),
                              [&](const auto &t) { return t.text == wanted; });
@@ -221,7 +221,7 @@ TEST(SceneDrawing, LinesGoRoundOtherNames) {
         scene.rotor.discs.push_back(scene.rotor.discs.front());
         scene.rotor.discs.back().name = name;
     }
-    const Drawing drawing = show_drawing(scene, results::ShowResult{});
+    const Drawing drawing = show_drawing(scene, results::ShowResult{}, Units::of_readers({}));
     int lines = 0;
     for (const DrawShape &shape : drawing.shapes) {
         if (shape.stroke != "#AAAAAA") // of the lines to the names
@@ -248,7 +248,8 @@ TEST(SceneDrawing, SaysThatAShaftIsMassless) {
     const auto heading_of = [&](double shaft_mass) {
         result.shaft_mass = shaft_mass;
         std::string all;
-        for (const DrawText &text : show_drawing(sample_case(), result).texts)
+        for (const DrawText &text :
+             show_drawing(sample_case(), result, Units::of_readers({})).texts)
             all += text.text + "\n";
         return all;
     };

@@ -109,7 +109,7 @@ std::string to_html(const model::Case &scene, const Result &result, const std::s
 }
 template <class Result> std::string to_csv(const Result &result) {
     const model::Case scene;
-    return describe(scene, result).csv();
+    return describe(scene, result).csv({});
 }
 
 /// Lines of a text, the last one with or without its end.

@@ -73,7 +73,7 @@ TEST_F(SamplesReport, CsvHasALineASampleWithItsFailure) {
 TEST_F(SamplesReport, TextHasQuantilesAndReasons) {
     const results::SamplesResult result = four_samples();
     const model::Case scene = sample_case();
-    const std::string text = describe(scene, result).text();
+    const std::string text = describe(scene, result).text({});
     for (const char *part : {"4 samples, seed 7", "50 %", "954.93", "bearing[0].k: expected"})
         EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
 }

@@ -48,15 +48,15 @@ class StabilityReport : public ScratchFolder {
 
 TEST_F(StabilityReport, NoBandIsNoneOnlyWhereNothingGrows) {
     StabilityResult result = three_speeds();
-    EXPECT_TRUE(has(describe(sample_case(), result).text(), "Unstable: none in this range"));
+    EXPECT_TRUE(has(describe(sample_case(), result).text({}), "Unstable: none in this range"));
     result.verdict[1] = Verdict::unstable;
     result.growth[1] = 2;
-    const std::string grows = describe(sample_case(), result).text();
+    const std::string grows = describe(sample_case(), result).text({});
     EXPECT_FALSE(has(grows, "none in this range"));
     EXPECT_TRUE(has(grows, "at 1 of 3 speeds a motion grows that no band was found for"));
     result.verdict[1] = Verdict::unknown;
     result.growth[1] = std::numeric_limits<double>::quiet_NaN();
-    const std::string unknown = describe(sample_case(), result).text();
+    const std::string unknown = describe(sample_case(), result).text({});
     EXPECT_FALSE(has(unknown, "none in this range"));
     EXPECT_TRUE(has(unknown, "at 1 of 3 speeds it is not known whether a motion grows"));
     const Files files = write_report(sample_case(), result, folder);
@@ -67,7 +67,7 @@ TEST_F(StabilityReport, NoBandIsNoneOnlyWhereNothingGrows) {
 
 TEST_F(StabilityReport, ResolvedMotionsAndFasterOnesAreToldApart) {
     const StabilityResult result = told_apart();
-    const std::string text = describe(sample_case(), result).text();
+    const std::string text = describe(sample_case(), result).text({});
     EXPECT_TRUE(has(
         text, "up to frequencies of 5000 rad/s, which the elements resolve: none in this range"));
     EXPECT_TRUE(has(text, "growing at 2 of 3 speeds, by up to 3 1/s"));
@@ -86,7 +86,7 @@ TEST_F(StabilityReport, TheReachIsInTheUnitOfFrequencies) {
     model::OutputUnits units;
     units.of["frequency"] = {"Hz", 2 * std::numbers::pi};
     const WrittenIn written(units);
-    const std::string text = in_written_units(describe(sample_case(), told_apart()).text());
+    const std::string text = in_written_units(describe(sample_case(), told_apart()).text({}));
     EXPECT_TRUE(has(text, "up to frequencies of 795.8 Hz, which the elements resolve")) << text;
 }
 
@@ -99,7 +99,7 @@ TEST_F(StabilityReport, OfOneSpeedAsOfMany) {
     for (std::vector<Verdict> *of : {&result.verdict, &result.resolved_verdict})
         *of = {of->back()};
     result.unstable = {};
-    const std::string text = describe(sample_case(), result).text();
+    const std::string text = describe(sample_case(), result).text({});
     EXPECT_TRUE(has(text, "5000 rad/s, which the elements resolve: Stable: every motion dies out"));
     EXPECT_TRUE(has(text, "which the elements do not resolve: growing, by up to 3 1/s")) << text;
 }
@@ -113,7 +113,7 @@ TEST_F(StabilityReport, EndsHaveTheColumnsThatSaySomething) {
     end.frequency_rotating = 30;
     end.growing_above = 2;
     result.ends = {end};
-    const std::string text = describe(sample_case(), result).text();
+    const std::string text = describe(sample_case(), result).text({});
     EXPECT_TRUE(has(text, "in rotating axes"));
     EXPECT_FALSE(has(text, "in fixed axes"));
 }

@@ -78,7 +78,7 @@ TEST(BallLines, AreFollowedFromEndToEnd) {
             for (const auto &mode : result.modes)
                 for (std::size_t k = 1; k < result.speeds.size(); ++k)
                     EXPECT_TRUE(mode.frequency[k].has_value()) << balls << equal << k;
-            for (const std::string &note : result.model.notes)
+            for (const auto &note : result.model.notes)
                 EXPECT_EQ(note.find("could not be followed"), std::string::npos) << note;
         }
 }

@@ -22,7 +22,8 @@ using namespace whirl;
 using tests::stable_above;
 
 /// The rotor of Rodrigues et al. with a static eccentricity, which each of the two races balances
-/// by half; without the balls' inertia against tilting, as in the published equations.
+/// by half; without the balls' inertia against tilting, which the equations of 2008 contain and those
+/// of later papers leave out.
 model::Case published_rotor(double eccentricity, double ball_mass) {
     return tests::rotor_with({eccentricity, 0, 0}, ball_mass, 0.01);
 }
@@ -33,7 +34,7 @@ double growth_at(const model::Case &scene, double speed) {
     return stability::growth_of(solver.at(speed));
 }
 
-// Hopf bounds computed from the published equations, four digits printed.
+// Hopf bounds computed from the later equations, four digits printed.
 TEST(BalancedPosition, HopfBoundsOfTheTwoPlaneBalancer) {
     EXPECT_NEAR(stable_above(published_rotor(.01, .003), 2, 6), 2.732, 6e-4);
     EXPECT_NEAR(stable_above(published_rotor(.01, .005), 2, 6), 2.933, 6e-4);

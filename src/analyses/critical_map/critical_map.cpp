@@ -258,7 +258,7 @@ std::vector<CriticalMapBearing> bearings_across(const model::Rotor &rotor,
 /// @param highest  speed of the map, rad/s
 std::vector<CriticalMapCrossing> crossings_of(const MapScene &map, const model::Bearing &bearing,
                                               int direction, std::size_t across, double highest,
-                                              std::vector<std::string> &notes) {
+                                              std::vector<results::Sentence> &notes) {
     const std::vector<double> k = direct_stiffness(bearing, direction);
     const assembly::Discretization d(
         model::with_support_stiffness(map.rotor, map.varied, k, bearing.speeds), map.order);
@@ -282,7 +282,7 @@ std::vector<CriticalMapCrossing> crossings_of(const MapScene &map, const model::
 
 /// Adds a crossing that lies on the map and on one of its curves.
 void keep(CriticalMapCrossing crossing, const MapScene &map, const CurveOf &curve_of,
-          CriticalMap &out, std::vector<std::string> &notes) {
+          CriticalMap &out, std::vector<results::Sentence> &notes) {
     if (crossing.stiffness < out.stiffness.front() || crossing.stiffness > out.stiffness.back())
         return;
     const auto on =
@@ -308,7 +308,7 @@ void keep(CriticalMapCrossing crossing, const MapScene &map, const CurveOf &curv
 /// @param rotor    as the case has it
 /// @param highest  speed of the map, rad/s
 void add_crossings(const MapScene &map, const CurveOf &curve_of, const model::Rotor &rotor,
-                   double highest, CriticalMap &out, std::vector<std::string> &notes) {
+                   double highest, CriticalMap &out, std::vector<results::Sentence> &notes) {
     for (std::size_t i = 0; i < out.bearings.size(); ++i) {
         const bool isotropic = out.bearings[i].isotropic;
         const model::Bearing &bearing = rotor.bearings[out.bearings[i].bearings.front()];
@@ -324,7 +324,7 @@ void add_crossings(const MapScene &map, const CurveOf &curve_of, const model::Ro
 
 /// What the map leaves out of the rotor, and what it cannot know.
 void add_notes(const model::Rotor &rotor, const MapScene &map, const CriticalMap &out,
-               std::vector<std::string> &notes) {
+               std::vector<results::Sentence> &notes) {
     const bool other_axes = !rotor.bearings_isotropic() && (map.varied || !rotor.seals().empty());
     notes.push_back(fmt::format(
         "critical speed map: without damping and cross coupling{}{}{}",

@@ -57,7 +57,7 @@ SynchronousModes lowest_of_each(const MapScene &map, const assembly::Discretizat
 std::vector<double> point_at(const MapScene &map, double k) {
     const assembly::Discretization d(map.with_stiffness(k), map.order);
     const SynchronousModes list = lowest_of_each(map, d);
-    std::vector<std::string> ignored; // one for each point: too many to read
+    std::vector<results::Sentence> ignored; // one for each point: too many to read
     const auto errors =
         synchronous::errors_by_finer_model(d, map.form, list, map.symmetric, ignored);
     std::vector<double> numbers(4 * map.kept(), std::numeric_limits<double>::quiet_NaN());

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace whirl::input {
 namespace {
 
@@ -81,7 +83,7 @@ void read_motor(CheckedTable &table, const model::Rotor &rotor, model::SimulateS
         table.fail("torque", "expected either run_up or the torque of a motor, got both");
     for (const model::Balancer &b : rotor.balancers)
         if (const auto *balls = std::get_if<model::Balls>(&b.parts);
-            simulate.torque && balls && (balls->contact || balls->resists()))
+            simulate.torque && !b.held && balls && (balls->contact || balls->resists()))
             table.fail("torque", "expected a prescribed speed (run_up, or [speeds]) where balls "
                                  "touch or resist rolling, got the torque of a motor");
     for (const char *key : {"torque_slope", "inertia"})
@@ -99,7 +101,8 @@ void read_simulate_options(CheckedTable &table, model::Case &scene) {
     simulate.reduction_tolerance =
         table.number_or("reduction_tolerance", simulate.reduction_tolerance,
                         Quantity::dimensionless, Range::inside(0, 1));
-    if (scene.rotor.balancers.empty() && !table.has("reduction_tolerance"))
+    if (std::ranges::all_of(scene.rotor.balancers, &model::Balancer::held) &&
+        !table.has("reduction_tolerance"))
         simulate.reduction_tolerance = 1e-4; // without balls it is the largest error there is
     if (const auto restart = table.text("restart"))
         simulate.restart = *restart;

@@ -13,6 +13,7 @@ struct Figure {
     std::string script; ///< with its data as named data blocks
     int width = 1200;   ///< of the PNG, pixels; the SVG is drawn in the same units
     int height = 800;
+    bool in_units = false; ///< its numbers and labels are already in the units of its readers
 };
 
 enum class PictureFormat { svg, png };

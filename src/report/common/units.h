@@ -1,14 +1,69 @@
 #pragma once
 
 #include "model/output_units.h"
+#include "model/quantity.h"
 #include "model/rpm.h"
+#include "model/sentence.h"
 
+#include <array>
+#include <cstddef>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace whirl::report {
+
+using model::Quantity;
+using model::Unit;
+
+/// The units of all quantities for one kind of reader. Handed to whoever writes.
+class Units {
+  public:
+    /// SI and radians: JSON where nothing else is asked for.
+    Units() = default;
+    /// Of files: those that were asked for, all others SI.
+    [[nodiscard]] static Units of_files(const model::OutputUnits &asked);
+    /// Of texts, pages and pictures: those that were asked for, else the usual ones: rpm, Hz, µm
+    /// and degrees.
+    [[nodiscard]] static Units of_readers(const model::OutputUnits &asked);
+    /// Of JSON: as files where that is asked for, else SI.
+    [[nodiscard]] static Units of_json(const model::OutputUnits &asked);
+
+    [[nodiscard]] const Unit &unit(Quantity quantity) const {
+        return _units.at(static_cast<std::size_t>(quantity));
+    }
+    /// Whether the user has chosen the unit of this quantity.
+    [[nodiscard]] bool asked(Quantity quantity) const {
+        return _asked.at(static_cast<std::size_t>(quantity));
+    }
+    /// A number in SI as it is written: units(Quantity::speed, omega).
+    [[nodiscard]] double operator()(Quantity quantity, double si) const {
+        return si * unit(quantity).factor;
+    }
+    /// What a number of this quantity is multiplied by.
+    [[nodiscard]] double factor(Quantity quantity) const { return unit(quantity).factor; }
+    /// "rpm"; "mil pk-pk"; nothing for a plain number.
+    [[nodiscard]] std::string name(Quantity quantity) const;
+    /// Of an axis or a table for readers: "Spin speed (rpm)", "Amplitude pk-pk (mil)".
+    [[nodiscard]] std::string label(const std::string &what, Quantity quantity) const;
+    /// Of a column of a file: "speed [rad/s]", "amplitude pk-pk [mil]".
+    [[nodiscard]] std::string heading(const std::string &what, Quantity quantity) const;
+    /// A number in SI with its unit: "3000 rpm". @param digits  significant ones
+    [[nodiscard]] std::string text(Quantity quantity, double si, int digits = 6) const;
+    [[nodiscard]] std::string text(const model::Sentence &sentence) const;
+
+  private:
+    static constexpr std::size_t quantities =
+        static_cast<std::size_t>(Quantity::inverse_mass) + 1; // the last of them
+    void ask(const model::OutputUnits &asked);
+
+    std::array<Unit, quantities> _units = si_units();
+    std::array<bool, quantities> _asked{};
+    bool _for_readers = false;
+
+    [[nodiscard]] static std::array<Unit, quantities> si_units();
+};
 
 // The one place where numbers and their units are turned into those that were asked for. Results
 // are in SI; tables are converted by the units in their headings, pictures by the factors below.

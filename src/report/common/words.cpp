@@ -101,8 +101,9 @@ std::string model_text(const results::ModelSummary &model) {
 
 std::string notes_text(const results::ModelSummary &model) {
     std::string text;
-    for (const std::string &note : model.notes)
-        text += fmt::format("note: {}\n", kept_as_written(note_in_written_units(note)));
+    const Units units = Units::of_readers(written_units());
+    for (const model::Sentence &note : model.notes)
+        text += fmt::format("note: {}\n", kept_as_written(units.text(note)));
     return text;
 }
 

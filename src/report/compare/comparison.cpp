@@ -14,13 +14,14 @@ namespace {
 
 std::string command_of_result(const Json &json) { return json.value("command", ""); }
 
-const Quantity *named(const std::vector<Quantity> &all, const std::string &name) {
+const ComparedNumber *named(const std::vector<ComparedNumber> &all, const std::string &name) {
     const auto found = std::find_if(all.begin(), all.end(),
-                                    [&name](const Quantity &at) { return at.name == name; });
+                                    [&name](const ComparedNumber &at) { return at.name == name; });
     return found == all.end() ? nullptr : &*found;
 }
 
-Difference difference_of(const Quantity *first, const Quantity *other, const std::string &name) {
+Difference difference_of(const ComparedNumber *first, const ComparedNumber *other,
+                         const std::string &name) {
     Difference out;
     out.quantity = (first ? first : other)->name;
     out.unit = (first ? first : other)->unit;
@@ -89,14 +90,14 @@ Comparison compare(std::vector<ComparedResult> results) {
             throw model::BadInput(fmt::format(
                 "compare: expected results of one command, got {} ({}) and {} ({})", out.command,
                 out.results.front().name, command_of_result(result.json), result.name));
-    const std::vector<Quantity> first = quantities_of(out.results.front());
+    const std::vector<ComparedNumber> first = quantities_of(out.results.front());
     for (std::size_t i = 1; i < out.results.size(); ++i) {
-        const std::vector<Quantity> other = quantities_of(out.results[i]);
+        const std::vector<ComparedNumber> other = quantities_of(out.results[i]);
         const std::string &name = out.results[i].name;
         std::vector<Difference> &all = out.differences.emplace_back();
-        for (const Quantity &quantity : first)
+        for (const ComparedNumber &quantity : first)
             all.push_back(difference_of(&quantity, named(other, quantity.name), name));
-        for (const Quantity &quantity : other)
+        for (const ComparedNumber &quantity : other)
             if (!named(first, quantity.name))
                 all.push_back(difference_of(nullptr, &quantity, name));
     }

@@ -17,7 +17,7 @@ struct ComparedResult {
 };
 
 /// A number of a result that others have too.
-struct Quantity {
+struct ComparedNumber {
     std::string name; ///< by which it is matched: "critical speed, forward 2"
     std::string unit; ///< SI; empty: a ratio
     double value = 0;
@@ -48,7 +48,7 @@ struct Comparison {
 /// the first and the last speed by mode, crossings, peaks by place and number, ends of bands by
 /// number, masses.
 /// @throws model::BadInput for results of commands that have none of these.
-[[nodiscard]] std::vector<Quantity> quantities_of(const ComparedResult &result);
+[[nodiscard]] std::vector<ComparedNumber> quantities_of(const ComparedResult &result);
 /// The i-th of a list of numbers; none where it is missing.
 [[nodiscard]] std::optional<double> item(const Json &values, std::size_t i);
 

@@ -14,7 +14,7 @@ namespace whirl::report {
 
 namespace {
 
-using Quantities = std::vector<Quantity>;
+using Quantities = std::vector<ComparedNumber>;
 
 std::optional<double> number(const Json &object, const char *key) {
     const auto found = object.find(key);
@@ -204,7 +204,7 @@ std::optional<double> item(const Json &values, std::size_t i) {
                                                       : std::nullopt;
 }
 
-std::vector<Quantity> quantities_of(const ComparedResult &result) {
+std::vector<ComparedNumber> quantities_of(const ComparedResult &result) {
     static const std::map<std::string, void (*)(const Json &, Quantities &)> readers{
         {"critical", of_critical},   {"campbell", of_campbell}, {"response", of_response},
         {"stability", of_stability}, {"balance", of_balance},   {"modes", of_modes},

@@ -137,7 +137,7 @@ std::string subtitle(const AnisotropyChart &chart) {
 
 } // namespace
 
-Figure anisotropy_figure(const model::Case &scene, const AnisotropyChart &chart) {
+Figure anisotropy_figure(const model::Case &scene, const AnisotropyChart &chart, const Units &) {
     return figure_of(1180, 560, "Critical speeds and stability: " + title_of(scene),
                      subtitle(chart),
                      panel_margins(0.055, 0.41, 0.13, 0.8) + anisotropy_panel(chart) +

@@ -235,7 +235,7 @@ std::string signature_panel(const model::Case &scene, const BalanceResult &resul
 
 } // namespace
 
-Figure balance_figure(const model::Case &scene, const BalanceResult &result) {
+Figure balance_figure(const model::Case &scene, const BalanceResult &result, const Units &) {
     const Range x = speed_range(result.speeds);
     const std::vector<Row> rows = rows_of(result, x.high - x.low);
     if (rows.empty())

@@ -327,7 +327,7 @@ bool grows(const CampbellMode &mode, std::size_t index) {
     return *real > std::max(1e-9, doubt) * modulus;
 }
 
-Figure campbell_figure(const model::Case &scene, const CampbellResult &result) {
+Figure campbell_figure(const model::Case &scene, const CampbellResult &result, const Units &) {
     std::vector<Panel> panels = panels_of(result);
     constexpr int width = 1080;
     const double head = 172; // two rows of the key

@@ -126,7 +126,7 @@ std::string hodograph_panel(const BalancerNumbers &balancer) {
 } // namespace
 
 Figure composite_figure(const model::Case &scene, const results::ShowResult &result,
-                        std::size_t index) {
+                        std::size_t index, const Units &) {
     const BalancerNumbers &balancer = result.balancers.at(index);
     const std::string name =
         balancer.name.empty() ? fmt::format("balancer {}", index + 1) : balancer.name;

@@ -174,7 +174,7 @@ std::string shape_panel(const model::Case &scene, const CriticalMap &map, bool s
 
 } // namespace
 
-Figure critical_map_figure(const model::Case &scene, const CriticalMap &map) {
+Figure critical_map_figure(const model::Case &scene, const CriticalMap &map, const Units &) {
     constexpr int height = 960;
     constexpr double pixel = 1.0 / height;
     return figure_of(1200, height, "Critical speed map: " + title_of(scene),

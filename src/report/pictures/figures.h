@@ -5,6 +5,7 @@
 #include "model/case.h"
 #include "report/common/drawing.h"
 #include "report/common/gnuplot.h"
+#include "report/common/units.h"
 
 #include <string>
 #include <vector>
@@ -35,20 +36,20 @@ namespace whirl::report {
 /// crossings; a second panel for the low range where the spin line would lie at the bottom, and one
 /// for the logarithmic decrements of a damped rotor.
 [[nodiscard]] Figure campbell_figure(const model::Case &scene,
-                                     const results::CampbellResult &result);
+                                     const results::CampbellResult &result, const Units &units);
 
 /// Whether the mode grows at the index-th speed by more than its own error estimate.
 [[nodiscard]] bool grows(const results::CampbellMode &mode, std::size_t index);
 
 /// Unbalance response over spin speed: amplitudes (logarithmic), phases and bearing forces.
 [[nodiscard]] Figure response_figure(const model::Case &scene,
-                                     const results::ResponseResult &result);
+                                     const results::ResponseResult &result, const Units &units);
 
 /// Motion under the weight over spin speed: radius of the circle at twice the spin speed
 /// (logarithmic), the deflection that stands still, bearing forces at twice the spin speed.
 /// @param result  with the response to gravity
-[[nodiscard]] Figure gravity_figure(const model::Case &scene,
-                                    const results::ResponseResult &result);
+[[nodiscard]] Figure gravity_figure(const model::Case &scene, const results::ResponseResult &result,
+                                    const Units &units);
 
 /// Indices of the nodes that are drawn: all of them, or of many those with names first, filled up
 /// with others that are spread along the shaft.
@@ -67,64 +68,72 @@ struct ModeCurves {
 [[nodiscard]] ModeCurves mode_curves(const results::ModeShape &mode);
 
 /// One panel a mode: the orbits' envelope, the x and y curves and the rotor's outline.
-[[nodiscard]] Figure modes_figure(const model::Case &scene, const results::ModesResult &result);
+[[nodiscard]] Figure modes_figure(const model::Case &scene, const results::ModesResult &result,
+                                  const Units &units);
 
 /// Growth over speed with the unstable bands shaded, critical and additional speeds marked, and
 /// the intervals over the arrangements of the balls as bars; with a map its picture below.
 [[nodiscard]] Figure stability_figure(const model::Case &scene,
-                                      const results::StabilityResult &result);
+                                      const results::StabilityResult &result, const Units &units);
 
 /// Critical speeds over the stiffness of the supports, both logarithmic, with the stiffness of the
 /// bearings over speed and its crossings; below, the deflections of the forward motions at the soft
 /// and the stiff end.
-[[nodiscard]] Figure critical_map_figure(const model::Case &scene, const results::CriticalMap &map);
+[[nodiscard]] Figure critical_map_figure(const model::Case &scene, const results::CriticalMap &map,
+                                         const Units &units);
 
 /// Logarithmic decrement over added cross coupling, its root and what is anticipated marked.
-[[nodiscard]] Figure level1_figure(const model::Case &scene, const results::Level1 &level1);
+[[nodiscard]] Figure level1_figure(const model::Case &scene, const results::Level1 &level1,
+                                   const Units &units);
 
 /// Motion over time: amplitudes at the balancers, below them the angles of balls or pendulums in
 /// the rotor (for balls that lag: their speed over that of the rotor), and the speed where it
 /// changes.
 [[nodiscard]] Figure simulate_figure(const model::Case &scene,
-                                     const results::SimulateResult &result);
+                                     const results::SimulateResult &result, const Units &units);
 
 /// Motion of a rotor without balancers: amplitudes of the stations over time, their peaks marked;
 /// where the speed changes over it too, beside the steady response, else deflections over time.
 [[nodiscard]] Figure stations_figure(const model::Case &scene,
-                                     const results::SimulateResult &result);
+                                     const results::SimulateResult &result, const Units &units);
 
 /// Spectra one behind the other, over speed where that only rises or only falls, else over time;
 /// multiples of the spin speed as lines.
-[[nodiscard]] Figure waterfall_figure(const model::Case &scene,
-                                      const results::Waterfall &waterfall);
+[[nodiscard]] Figure waterfall_figure(const model::Case &scene, const results::Waterfall &waterfall,
+                                      const Units &units);
 
 /// Relative differences between model and rigid closed forms, logarithmic: over the stiffness of
 /// the shaft, with a guide of slope -1 and the stiffness of 1 %, and over the number of elements.
 [[nodiscard]] Figure rigid_limit_figure(const model::Case &scene,
-                                        const results::RigidLimitResult &result);
+                                        const results::RigidLimitResult &result,
+                                        const Units &units);
 
 /// One panel an answer, for the first of them: histogram of the samples, quantiles with their
 /// intervals, and the case as it is.
-[[nodiscard]] Figure samples_figure(const model::Case &scene, const results::SamplesResult &result);
+[[nodiscard]] Figure samples_figure(const model::Case &scene, const results::SamplesResult &result,
+                                    const Units &units);
 
 /// Bands over spin speed for each plane and for all together, flexible above rigid, and below them
 /// the eigenvalues of the joint form, coloured by their sign, on an axis that is logarithmic away
 /// from zero.
-[[nodiscard]] Figure balance_figure(const model::Case &scene, const results::BalanceResult &result);
+[[nodiscard]] Figure balance_figure(const model::Case &scene, const results::BalanceResult &result,
+                                    const Units &units);
 
 /// Where along the shaft one balancer, and two, would work: the criterion over position and speed
 /// with the rotor below it, and over two positions at one speed.
-[[nodiscard]] Figure placement_figure(const model::Case &scene, const results::Placement &map);
+[[nodiscard]] Figure placement_figure(const model::Case &scene, const results::Placement &map,
+                                      const Units &units);
 
 /// Efficiency of a four-pendulum balancer over spin speed: planar forms, and the steady motions on
 /// the flexible shaft by their stability.
 [[nodiscard]] Figure pendulum_figure(const model::Case &scene,
-                                     const results::PendulumBalance &balancer);
+                                     const results::PendulumBalance &balancer, const Units &units);
 
 /// Efficiency of the planar rotor over the speed ratio: designs of the balancer side by side, and
 /// its own design at several external dampings; exact by stability, and for small angles.
 [[nodiscard]] Figure pendulum_designs_figure(const model::Case &scene,
-                                             const results::PendulumBalance &balancer);
+                                             const results::PendulumBalance &balancer,
+                                             const Units &units);
 
 /// The composite rotor over the mass of the balls at the case's capacity: inertia of the balls and
 /// diametral inertias, anisotropy, polar inertia, and the diametral inertia over the angle of its
@@ -132,19 +141,20 @@ struct ModeCurves {
 ///
 /// @param index  of a balancer with curves
 [[nodiscard]] Figure composite_figure(const model::Case &scene, const results::ShowResult &result,
-                                      std::size_t index);
+                                      std::size_t index, const Units &units);
 
 /// Tilt of the rigid rotor: critical speeds, stability limits and the unstable region ("-") over
 /// the anisotropy, and over the polar inertia at the case's anisotropy.
 [[nodiscard]] Figure anisotropy_figure(const model::Case &scene,
-                                       const results::AnisotropyChart &chart);
+                                       const results::AnisotropyChart &chart, const Units &units);
 
 /// Side view of the rotor to scale: shaft with bores and cones, discs, bearings, balancers,
 /// correction planes and anisotropies. Diameters of very slender rotors are enlarged, and the
 /// drawing says so.
-[[nodiscard]] Drawing scene_drawing(const model::Case &scene);
+[[nodiscard]] Drawing scene_drawing(const model::Case &scene, const Units &units);
 
 /// The same with a line of mass, centre of mass and inertias, and the centre of mass marked.
-[[nodiscard]] Drawing show_drawing(const model::Case &scene, const results::ShowResult &result);
+[[nodiscard]] Drawing show_drawing(const model::Case &scene, const results::ShowResult &result,
+                                   const Units &units);
 
 } // namespace whirl::report

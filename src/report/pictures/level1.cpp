@@ -13,21 +13,22 @@ namespace whirl::report {
 namespace {
 
 /// The unit of stiffness in which the largest one is neither long nor short.
-struct Unit {
+struct StiffnessUnit {
     double size = 1; ///< N/m
     std::string name = "N/m";
 };
-Unit unit_of(double largest) {
+StiffnessUnit unit_of(double largest) {
     if (const auto asked = written_factor("stiffness"))
         return {1 / *asked, unit_name("stiffness", "")};
-    for (const Unit &unit : {Unit{1e9, "GN/m"}, Unit{1e6, "MN/m"}, Unit{1e3, "kN/m"}})
+    for (const StiffnessUnit &unit :
+         {StiffnessUnit{1e9, "GN/m"}, StiffnessUnit{1e6, "MN/m"}, StiffnessUnit{1e3, "kN/m"}})
         if (largest >= unit.size)
             return unit;
     return {};
 }
 
 /// Where the curve passes zero: a circle and its number.
-std::string root_mark(double q, double largest, const Unit &unit) {
+std::string root_mark(double q, double largest, const StiffnessUnit &unit) {
     const bool right = q < 0.7 * largest;
     return fmt::format("set label 1 'Q_0 = {0} {4}' at first {1:.9g},0 {2} offset {3},1 point pt 6 "
                        "ps 1.7 lw 1.6 font ',11' front enhanced\n",
@@ -43,10 +44,10 @@ std::string anticipated_line(double q) {
 
 } // namespace
 
-Figure level1_figure(const model::Case &scene, const results::Level1 &level1) {
+Figure level1_figure(const model::Case &scene, const results::Level1 &level1, const Units &) {
     constexpr int height = 520;
     constexpr double pixel = 1.0 / height;
-    const Unit unit =
+    const StiffnessUnit unit =
         unit_of(std::max(level1.q.empty() ? 0 : level1.q.back(), level1.anticipated.value_or(0)));
     const std::vector<PlotPoint> points = points_over(level1.q, 1 / unit.size, level1.log_dec, 1);
     double low = 0;

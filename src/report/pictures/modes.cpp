@@ -129,7 +129,7 @@ double rows_of(const std::vector<ModeShape> &modes) {
 
 } // namespace
 
-Figure modes_figure(const model::Case &scene, const ModesResult &result) {
+Figure modes_figure(const model::Case &scene, const ModesResult &result, const Units &) {
     const double rows = std::max(1.0, rows_of(result.modes));
     const double critical_rows = rows_of(result.critical);
     const int height = static_cast<int>(head + pitch * (rows + critical_rows) + 40 +

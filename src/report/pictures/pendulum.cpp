@@ -79,7 +79,8 @@ void add_motions(const results::PendulumBalance &balancer, Curves &drawn) {
 
 } // namespace
 
-Figure pendulum_figure(const model::Case &scene, const results::PendulumBalance &balancer) {
+Figure pendulum_figure(const model::Case &scene, const results::PendulumBalance &balancer,
+                       const Units &) {
     const Range x = speed_range(balancer.speeds);
     const double threshold = balancer.threshold * balancer.omega_0 * rpm;
     Curves drawn;
@@ -151,7 +152,8 @@ std::string damping_title(const PendulumCurve &of) {
 
 } // namespace
 
-Figure pendulum_designs_figure(const model::Case &scene, const results::PendulumBalance &balancer) {
+Figure pendulum_designs_figure(const model::Case &scene, const results::PendulumBalance &balancer,
+                               const Units &) {
     const bool both = !balancer.designs.empty();
     const LegendedFigure room{1080, 0.075, 0.70, both ? 1010 : 560};
     const auto &shown = balancer.dampings.front();

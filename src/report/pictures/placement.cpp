@@ -132,7 +132,7 @@ std::string two_planes(const results::Placement &map, double length, double pixe
 
 } // namespace
 
-Figure placement_figure(const model::Case &scene, const results::Placement &map) {
+Figure placement_figure(const model::Case &scene, const results::Placement &map, const Units &) {
     constexpr int height = 760;
     constexpr double pixel = 1.0 / height;
     const std::vector<double> speeds = scaled(map.speeds, rpm);

@@ -181,7 +181,7 @@ std::vector<NamedCurve> forces_of(const std::vector<Bearing> &bearings,
 
 } // namespace
 
-Figure response_figure(const model::Case &scene, const ResponseResult &result) {
+Figure response_figure(const model::Case &scene, const ResponseResult &result, const Units &) {
     const results::ResponseCurves &curves = result.curves;
     std::vector<NamedCurve> amplitude;
     std::vector<NamedCurve> phase;
@@ -220,7 +220,7 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
                    panels, marks);
 }
 
-Figure gravity_figure(const model::Case &scene, const ResponseResult &result) {
+Figure gravity_figure(const model::Case &scene, const ResponseResult &result, const Units &) {
     const results::GravityResponse &of = *result.gravity;
     std::vector<NamedCurve> circle;
     std::vector<NamedCurve> still;

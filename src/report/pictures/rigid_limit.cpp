@@ -147,7 +147,7 @@ std::string mesh_panel(const RigidLimitResult &result, Styles &styles) {
 
 } // namespace
 
-Figure rigid_limit_figure(const model::Case &scene, const RigidLimitResult &result) {
+Figure rigid_limit_figure(const model::Case &scene, const RigidLimitResult &result, const Units &) {
     const std::string subtitle =
         std::isfinite(result.mesh_factor)
             ? fmt::format("left: while the shaft stiffens; right: while the mesh coarsens, E and G "

@@ -127,7 +127,7 @@ std::string subtitle_of(const model::Case &scene, const SamplesResult &result, s
 
 } // namespace
 
-Figure samples_figure(const model::Case &scene, const SamplesResult &result) {
+Figure samples_figure(const model::Case &scene, const SamplesResult &result, const Units &) {
     std::vector<const SampledAnswer *> drawn;
     std::size_t all = 0;
     for (const SampledAnswer &answer : result.answers) {

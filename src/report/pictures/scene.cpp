@@ -134,9 +134,10 @@ std::vector<Callout> upper_callouts(const model::Rotor &rotor, const Sheet &shee
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
         const auto &balancer = rotor.balancers[i];
         const balancers::Outline outline = balancers::kind_of(balancer)->outline();
-        callouts.push_back(
-            {sheet.across(balancer.z), top(outline.radius()) - 5,
-             name_or(balancer.name, outline.label.c_str(), i, rotor.balancers.size())});
+        const std::string name =
+            name_or(balancer.name, outline.label.c_str(), i, rotor.balancers.size());
+        callouts.push_back({sheet.across(balancer.z), top(outline.radius()) - 5,
+                            name + (balancer.held ? " (held)" : "")});
     }
     add_callouts(callouts, sheet, rotor.anisotropies, "anisotropy",
                  [&](const auto &) { return sheet.axis - 21; });
@@ -195,8 +196,7 @@ std::vector<Callout> bearing_callouts(const model::Rotor &rotor, const Sheet &sh
 }
 
 /// Everything of the rotor; `top` pixels stay free above.
-Drawing draw_rotor(const model::Case &scene, const Sheet &sheet) {
-    const model::Rotor &rotor = scene.rotor;
+Drawing draw_rotor(const model::Rotor &rotor, const Sheet &sheet) {
     Drawing drawing;
     drawing.width = sheet_width;
     const double reach = sheet.radius + 12;
@@ -233,19 +233,21 @@ Drawing draw_rotor(const model::Case &scene, const Sheet &sheet) {
 
 /// With room above the rotor for its rows of names: these are drawn once on a scrap sheet.
 Sheet sheet_of(const model::Case &scene) {
-    Sheet sheet(scene, largest_radius(scene.rotor));
+    const model::Rotor rotor = scene.rotor.with_held_among_balancers();
+    Sheet sheet(scene, largest_radius(rotor));
     Drawing scrap;
-    const int rows = draw_callouts(scrap, upper_callouts(scene.rotor, sheet), 0, -1);
+    const int rows = draw_callouts(scrap, upper_callouts(rotor, sheet), 0, -1);
     sheet.axis = 20 + line * rows + 16 + sheet.radius;
     return sheet;
 }
 
 } // namespace
 
-Drawing scene_drawing(const model::Case &scene) {
+Drawing scene_drawing(const model::Case &scene, const Units &) {
     const Sheet sheet = sheet_of(scene);
-    Drawing drawing = draw_rotor(scene, sheet);
-    draw_callouts(drawing, upper_callouts(scene.rotor, sheet), sheet.axis - sheet.radius - 18, -1);
+    const model::Rotor rotor = scene.rotor.with_held_among_balancers();
+    Drawing drawing = draw_rotor(rotor, sheet);
+    draw_callouts(drawing, upper_callouts(rotor, sheet), sheet.axis - sheet.radius - 18, -1);
     for (DrawText &text : drawing.texts)
         text.text = in_written_units(text.text);
     return drawing;
@@ -263,8 +265,9 @@ std::string shaft_mass_text(const results::ShowResult &result) {
 
 } // namespace
 
-Drawing show_drawing(const model::Case &scene, const results::ShowResult &result) {
-    Drawing drawing = scene_drawing(scene);
+Drawing show_drawing(const model::Case &scene, const results::ShowResult &result,
+                     const Units &units) {
+    Drawing drawing = scene_drawing(scene, units);
     const double head = 68;
     for (DrawShape &shape : drawing.shapes)
         for (DrawPoint &point : shape.points)

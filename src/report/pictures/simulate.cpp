@@ -105,7 +105,7 @@ std::string logarithmic_axis(const std::vector<NamedCurve> &curves) {
 
 } // namespace
 
-Figure simulate_figure(const model::Case &scene, const SimulateResult &result) {
+Figure simulate_figure(const model::Case &scene, const SimulateResult &result, const Units &) {
     const std::vector<NamedCurve> amplitude = amplitude_curves(result);
     const std::vector<double> &speed = result.series.speed;
     const bool constant = std::all_of(speed.begin(), speed.end(),

@@ -187,7 +187,7 @@ std::string map_panel(const model::Case &scene, const results::StabilityMap &map
 
 } // namespace
 
-Figure stability_figure(const model::Case &scene, const StabilityResult &result) {
+Figure stability_figure(const model::Case &scene, const StabilityResult &result, const Units &) {
     const int height = 545 + (result.family ? 240 : 0) + (result.map ? 560 : 0);
     const LegendedFigure room{1180, 0.125, 0.95, height};
     const LegendedFigure beside_palette{1180, 0.125, 0.85, height};

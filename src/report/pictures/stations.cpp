@@ -152,7 +152,7 @@ std::string speed_over_time(const SimulateResult &result) {
 
 } // namespace
 
-Figure stations_figure(const model::Case &scene, const SimulateResult &result) {
+Figure stations_figure(const model::Case &scene, const SimulateResult &result, const Units &) {
     const bool changes = speed_changes(result);
     std::vector<std::string> names;
     for (const StationMotion &station : result.stations)

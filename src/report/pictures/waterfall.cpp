@@ -117,7 +117,7 @@ std::string lines_of(const Layout &layout) {
 
 } // namespace
 
-Figure waterfall_figure(const model::Case &scene, const Waterfall &waterfall) {
+Figure waterfall_figure(const model::Case &scene, const Waterfall &waterfall, const Units &) {
     const Layout layout(waterfall);
     const std::string place = place_text(waterfall.name, waterfall.z);
     std::vector<std::string> names;

@@ -306,7 +306,7 @@ std::string polar_peaks(const ResponseResult &result, const std::vector<PolarLin
 
 } // namespace
 
-Figure polar_figure(const model::Case &scene, const ResponseResult &result) {
+Figure polar_figure(const model::Case &scene, const ResponseResult &result, const Units &) {
     const std::vector<PolarLine> lines = polar_lines(result);
     const PolarLine *largest = nullptr;
     double most = 0; // micrometres

@@ -132,7 +132,7 @@ std::string orbit_panel(const Orbit &orbit, double sign) {
 
 } // namespace
 
-Figure orbits_figure(const model::Case &scene, const std::vector<Orbits> &orbits) {
+Figure orbits_figure(const model::Case &scene, const std::vector<Orbits> &orbits, const Units &) {
     const std::vector<std::size_t> drawn = drawn_places(orbits);
     const std::size_t rows = std::min(orbits.size(), most_rows);
     const int width =
@@ -173,7 +173,8 @@ Figure orbits_figure(const model::Case &scene, const std::vector<Orbits> &orbits
         panels);
 }
 
-Figure shapes_figure(const model::Case &scene, const std::vector<DeflectedShape> &shapes) {
+Figure shapes_figure(const model::Case &scene, const std::vector<DeflectedShape> &shapes,
+                     const Units &) {
     const std::size_t rows = std::min(shapes.size(), most_rows);
     constexpr double panel = 250;
     const int height = static_cast<int>(125 + panel * static_cast<double>(rows));

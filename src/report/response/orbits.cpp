@@ -145,14 +145,17 @@ std::string orbit_text(const ResponseResult &result) {
            text_table("\n", shape_columns, result.shapes);
 }
 
-std::vector<Picture> orbit_pictures(const model::Case &scene, const ResponseResult &result) {
+std::vector<Picture> orbit_pictures(const model::Case &scene, const ResponseResult &result,
+                                    const Units &units) {
     std::vector<Picture> pictures;
     if (!result.orbits.empty())
-        pictures.push_back({"response_orbits", orbits_figure(scene, result.orbits),
-                            csv_table(orbit_columns, rows_of(result.orbits, false))});
+        pictures.push_back({"response_orbits", orbits_figure(scene, result.orbits, units),
+                            [&result](const Units &) {
+                                return csv_table(orbit_columns, rows_of(result.orbits, false));
+                            }});
     if (!result.shapes.empty())
-        pictures.push_back(
-            {"response_shapes", shapes_figure(scene, result.shapes), shapes_csv(result.shapes)});
+        pictures.push_back({"response_shapes", shapes_figure(scene, result.shapes, units),
+                            [&result](const Units &) { return shapes_csv(result.shapes); }});
     return pictures;
 }
 

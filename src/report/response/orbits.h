@@ -18,15 +18,16 @@ void add_orbits(Json &json, const results::ResponseResult &result);
 [[nodiscard]] std::string orbit_text(const results::ResponseResult &result);
 
 /// Orbits in their clearance circles, and deflected shapes, as far as there are any.
-[[nodiscard]] std::vector<Picture> orbit_pictures(const model::Case &scene,
-                                                  const results::ResponseResult &result);
+[[nodiscard]] std::vector<Picture>
+orbit_pictures(const model::Case &scene, const results::ResponseResult &result, const Units &units);
 
 /// One row a speed, one column a place: bearings and seals, and the station that moves most.
 [[nodiscard]] Figure orbits_figure(const model::Case &scene,
-                                   const std::vector<results::Orbits> &orbits);
+                                   const std::vector<results::Orbits> &orbits, const Units &units);
 /// One panel a speed: x and y along the shaft at the instant of the largest deflection, and the
 /// envelope of the orbits.
 [[nodiscard]] Figure shapes_figure(const model::Case &scene,
-                                   const std::vector<results::DeflectedShape> &shapes);
+                                   const std::vector<results::DeflectedShape> &shapes,
+                                   const Units &units);
 
 } // namespace whirl::report

@@ -173,7 +173,7 @@ Json curves_json(const ResponseResult &result) {
             {"probes", curves_of_kind(curves, probes, curves.values.size(), "amplitude")}};
 }
 
-Json json_of(const ResponseResult &result) {
+Json json_of(const ResponseResult &result, const Units &) {
     Json json{{"speeds", result.speeds},
               {"peaks", json_rows(curve_peaks(), result.peaks)},
               {"nodes", node_kind.json(result.speeds, result.nodes)},
@@ -190,7 +190,7 @@ Json json_of(const ResponseResult &result) {
 /// The weight is all that drives the rotor.
 bool weight_alone(const ResponseResult &result) { return result.gravity && result.nodes.empty(); }
 
-std::string csv_of(const ResponseResult &result) {
+std::string csv_of(const ResponseResult &result, const Units &) {
     if (weight_alone(result))
         return gravity_csv(*result.gravity, result.speeds);
     std::string csv = csv_head_line(csv_headings);
@@ -201,7 +201,7 @@ std::string csv_of(const ResponseResult &result) {
     return csv;
 }
 
-std::vector<Section> sections_of(const ResponseResult &result) {
+std::vector<Section> sections_of(const ResponseResult &result, const Units &) {
     std::vector<Section> of_weight;
     if (result.gravity)
         of_weight = gravity_sections(*result.gravity, result.speeds);
@@ -232,7 +232,7 @@ std::string imbalance_text(const ResponseResult &result) {
            text_table("\n", force_columns(), largest_forces(result)) + orbit_text(result);
 }
 
-std::string text_of(const model::Case &scene, const ResponseResult &result) {
+std::string text_of(const model::Case &scene, const ResponseResult &result, const Units &) {
     std::string text = heading(
         scene, (weight_alone(result) ? "Response to the weight, " : "Unbalance response, ") +
                    range_text(result.speeds));
@@ -244,15 +244,17 @@ std::string text_of(const model::Case &scene, const ResponseResult &result) {
 }
 
 /// The polar plot, orbits and shapes, and the picture of the weight beside that of the imbalances.
-std::vector<Picture> pictures_of(const model::Case &scene, const ResponseResult &result) {
+std::vector<Picture> pictures_of(const model::Case &scene, const ResponseResult &result,
+                                 const Units &units) {
     std::vector<Picture> pictures;
     if (has_polar(result))
-        pictures.push_back({"response_polar", polar_figure(scene, result), ""});
-    for (Picture &picture : orbit_pictures(scene, result))
+        pictures.push_back({"response_polar", polar_figure(scene, result, units), {}});
+    for (Picture &picture : orbit_pictures(scene, result, units))
         pictures.push_back(std::move(picture));
     if (result.gravity && !weight_alone(result))
-        pictures.push_back({"response_gravity", gravity_figure(scene, result),
-                            gravity_csv(*result.gravity, result.speeds)});
+        pictures.push_back(
+            {"response_gravity", gravity_figure(scene, result, units),
+             [&result](const Units &) { return gravity_csv(*result.gravity, result.speeds); }});
     return pictures;
 }
 
@@ -272,8 +274,9 @@ std::string pictures_heading(const ResponseResult &result) {
     return heading;
 }
 
-Figure main_figure(const model::Case &scene, const ResponseResult &result) {
-    return weight_alone(result) ? gravity_figure(scene, result) : response_figure(scene, result);
+Figure main_figure(const model::Case &scene, const ResponseResult &result, const Units &units) {
+    return weight_alone(result) ? gravity_figure(scene, result, units)
+                                : response_figure(scene, result, units);
 }
 
 } // namespace
@@ -282,7 +285,9 @@ Report describe(const model::Case &scene, const ResponseResult &result) {
     Report report = report_of<ResponseResult>(
         "response", weight_alone(result) ? "Response to the weight" : "Unbalance response", scene,
         result, {json_of, csv_of, sections_of, text_of, main_figure});
-    report.pictures = [&scene, &result] { return pictures_of(scene, result); };
+    report.pictures = [&scene, &result](const Units &units) {
+        return pictures_of(scene, result, units);
+    };
     report.pictures_heading = pictures_heading(result);
     report.pictures_after = weight_alone(result) ? 0 : 2;
     return report;

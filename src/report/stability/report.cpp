@@ -111,11 +111,12 @@ const Columns<Level1> level1_columns{
     {"log_dec", &Level1::log_dec},
     {"frequency", &Level1::frequency}};
 
-Picture level1_picture(const model::Case &scene, const Level1 &level1) {
-    return {"level1", level1_figure(scene, level1),
-            csv_lists({{"q [N/m]", level1.q},
-                       {"log_dec", level1.log_dec},
-                       {"frequency [rad/s]", level1.frequency}})};
+Picture level1_picture(const model::Case &scene, const Level1 &level1, const Units &units) {
+    return {"level1", level1_figure(scene, level1, units), [&level1](const Units &) {
+                return csv_lists({{"q [N/m]", level1.q},
+                                  {"log_dec", level1.log_dec},
+                                  {"frequency [rad/s]", level1.frequency}});
+            }};
 }
 
 Json family_json(const results::ArrangementFamily &family) {
@@ -140,7 +141,7 @@ Json json_verdicts(const std::vector<Verdict> &verdicts) {
     });
 }
 
-Json json_of(const StabilityResult &result) {
+Json json_of(const StabilityResult &result, const Units &) {
     return {{"speeds", result.speeds},
             {"growth", result.growth},
             {"verdict", json_verdicts(result.verdict)},
@@ -165,7 +166,7 @@ Json json_of(const StabilityResult &result) {
             {"level1", result.level1 ? json_row(level1_columns, *result.level1) : Json()}};
 }
 
-std::string csv_of(const StabilityResult &result) {
+std::string csv_of(const StabilityResult &result, const Units &) {
     const Columns<BandLine> all = file_columns(result);
     std::vector<std::string> head = csv_head(all);
     for (const std::string &heading : csv_head(end_columns))
@@ -204,7 +205,7 @@ const Columns<BandLine> still_columns{{OnPage("Kind"), &BandLine::kind},
                                       {OnPage("rad/s", "{:.10g}"), &BandLine::from},
                                       {OnPage("rpm", "{:.8g}"), in(rpm, &BandLine::from)}};
 
-std::vector<Section> sections_of(const StabilityResult &result) {
+std::vector<Section> sections_of(const StabilityResult &result, const Units &) {
     std::vector<Section> sections = headline_sections(result);
     if (!result.ends.empty())
         sections.push_back({"Speeds at which the number of growing motions changes",
@@ -244,7 +245,7 @@ std::string speeds_text(const std::string &title, const std::vector<double> &spe
     return speeds.empty() ? "" : text + " rad/s\n";
 }
 
-std::string text_of(const model::Case &scene, const StabilityResult &result) {
+std::string text_of(const model::Case &scene, const StabilityResult &result, const Units &) {
     std::string text = heading(scene, "Stability, " + range_text(result.speeds));
     text += headline_text(result) +
             text_table("Speeds at which the number of growing motions changes:\n",
@@ -281,9 +282,11 @@ Report describe(const model::Case &scene, const StabilityResult &result) {
         report_of<StabilityResult>("stability", "Stability", scene, result,
                                    {json_of, csv_of, sections_of, text_of, stability_figure});
     if (result.level1) {
-        report.pictures = [&] { return std::vector{level1_picture(scene, *result.level1)}; };
+        report.pictures = [&](const Units &units) {
+            return std::vector{level1_picture(scene, *result.level1, units)};
+        };
         report.pictures_heading = "Logarithmic decrement over added cross coupling";
-        report.pictures_after = sections_of(result).size();
+        report.pictures_after = sections_of(result, {}).size();
     }
     return report;
 }

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "model/sentence.h"
+
+namespace whirl::results {
+
+// Results speak in the sentences that cases and failures have too.
+namespace as = model::as;
+using model::joined;
+using model::Sentence;
+using model::Value;
+
+} // namespace whirl::results
