@@ -81,6 +81,13 @@ void note_growing_motions(const model::Case &scene, results::ModelSummary &model
     }
     if (growing.empty())
         return;
+    if (growing.size() == speeds.size() && speeds.size() > 1) {
+        model.notes.push_back(fmt::format(
+            "unstable at every speed: free motions grow at all {} speeds looked at, from {:.6g} to "
+            "{:.6g} rad/s (fastest {:.4g} 1/s at {:.6g} rad/s); no rotor stays in a steady motion",
+            speeds.size(), growing.front(), growing.back(), largest, worst));
+        return;
+    }
     model.notes.push_back(fmt::format(
         "unstable: free motions grow at {} of {} speeds looked at, from {:.6g} to {:.6g} rad/s "
         "(fastest {:.4g} 1/s at {:.6g} rad/s); no rotor stays in the steady motion given for "
