@@ -2,6 +2,7 @@
 
 #include "analyses/critical_map/critical_map.h"
 #include "analyses/names/mode_naming.h"
+#include "analyses/notes/growth.h"
 #include "analyses/response.h"
 #include "assembly/discretization.h"
 #include "linalg/check.h"
@@ -263,6 +264,7 @@ results::CriticalResult critical_speeds(const model::Case &scene, bool map) {
     }
     if (map)
         result.map = map_of(scene, result.model);
+    note_growing_motions(scene, result.model);
     return result;
 }
 

@@ -78,6 +78,10 @@ Resonance *nearest(const ResponsePeak &peak, std::vector<Resonance> &excited) {
     return best;
 }
 
+/// A free motion that grows there: a steady response, and its amplification, is not what the rotor
+/// does, and no distance from the operating speeds is enough.
+bool grows(const CriticalSpeed &critical) { return critical.damping.ratio.value_or(0) < 0; }
+
 SeparationMargin of_peak(const ResponsePeak &peak, const CriticalSpeed *critical,
                          const model::Operation &operation) {
     SeparationMargin out = margin_of(
@@ -90,6 +94,14 @@ SeparationMargin of_peak(const ResponsePeak &peak, const CriticalSpeed *critical
     if (critical)
         out.whirl = critical->whirl;
     return out;
+}
+
+/// It has no factor and does not pass.
+void fail(SeparationMargin &margin, const model::Operation &operation) {
+    if (margin.side != MarginSide::inside)
+        margin.required = margin_of(margin.speed, std::nullopt, operation).required;
+    margin.amplification.reset();
+    margin.passes = false;
 }
 
 SeparationMargin of_damping(const CriticalSpeed &critical, const model::Operation &operation) {
@@ -146,6 +158,9 @@ std::vector<SeparationMargin> margins_of(const Resonance &resonance,
         out.push_back(of_peak(*peak, critical, operation));
     if (out.empty() && critical && critical->whirl != Whirl::backward && critical->damping.known())
         out.push_back(of_damping(*critical, operation));
+    if (critical && grows(*critical))
+        for (SeparationMargin &margin : out)
+            fail(margin, operation);
     std::erase_if(out, [](const SeparationMargin &m) { return !counts(m.amplification); });
     return out;
 }
@@ -243,6 +258,19 @@ void note_unlisted(const model::Operation &operation,
     }
 }
 
+/// Says which critical speeds have no amplification factor because the motion grows.
+void note_growing(const std::vector<CriticalSpeed> &critical_speeds,
+                  std::vector<results::Sentence> &notes) {
+    for (const CriticalSpeed &critical : critical_speeds)
+        if (critical.speed > 0 && grows(critical))
+            notes.push_back(fmt::format(
+                "margins: the {} motion grows at its critical speed {:.6g} rpm (damping ratio "
+                "{:.4g}): an amplification factor has no meaning there, and it does not pass "
+                "whatever its margin; `stability` finds where it begins to grow",
+                results::whirl_name(critical.whirl), critical.speed * model::rpm,
+                *critical.damping.ratio));
+}
+
 /// Names the probes whose peak at a critical speed with AF >= 2.5 has no factor of its own.
 void note_without_factor(const std::vector<CriticalSpeed> &critical_speeds,
                          const std::vector<ResponsePeak> &peaks,
@@ -303,6 +331,7 @@ std::vector<SeparationMargin> separation_margins(const model::Operation &operati
     std::vector<SeparationMargin> out;
     for (const auto &group : groups)
         out.insert(out.end(), group.begin(), group.end());
+    note_growing(critical_speeds, notes);
     note_unlisted(operation, critical_speeds, peaks, out, backward_too, notes);
     note_without_factor(critical_speeds, peaks, notes);
     note_unknown_damping(critical_speeds, notes);

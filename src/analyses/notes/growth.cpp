@@ -84,11 +84,18 @@ void note_growing_motions(const model::Case &scene, results::ModelSummary &model
     }
     if (growing.empty())
         return;
+    const auto over = as::speed.range(growing.front(), growing.back());
+    if (growing.size() == speeds.size() && speeds.size() > 1) {
+        model.notes.emplace_back("unstable at every speed: free motions grow at all {} speeds "
+                                 "examined, from {} (fastest by {} at {}): no rotor stays in a "
+                                 "steady motion",
+                                 speeds.size(), over, as::rate(largest, 4), as::speed(worst));
+        return;
+    }
     model.notes.emplace_back("unstable: free motions grow at {} of {} speeds examined, from {} "
                              "(fastest by {} at {}): no rotor stays in the steady motion given for "
                              "these speeds; `stability` finds where it begins",
-                             growing.size(), speeds.size(),
-                             as::speed.range(growing.front(), growing.back()), as::rate(largest, 4),
+                             growing.size(), speeds.size(), over, as::rate(largest, 4),
                              as::speed(worst));
 }
 
