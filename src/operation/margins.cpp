@@ -263,12 +263,12 @@ void note_growing(const std::vector<CriticalSpeed> &critical_speeds,
                   std::vector<results::Sentence> &notes) {
     for (const CriticalSpeed &critical : critical_speeds)
         if (critical.speed > 0 && grows(critical))
-            notes.push_back(fmt::format(
-                "margins: the {} motion grows at its critical speed {:.6g} rpm (damping ratio "
-                "{:.4g}): an amplification factor has no meaning there, and it does not pass "
-                "whatever its margin; `stability` finds where it begins to grow",
-                results::whirl_name(critical.whirl), critical.speed * model::rpm,
-                *critical.damping.ratio));
+            notes.emplace_back(
+                "margins: the {} motion grows at its critical speed {} (damping ratio {}): an "
+                "amplification factor has no meaning there, and it does not pass whatever its "
+                "margin; `stability` finds where it begins to grow",
+                results::whirl_name(critical.whirl), as::speed(critical.speed),
+                as::number(*critical.damping.ratio, 4));
 }
 
 /// Names the probes whose peak at a critical speed with AF >= 2.5 has no factor of its own.
