@@ -82,9 +82,9 @@ struct DrawnRotor {
                                      "tilt_inertia = false\n",
                                      b.z, b.ball, b.radius, 40 * b.ball, b.imbalance);
         }
-        balancers +=
-            fmt::format("[simulate]\ntime = 4\nball_angles = [[{}, {}]{}]\n", draw(0, 3),
-                        draw(3, 6), both ? fmt::format(", [{}, {}]", draw(0, 3), draw(3, 6)) : "");
+        balancers += fmt::format(
+            "[simulate]\ntime = 4\nreduction_tolerance = 1e-5\nball_angles = [[{}, {}]{}]\n",
+            draw(0, 3), draw(3, 6), both ? fmt::format(", [{}, {}]", draw(0, 3), draw(3, 6)) : "");
     }
 
     /// Balls as masses on the axis and what they and the imbalances of their balancers leave.
@@ -120,7 +120,7 @@ TEST_P(StationsWithBalls, are_judged_as_with_the_balls_fixed_where_they_end) {
     const auto bare = oracles::read_case(written(drawn.without_balls()), {});
     double left = 0;
     double without = 0;
-    ASSERT_GE(result.stations.size(), 5U);
+    ASSERT_GE(result.stations.size(), 4U); // ends and discs at least
     for (const results::StationMotion &station : result.stations) {
         const double frozen = oracles::semi_major(fixed, result.speed, station.z);
         const double alone = oracles::semi_major(bare, result.speed, station.z);
@@ -139,7 +139,8 @@ TEST_P(StationsWithBalls, are_judged_as_with_the_balls_fixed_where_they_end) {
     const std::string word = results::outcome_name(result.outcome);
     if (word != "balanced" && word != "offset")
         return;
-    // The reduced shaft is good to a thousandth of the response.
+    // The reduced shaft is good to 1e-5 of the largest response to forces, of which imbalance and
+    // balls, far larger than what they leave together, are some hundreds.
     for (const results::StationMotion &station : result.stations)
         EXPECT_NEAR(station.amplitude, *station.with_balls, 5e-3 * without) << station.z;
     if (std::abs(left / without - 0.1) > 0.01) {
