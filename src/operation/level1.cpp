@@ -4,6 +4,7 @@
 #include "assembly/system.h"
 #include "ends/all_motions.h"
 #include "ends/finer_ends.h"
+#include "ends/resolved_reach.h"
 #include "ends/stability_ends.h"
 #include "ends/strands.h"
 #include "linalg/check.h"
@@ -93,43 +94,48 @@ struct CouplingRange {
     }
 };
 
-/// A shaft on few planar shapes.
-struct FewShapes {
+/// Which motions of a rotor count, and planar shapes that describe them.
+struct Counted {
     std::shared_ptr<const Eigen::MatrixXd> shapes; ///< none: the whole rotor, which is as small
-    /// Frequency of the motions that they describe, rad/s. What is found with them is found again
-    /// with the whole rotor.
+    /// Frequency up to which the elements resolve motions (or twice the spin speed, where that is
+    /// more) and the shapes describe them, rad/s: how little faster ones are damped is a matter of
+    /// the mesh. What is found with shapes is found again with the whole rotor.
     double up_to = std::numeric_limits<double>::infinity();
 };
 
-FewShapes shapes_of(const assembly::Discretization &d, double speed) {
+Counted counted_motions(const assembly::Discretization &d, double speed) {
     constexpr int small = 24; // planar unknowns
     constexpr int modes = 16; // at rest; beside them the deflections under what acts on the shaft
-    if (d.rigid() || d.planar_size() <= small)
-        return {};
-    try {
-        const auto pair = assembly::planar_pair(d, speed);
-        const double last = linalg::DefinitePair(linalg::Matrix::from_sparse(pair.K),
-                                                 linalg::Matrix::from_sparse(pair.M))
-                                .smallest(modes)
-                                .back()
-                                .value;
-        constexpr double well = 0.5; // of the last mode's frequency
-        return {std::make_shared<const Eigen::MatrixXd>(
-                    reduction::PlanarShapes(d, speed, modes).matrix()),
-                well * last};
-    } catch (const linalg::SolverError &) { // bearings push away
-        return {};
-    }
+    Counted out;
+    if (d.rigid())
+        return out;
+    if (d.planar_size() > small)
+        try {
+            const auto pair = assembly::planar_pair(d, speed);
+            constexpr double well = 0.5; // of the last mode's frequency
+            out.up_to = well * linalg::DefinitePair(linalg::Matrix::from_sparse(pair.K),
+                                                    linalg::Matrix::from_sparse(pair.M))
+                                   .smallest(modes)
+                                   .back()
+                                   .value;
+            out.shapes = std::make_shared<const Eigen::MatrixXd>(
+                reduction::PlanarShapes(d, speed, modes).matrix());
+        } catch (const linalg::SolverError &) { // bearings push away
+            out = {};
+        }
+    out.up_to =
+        std::min(out.up_to, std::max(2 * speed, ends::resolved_up_to(d, out.shapes.get(), speed)));
+    return out;
 }
 
 /// The rotor under cross coupling over a range of it.
 class CoupledRotor {
   public:
     CoupledRotor(const assembly::Discretization &d, const CouplingRange &range,
-                 const FewShapes &few)
+                 const Counted &counted)
         : _range(range),
-          _motions(d, range.matrices(d), few.shapes, range.s(range.from), range.speed) {
-        _motions.count_up_to(few.up_to);
+          _motions(d, range.matrices(d), counted.shapes, range.s(range.from), range.speed) {
+        _motions.count_up_to(counted.up_to);
     }
     [[nodiscard]] const CouplingRange &range() const { return _range; }
     [[nodiscard]] const ends::AllMotions &motions() const { return _motions; }
@@ -190,7 +196,7 @@ class Answer {
     Answer(const model::Case &scene, int order, std::vector<results::Sentence> &notes)
         : _settings(*scene.level1), _speed(scene.operation->to),
           _rotor(at_speed(scene.rotor, _speed, _settings.z)), _d(_rotor, order),
-          _few(shapes_of(_d, _speed)), _scale(stiffness_scale(_rotor)), _notes(notes) {
+          _counted(counted_motions(_d, _speed)), _scale(stiffness_scale(_rotor)), _notes(notes) {
         _out.z = _settings.z;
         _out.speed = _speed;
         _out.anticipated = _settings.anticipated;
@@ -224,13 +230,13 @@ class Answer {
     double _speed;
     model::Rotor _rotor;
     assembly::Discretization _d;
-    FewShapes _few;
+    Counted _counted;
     double _scale; ///< N/m
     std::vector<results::Sentence> &_notes;
     results::Level1 _out;
 
     [[nodiscard]] CoupledRotor rotor(double from, double to) const {
-        return {_d, {_speed, _settings.z, from, to}, _few};
+        return {_d, {_speed, _settings.z, from, to}, _counted};
     }
 
     /// Without damping: the slowest motion that any coupling drives.
@@ -239,7 +245,8 @@ class Answer {
         const CoupledRotor coupled = rotor(0, q);
         std::optional<State> out;
         for (const ends::Root &root : coupled.motions().at(coupled.range().speed).roots)
-            if (root.sign() > 0 && root.value.imag() > 0 && std::abs(root.value) <= _few.up_to &&
+            if (root.sign() > 0 && root.value.imag() > 0 &&
+                std::abs(root.value) <= _counted.up_to &&
                 (!out || root.value.imag() < out->value.imag()))
                 out = {q, root.value};
         return out;
@@ -254,13 +261,9 @@ class Answer {
             const auto first = std::ranges::find_if(found.ends, [](const auto &end) {
                 return end.resolved.motion && end.resolved.below <= 0 && end.resolved.above > 0;
             });
-            const bool doubtful = std::ranges::any_of(found.doubtful, [&](const auto &step) {
-                return first == found.ends.end() || step.from < first->speed;
-            });
-            if (doubtful)
-                _notes.emplace_back("level1: not all motions could be followed over the added "
-                                    "cross coupling: another one may grow with less");
-            if (first == found.ends.end())
+            const bool ends_there = first != found.ends.end();
+            note_doubts(coupled, found, ends_there ? first->speed : coupled.range().speed);
+            if (!ends_there)
                 continue;
             add_end(coupled.range(), *first, found.roots);
             return true;
@@ -268,6 +271,28 @@ class Answer {
         _notes.emplace_back("level1: no added cross coupling up to {} makes a motion grow",
                             results::as::stiffness(from, 3));
         return false;
+    }
+
+    /// What may grow with less coupling than that at s = `end`.
+    void note_doubts(const CoupledRotor &coupled, const ends::EndsFound &found, double end) {
+        const CouplingRange &range = coupled.range();
+        for (const results::Interval &step : found.doubtful)
+            if (step.to < end && coupled.least_damped(range.q(step.to)).real() > 0) {
+                _notes.push_back(fmt::format("level1: not all motions could be followed over the "
+                                             "added cross coupling, and one grows with {:.6g} N/m",
+                                             range.q(step.to)));
+                return;
+            }
+        if (coupled.motions().reduced())
+            return; // its fast motions are none of this mesh
+        for (const results::StabilityEnd &faster : found.ends)
+            if (faster.speed < end && !faster.resolved.motion) {
+                _notes.push_back(
+                    fmt::format("level1: a motion faster than {:.4g} rad/s, which these elements "
+                                "do not resolve, grows with {:.6g} N/m: it is not counted",
+                                _counted.up_to, range.q(faster.speed)));
+                return;
+            }
     }
 
     void add_end(const CouplingRange &range, const results::StabilityEnd &end,

@@ -12,8 +12,9 @@ namespace whirl::operation {
 /// kyx = -q, which drives forward whirl, is added at one place of the rotor.
 /// `critical_cross_coupling` is the q with which the first of all motions begins to grow (as a rule
 /// the first forward mode), a root of the whole rotor: all motions are followed over q as `ends`
-/// does over the speed. `log_dec` is that of the same motion, followed continuously. On a shaft of
-/// many elements motions count up to half the frequency of its sixteenth mode at rest.
+/// does over the speed. `log_dec` is that of the same motion, followed continuously. Motions count
+/// up to the frequency that the elements resolve, or twice the spin speed, and on a shaft of many
+/// elements up to half the frequency of its sixteenth mode at rest.
 ///
 /// @param scene  with [operation] and [level1]
 /// @param order  of the shaft elements

@@ -233,6 +233,95 @@ TEST(DrawnRotors, EndsAreThoseOfTheCountedSpectrum) {
     EXPECT_GE(ends, 60U); // otherwise little was compared
 }
 
+/// A damped rotor, every second one on bearings that differ between their directions, with cross
+/// coupling at a node.
+Scene with_level1(int seed) {
+    Draw draw(static_cast<std::uint64_t>(seed));
+    Drawn drawn =
+        shaft_and_discs(draw, draw.chance(0.5) ? draw.over_decades(1e-9, 1e-6) : 0, false);
+    const double stiffness = drawn.bending * draw.over_decades(0.1, 10);
+    for (const double z : {drawn.z[0], drawn.z[2]}) {
+        const double kx = stiffness * draw.over_decades(0.1, 10);
+        const double ky = seed % 2 == 0 ? kx : kx * draw.between(0.5, 2);
+        const double c = draw.over_decades(1e-6, 1e-3) * kx;
+        drawn.text += fmt::format("[[bearing]]\nz = {}\nkxx = {}\nkyy = {}\ncxx = {}\ncyy = {}\n",
+                                  z, kx, ky, c, seed % 2 == 0 ? c : c * draw.between(0.5, 2));
+    }
+    const double speed = std::sqrt(drawn.bending / 1000) * draw.over_decades(0.5, 20);
+    drawn.text += fmt::format("[speeds]\nto = {0}\ncount = 2\n[operation]\nfrom = {1}\nto = {0}\n"
+                              "[level1]\nz = {2}\n",
+                              speed, 0.8 * speed, drawn.z[1]);
+    return scene_of(drawn.text);
+}
+
+/// All eigenvalues at the highest operating speed with coupling q at the place.
+std::vector<Complex> coupled_spectrum(const oracles::CaseRotor &rotor, double q) {
+    const oracles::DenseRotor dense = oracles::dense_rotor(rotor);
+    const double speed = rotor.operation.to;
+    const Eigen::Index x = dense.deflection(rotor.operation.level1_z);
+    const Eigen::Index y = dense.planar() + x;
+    Eigen::MatrixXd K = dense.K + speed * dense.Kc;
+    K(x, y) += q;
+    K(y, x) -= q;
+    const Eigen::MatrixXd D = dense.C + speed * dense.G;
+    double fastest = 0;
+    for (Eigen::Index i = 0; i < K.rows(); ++i)
+        fastest = std::max(fastest, std::sqrt(std::abs(K(i, i) / dense.M(i, i))));
+    return oracles::state_eigenvalues(dense.M.cast<Real>(), D.cast<Real>(), K.cast<Real>(),
+                                      fastest);
+}
+
+Complex least_damped(const oracles::CaseRotor &rotor, double q) {
+    const auto all = coupled_spectrum(rotor, q);
+    return *std::max_element(all.begin(), all.end(), [](const Complex &a, const Complex &b) {
+        return a.real() < b.real();
+    });
+}
+
+// Of all motions of the mesh; where one that the elements do not resolve begins to grow before, it
+// is said so, and what is answered is still a root.
+TEST(DrawnRotors, LevelOneIsTheFirstOfAllMotionsToGrow) {
+    int first = 0;
+    for (int seed = 1; seed <= 36; ++seed) {
+        const Scene scene = with_level1(seed);
+        const results::StabilityResult result = analyses::stability(scene.scene, {});
+        ASSERT_TRUE(result.level1.has_value());
+        const auto &found = result.level1->critical_cross_coupling;
+        const std::string name = fmt::format("rotor {}", seed);
+        if (least_damped(scene.own, 0).real() > 0) {
+            EXPECT_FALSE(found.has_value()) << name; // internal damping drives it
+            continue;
+        }
+        ASSERT_TRUE(found.has_value()) << name;
+        double low = 0;
+        double high = 1e-6 * *found;
+        for (; least_damped(scene.own, high).real() <= 0; high *= 1.5)
+            low = high;
+        while (high - low > 1e-11 * high)
+            (least_damped(scene.own, (low + high) / 2).real() > 0 ? high : low) = (low + high) / 2;
+        const bool said =
+            std::any_of(result.model.notes.begin(), result.model.notes.end(), [](const auto &note) {
+                return note.find("do not resolve") != std::string::npos;
+            });
+        if (said) {
+            EXPECT_GT(*found, high) << name;
+            Real nearest = HUGE_VAL;
+            const Complex root(0, *result.level1->critical_frequency);
+            for (const Complex &l : coupled_spectrum(scene.own, *found))
+                nearest = std::min(nearest, std::abs(l - root));
+            EXPECT_LT(nearest, 1e-8 * std::abs(root)) << name;
+            continue;
+        }
+        EXPECT_NEAR(*found, high, 1e-8 * high) << name;
+        EXPECT_NEAR(*result.level1->critical_frequency,
+                    static_cast<double>(std::abs(least_damped(scene.own, high).imag())),
+                    1e-8 * *result.level1->critical_frequency)
+            << name;
+        ++first;
+    }
+    EXPECT_GE(first, 20);
+}
+
 model::Case stored(const std::string &name) {
     return input::load_case(WHIRL_ROOT "/tests/verification/scenes/" + name + ".toml");
 }
@@ -266,6 +355,14 @@ TEST(Ends, WithHardlyAnyDampingAreThoseOfTheWholeRotor) {
                         1e-9 * found.zero_root_speeds[i]);
         }
     }
+}
+
+// The first forward mode, at 2529 rad/s, does not begin to grow at all; another one does.
+TEST(LevelOne, IsNotOfTheFirstForwardModeAlone) {
+    const auto found = analyses::stability(stored("level1_no_answer_13107"), {});
+    ASSERT_TRUE(found.level1 && found.level1->critical_cross_coupling);
+    EXPECT_NEAR(*found.level1->critical_cross_coupling, 1.60203e6, 5);
+    EXPECT_NEAR(*found.level1->critical_frequency, 5329.2, 0.05);
 }
 
 } // namespace
