@@ -100,10 +100,7 @@ void run_command(const Arguments &arguments) {
     if (!arguments.json || arguments.out)
         report::check_folder(checked.folder());
     const report::Provenance provenance = provenance_of(arguments);
-    if (!process::same_everywhere(arguments.command + '\n' + provenance.case_text))
-        throw model::BadInput(
-            fmt::format("{}: expected the same case on every process, this one reads another text",
-                        scene.file.generic_string()));
+    check_same_case(arguments, scene, provenance.case_text);
     report::write_in(scene.units);
     std::optional<ProgressDisplay> display;
     if (!arguments.quiet && process::process_rank() == 0)
