@@ -1,5 +1,6 @@
 #include "input/units.h"
 
+#include "input/unit_spelling.h"
 #include "model/errors.h"
 
 #include <fmt/core.h>
@@ -84,17 +85,12 @@ const ut_system *unit_system() {
         ut_unmap_name_to_unit(read.get(), "hertz", UT_ASCII);
         add_symbol(read.get(), "Hz", "turn/s");
         add_symbol(read.get(), "hertz", "turn/s");
-        add_symbol(read.get(), "hz", "turn/s");
-        add_symbol(read.get(), "cpm", "turn/min"); // cycles
-        add_symbol(read.get(), "deg", "degree");
-        add_symbol(read.get(), "rev", "turn");
-        add_symbol(read.get(), "RPM", "rpm");
-        add_symbol(read.get(), "thou", "mil");
-        add_symbol(read.get(), "lbm", "lb");
         ut_unmap_symbol_to_unit(read.get(), "oz", UT_ASCII); // a volume
         add_symbol(read.get(), "oz", "0.0625 lb");
         add_symbol(read.get(), "Nm", "N.m");
         add_symbol(read.get(), "Ns", "N.s");
+        add_symbol(read.get(), "Nmm", "N.mm");
+        add_symbol(read.get(), "Nms", "N.m.s");
         return read;
     }();
     return system.get();
@@ -139,21 +135,6 @@ double scaled(double value, double factor) {
 
 namespace {
 
-/// "lb/in" for lbf/in: where a force is meant, a pound is one.
-std::string with_pounds_force(std::string_view name) {
-    std::string out;
-    const auto letter = [&name](std::size_t k) {
-        return k < name.size() && std::isalpha(static_cast<unsigned char>(name[k])) != 0;
-    };
-    for (std::size_t k = 0; k < name.size(); ++k) {
-        const bool pound =
-            name.substr(k, 2) == "lb" && !letter(k + 2) && (k == 0 || !letter(k - 1));
-        out += pound ? "lbf" : std::string(1, name[k]);
-        k += pound ? 1 : 0;
-    }
-    return out;
-}
-
 /// What nearly every case is written in, known without the database: reading that takes longer than
 /// some analyses.
 struct CommonUnit {
@@ -175,23 +156,25 @@ constexpr std::array common_units{
 } // namespace
 
 std::optional<double> unit_factor(std::string_view text, Quantity quantity) {
-    constexpr std::array per_minute{"1/min", "/min", "min-1", "min^-1", "U/min", "r/min"};
     std::string_view name = trimmed(text);
-    if (quantity == Quantity::angular_speed &&
-        std::ranges::find(per_minute, name) != per_minute.end())
-        name = "rpm"; // what data sheets of machines mean by it
+    if (name == "r.p.m." || name == "r.p.m")
+        name = "rpm";
     for (const CommonUnit &unit : common_units)
         if (unit.name == name && unit.quantity == quantity)
             return unit.factor;
-    // A further number would multiply: "2 5 m". Only the one of "1/s" is wanted.
-    const bool starts_with_number = !name.empty() && (std::isdigit(name[0]) || name[0] == '.');
-    if (name.empty() || (starts_with_number && !name.starts_with("1/")))
+    const auto parts = parts_of_unit(name);
+    if (!parts || !two_meanings(*parts, quantity).empty())
         return std::nullopt;
+    std::string spelled = for_udunits(*parts, false);
+    if (quantity == Quantity::angular_speed && (spelled == "1/min" || spelled == "min^-1"))
+        spelled = "rpm"; // what data sheets of machines mean by it
+    if (quantity == Quantity::acceleration && (name == "g" || name == "G" || name == "g0"))
+        spelled = "standard_free_fall"; // no gram is meant
     const QuantityInfo &entry = info(quantity);
     const Unit wanted = parse_unit(unit_system(), entry.unit);
-    Unit unit = parse_unit(unit_system(), name);
-    if (unit && wanted && !ut_are_convertible(unit.get(), wanted.get()))
-        unit = parse_unit(unit_system(), with_pounds_force(name));
+    Unit unit = parse_unit(unit_system(), spelled);
+    if (wanted && !(unit && ut_are_convertible(unit.get(), wanted.get())))
+        unit = parse_unit(unit_system(), for_udunits(*parts, true));
     if (!unit || !wanted || !ut_are_convertible(unit.get(), wanted.get()))
         return std::nullopt;
     const bool angle = contains_angle(unit.get());
@@ -207,15 +190,12 @@ std::optional<double> unit_factor(std::string_view text, Quantity quantity) {
     return factor;
 }
 
-namespace {
-
-struct LeadingNumber {
-    double value = 0;
-    std::string_view rest;
-};
-
 std::optional<LeadingNumber> leading_number(std::string_view text) {
-    text = trimmed(text);
+    constexpr std::size_t longest = 200; // bytes
+    if (text.size() > longest)
+        return std::nullopt;
+    const std::string plain = with_plain_signs(text);
+    text = trimmed(plain);
     if (text.starts_with('+') && !text.starts_with("+-"))
         text.remove_prefix(1);
     LeadingNumber number;
@@ -225,8 +205,6 @@ std::optional<LeadingNumber> leading_number(std::string_view text) {
     number.rest = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
     return number;
 }
-
-} // namespace
 
 std::optional<double> parse_number(std::string_view text) {
     const auto number = leading_number(text);
@@ -242,19 +220,6 @@ std::optional<double> parse_quantity(std::string_view text, Quantity quantity) {
         return std::nullopt;
     const double value = scaled(number->value, *factor);
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
-std::string spaced_unit_hint(std::string_view text, Quantity quantity) {
-    const auto number = leading_number(text);
-    if (number && unit_factor(number->rest, quantity))
-        return ""; // it is the number that is refused
-    for (std::size_t k = 1; number && k < number->rest.size(); ++k) {
-        const std::string unit =
-            fmt::format("{} {}", number->rest.substr(0, k), number->rest.substr(k));
-        if (unit_factor(unit, quantity))
-            return fmt::format(", did you mean \"{:.6g} {}\"?", number->value, unit);
-    }
-    return "";
 }
 
 } // namespace whirl::input
