@@ -2,11 +2,15 @@
 
 #include "model/errors.h"
 #include "report/common/files.h"
+#include "report/compare/check.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <system_error>
 
 namespace whirl::report {
 
@@ -64,18 +68,36 @@ void add_notes(Comparison &out) {
 } // namespace
 
 ComparedResult read_result(const std::filesystem::path &file) {
-    if (!std::filesystem::exists(file))
-        throw model::BadInput(fmt::format(
-            "{}: expected a result that whirl wrote, there is no such file", file.string()));
-    Json json = Json::parse(content_of(file), nullptr, false);
+    constexpr std::uintmax_t largest = 200'000'000; // bytes; read it takes ten times as much memory
+    std::error_code ignored;
+    const auto refuse = [&file](const std::string &why) {
+        throw model::BadInput(
+            fmt::format("{}: expected a result that whirl wrote{}", file.string(), why));
+    };
+    if (!std::filesystem::exists(file, ignored))
+        refuse(", there is no such file");
+    if (!std::filesystem::is_regular_file(file, ignored))
+        refuse(", this is no regular file");
+    if (std::filesystem::file_size(file, ignored) > largest)
+        refuse(fmt::format(", this file is larger than {} MB", largest / 1'000'000));
+    Json json;
+    try {
+        json = Json::parse(content_of(file), [](int depth, Json::parse_event_t, Json &) {
+            constexpr int deepest = 60; // a result has ten
+            if (depth > deepest)
+                throw std::length_error("deep");
+            return true;
+        });
+    } catch (const std::exception &) { // cut short, or something else
+    }
     if (!json.is_object() || json.value("program", Json()) != "whirl" ||
         json.value("format", Json()) != 1 || !json.value("command", Json()).is_string())
-        throw model::BadInput(
-            fmt::format("{}: expected a result that whirl wrote (JSON, format 1)", file.string()));
+        refuse(" (JSON, format 1)");
     if (json.contains("units"))
         throw model::BadInput(fmt::format("{}: expected a result in SI, got one that was written "
                                           "with --json-units",
                                           file.string()));
+    check_result(json, file.string());
     return {file.string(), std::move(json)};
 }
 
