@@ -314,6 +314,32 @@ TEST(CriticalMap, BearingsThatDifferInTheirDirectionsCrossTwice) {
     }
 }
 
+/// Pedestals softer in one direction than in the other are on the map with the mean of both: said.
+TEST(CriticalMap, OfPedestalsWithTwoStiffnessesSaysThatTheyAreAveraged) {
+    model::Case scene = two_discs();
+    scene.rotor.bearings.pop_back(); // no seal: nothing else is averaged
+    scene.rotor.bearings[0] = tests::round_bearing(0, 1e6, 0);
+    scene.rotor.bearings[1] = tests::round_bearing(1.5, 1e6, 0);
+    const auto notes_with = [&](double kx, double ky) {
+        for (model::Bearing &bearing : scene.rotor.bearings) {
+            model::Pedestal &pedestal = bearing.pedestal.emplace();
+            pedestal.mass = {5, 5};
+            pedestal.k = {kx, ky};
+            pedestal.c = {0, 0};
+        }
+        results::ModelSummary summary;
+        (void)analyses::critical_map(scene, summary);
+        std::string all;
+        for (const results::Sentence &note : summary.notes)
+            all += note.text() + "\n";
+        return all;
+    };
+    const std::string words = "pedestals, and supports that do not vary, have the mean of their x "
+                              "and y coefficients";
+    EXPECT_NE(notes_with(1e7, 4e7).find(words), std::string::npos);
+    EXPECT_EQ(notes_with(2e7, 2e7).find("the mean of"), std::string::npos);
+}
+
 TEST(CriticalMap, WantsABearing) {
     model::Case scene = scene_of(tests::uniform_shaft(1, 0.05), 0, 500, 3);
     EXPECT_THROW((void)map_of(scene), model::BadInput);

@@ -325,11 +325,21 @@ void add_crossings(const MapScene &map, const CurveOf &curve_of, const model::Ro
 /// What the map leaves out of the rotor, and what it cannot know.
 void add_notes(const model::Rotor &rotor, const MapScene &map, const CriticalMap &out,
                std::vector<results::Sentence> &notes) {
+    const bool unlike_pedestals =
+        std::ranges::any_of(rotor.supports(), [](const model::Bearing &bearing) {
+            const auto unlike = [](const Eigen::Vector2d &of) { return of(0) != of(1); };
+            return bearing.pedestal &&
+                   (unlike(bearing.pedestal->k) || unlike(bearing.pedestal->mass));
+        });
     const bool other_axes = !rotor.bearings_isotropic() && (map.varied || !rotor.seals().empty());
     notes.push_back(fmt::format(
         "critical speed map: without damping and cross coupling{}{}{}",
         rotor.shaft.axial_torque != 0 ? " and without the axial torque" : "",
-        other_axes ? "; supports that do not vary have the mean of their x and y coefficients" : "",
+        unlike_pedestals
+            ? "; pedestals, and supports that do not vary, have the mean of their x and y "
+              "coefficients"
+        : other_axes ? "; supports that do not vary have the mean of their x and y coefficients"
+                     : "",
         map.form == results::Form::rotating
             ? "; forward only, the balls of balancers held in place; where inertias or stiffnesses "
               "of the rotor differ in two directions, each direction has its curve"
