@@ -9,6 +9,10 @@
 #include <string>
 #include <vector>
 
+namespace whirl::input {
+class CaseFile;
+} // namespace whirl::input
+
 namespace whirl::report {
 struct Report;
 } // namespace whirl::report
@@ -18,7 +22,8 @@ namespace whirl::cli {
 /// A command at work: what it is given, and where its report goes.
 struct Run {
     const Arguments &arguments;
-    const model::Case &scene;
+    const input::CaseFile &file;
+    const model::Case &scene; ///< as the arguments ask for it
     std::function<void(report::Report)> deliver;
 
     /// The result of an analysis, with the wall time it took and what is to be said of the case.
@@ -65,6 +70,10 @@ Command stability_command();
 [[nodiscard]] const std::vector<Command> &commands();
 /// Null where there is none of that name.
 [[nodiscard]] const Command *command_named(const std::string &name);
+
+/// @throws model::BadInput where the command takes more memory for the case than this machine has
+void refuse_too_large(const input::CaseFile &file, const model::Case &scene,
+                      const Arguments &arguments);
 
 /// Reads the case, runs the analysis on all processes and delivers the result from the first:
 /// files, and text or JSON on standard output. Collective under mpirun.

@@ -38,13 +38,14 @@ Arguments arguments_of(const std::string &scene, const std::string &command,
 report::ComparedResult computed(const std::string &name, const Command &command,
                                 const std::vector<std::string> &overrides) {
     const Arguments arguments = arguments_of(name, command.name, overrides);
-    const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
+    const input::CaseFile file(arguments.scene);
+    const model::Case scene = file.load(arguments.overrides);
+    refuse_too_large(file, scene, arguments);
     report::ComparedResult result{name, {}};
-    const Run work{arguments, scene, [&](report::Report report) {
+    const Run work{arguments, file, scene, [&](report::Report report) {
                        if (process::process_rank() != 0) // the first has all of it
                            return;
-                       report.provenance.case_text =
-                           input::case_text(arguments.scene, arguments.overrides);
+                       report.provenance.case_text = file.text(arguments.overrides);
                        result.json = report::Json::parse(report::to_si_json(report));
                    }};
     command.run(work);

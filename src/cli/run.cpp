@@ -2,6 +2,7 @@
 #include "cli/messages.h"
 #include "cli/progress_display.h"
 #include "input/case_file.h"
+#include "input/size.h"
 #include "linalg/session.h"
 #include "model/errors.h"
 #include "model/rpm.h"
@@ -41,10 +42,10 @@ std::string files_text(const report::Files &files) {
     return text;
 }
 
-/// What the run starts from: the file may change while it is at work.
-report::Provenance provenance_of(const Arguments &arguments) {
+/// What the run starts from.
+report::Provenance provenance_of(const input::CaseFile &file, const Arguments &arguments) {
     return {fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))),
-            input::case_text(arguments.scene, arguments.overrides)};
+            file.text(arguments.overrides)};
 }
 
 /// Files, and text or JSON on standard output, from the first process.
@@ -98,6 +99,15 @@ const Command *command_named(const std::string &name) {
     return found == commands().end() ? nullptr : &*found;
 }
 
+void refuse_too_large(const input::CaseFile &file, const model::Case &scene,
+                      const Arguments &arguments) {
+    try {
+        input::refuse_too_large(scene, arguments.command, process::memory_of_machine());
+    } catch (const model::BadInput &problem) {
+        throw model::BadInput(file.with_place(problem.what(), arguments.overrides));
+    }
+}
+
 std::filesystem::path Run::folder() const {
     return arguments.out.value_or(std::filesystem::path("out") / scene.name / arguments.command);
 }
@@ -105,13 +115,15 @@ std::filesystem::path Run::folder() const {
 void run(const Arguments &arguments) {
     if (arguments.command == "compare")
         return comparison()(arguments);
-    const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
+    const input::CaseFile file(arguments.scene);
+    const model::Case scene = file.load(arguments.overrides);
+    refuse_too_large(file, scene, arguments);
     note_idle_map(arguments);
     note_plain_speed(arguments, scene);
-    const Run checked{arguments, scene, {}};
+    const Run checked{arguments, file, scene, {}};
     if (!arguments.json || arguments.out)
         report::check_folder(checked.folder());
-    const report::Provenance provenance = provenance_of(arguments);
+    const report::Provenance provenance = provenance_of(file, arguments);
     report::write_in(scene.units);
     process::use_huge_pages();
     const linalg::Session session;
@@ -120,15 +132,14 @@ void run(const Arguments &arguments) {
         display.emplace(ProgressDisplay::style_for(isatty(STDERR_FILENO) != 0));
     const process::Stage stage(arguments.command, 0, 1);
     try {
-        const Run work{arguments, scene, [&](report::Report report) {
+        const Run work{arguments, file, scene, [&](report::Report report) {
                            display.reset(); // its line must be gone before others are written
                            report.provenance = provenance;
                            deliver(work, report);
                        }};
         command_named(arguments.command)->run(work);
     } catch (const model::BadInput &problem) { // found late: say where the key stands
-        throw model::BadInput(
-            input::with_place(problem.what(), arguments.scene, arguments.overrides));
+        throw model::BadInput(file.with_place(problem.what(), arguments.overrides));
     } catch (const model::AnalysisFailure &failure) { // what looks like a slip may be why
         std::string message = failure.what();
         for (const std::string &remark : scene.remarks)

@@ -1,14 +1,14 @@
 #include "input/case_file.h"
 
 #include "balancers/held.h"
+#include "input/file_text.h"
 #include "input/overrides.h"
 #include "input/sections.h"
 #include "input/toml_text.h"
 #include "input/validate.h"
 #include "model/errors.h"
 
-#include <fstream>
-#include <sstream>
+#include <fmt/core.h>
 
 namespace whirl::input {
 namespace {
@@ -18,21 +18,16 @@ namespace fs = std::filesystem;
 fs::path find_file(const fs::path &folder_or_file) {
     std::error_code ignored;
     const bool folder = fs::is_directory(folder_or_file, ignored);
-    const fs::path file = folder ? folder_or_file / "case.toml" : folder_or_file;
-    if (!fs::exists(file, ignored) || fs::is_directory(file, ignored))
-        throw model::BadInput(file.generic_string() +
-                              ": expected a case (a folder with a case.toml, or a .toml file), "
-                              "there is no such file");
-    return file.lexically_normal();
+    return (folder ? folder_or_file / "case.toml" : folder_or_file).lexically_normal();
 }
 
-std::string read_text(const fs::path &file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    if (!stream)
-        throw model::BadInput(file.generic_string() + ": expected a case file, it cannot be read");
-    return text.str();
+std::string read_text(const fs::path &file, FileTexts &texts) {
+    const auto &[text, mistake] = texts.of(file, largest_case);
+    if (!mistake.empty())
+        throw model::BadInput(fmt::format("{}: expected a case (a folder with a case.toml, or a "
+                                          ".toml file), {}",
+                                          file.generic_string(), mistake));
+    return text;
 }
 
 /// The folder's name for a case.toml, else the file's without its ending.
@@ -59,6 +54,8 @@ void read_section(CheckedTable &root, const std::string &key,
     read(*table, scene);
     table->refuse_unknown();
 }
+
+} // namespace
 
 model::Case read_case(CheckedTable &root) {
     model::Case scene;
@@ -93,18 +90,28 @@ model::Case read_case(CheckedTable &root) {
     return scene;
 }
 
-} // namespace
+CaseFile::CaseFile(const fs::path &folder_or_file)
+    : _file(find_file(folder_or_file)), _tables(std::make_shared<FileTexts>()) {
+    _text = read_text(_file, *_tables);
+    _tree = std::make_shared<const Node>(parse_toml(_text, _file.generic_string()));
+}
 
-model::Case load_case(const fs::path &folder_or_file, const std::vector<std::string> &overrides) {
-    const fs::path file = find_file(folder_or_file);
-    Node tree = parse_toml(read_text(file), file.generic_string());
-    ReadContext context(tree);
-    context.folder = file.parent_path();
-    apply_overrides(tree, overrides, context.problems);
+Node CaseFile::overridden(const std::vector<std::string> &overrides, Problems &problems) const {
+    Node tree = *_tree;
+    apply_overrides(tree, overrides, problems);
+    return tree;
+}
+
+model::Case CaseFile::load(const std::vector<std::string> &overrides) const {
+    Problems problems;
+    const Node tree = overridden(overrides, problems);
+    ReadContext context(tree, *_tables);
+    context.problems = std::move(problems);
+    context.folder = _file.parent_path();
     CheckedTable root({tree, "", context});
     model::Case scene = read_case(root);
-    scene.file = file;
-    scene.name = case_name(file);
+    scene.file = _file;
+    scene.name = case_name(_file);
     validate(scene, {tree, context.problems});
     context.problems.throw_if_any();
     scene.remarks = std::move(context.remarks);
@@ -113,45 +120,43 @@ model::Case load_case(const fs::path &folder_or_file, const std::vector<std::str
     return scene;
 }
 
+std::string CaseFile::text(const std::vector<std::string> &overrides) const {
+    if (overrides.empty())
+        return _text;
+    Problems problems;
+    const Node tree = overridden(overrides, problems);
+    problems.throw_if_any();
+    return to_toml(tree);
+}
+
+std::string CaseFile::with_place(const std::string &problem,
+                                 const std::vector<std::string> &overrides) const {
+    const std::string name = _file.generic_string();
+    if (problem.starts_with(name + ":") && !problem.starts_with(name + ": "))
+        return problem; // it has a line
+    const std::string said =
+        problem.starts_with(name + ": ") ? problem.substr(name.size() + 2) : problem;
+    const std::string key = said.substr(0, said.find(": "));
+    Problems ignored;
+    const Node tree = overridden(overrides, ignored);
+    Origin origin{name, 0};
+    if (!parse_path(key).empty() && find_path(tree, key) != nullptr)
+        origin = origin_of(tree, key);
+    return origin.text() + ": " + said;
+}
+
 model::OutputUnits output_units(const std::vector<std::string> &overrides) {
     Node tree = parse_toml("", "");
-    ReadContext context(tree);
-    apply_overrides(tree, overrides, context.problems);
+    FileTexts none;
+    Problems problems;
+    apply_overrides(tree, overrides, problems);
+    ReadContext context(tree, none);
+    context.problems = std::move(problems);
     CheckedTable root({tree, "", context});
     model::Case scene;
     read_section(root, "units", read_units, scene);
     context.problems.throw_if_any();
     return scene.units;
-}
-
-std::string case_text(const fs::path &folder_or_file, const std::vector<std::string> &overrides) {
-    const fs::path file = find_file(folder_or_file);
-    const std::string text = read_text(file);
-    if (overrides.empty())
-        return text;
-    Node tree = parse_toml(text, file.generic_string());
-    Problems problems;
-    apply_overrides(tree, overrides, problems);
-    problems.throw_if_any();
-    return to_toml(tree);
-}
-
-std::string with_place(const std::string &problem, const fs::path &folder_or_file,
-                       const std::vector<std::string> &overrides) {
-    const fs::path file = find_file(folder_or_file);
-    const std::string name = file.generic_string();
-    if (problem.starts_with(name + ":") && !problem.starts_with(name + ": "))
-        return problem; // it has a line
-    const std::string text =
-        problem.starts_with(name + ": ") ? problem.substr(name.size() + 2) : problem;
-    const std::string key = text.substr(0, text.find(": "));
-    Node tree = parse_toml(read_text(file), name);
-    Problems ignored;
-    apply_overrides(tree, overrides, ignored);
-    Origin origin{name, 0};
-    if (!parse_path(key).empty() && find_path(tree, key) != nullptr)
-        origin = origin_of(tree, key);
-    return origin.text() + ": " + text;
 }
 
 } // namespace whirl::input

@@ -38,9 +38,9 @@ double CheckedEntry::number(Quantity quantity, Range range) const {
     const std::optional<double> value = number_of(node, quantity);
     if (value && range.contains(*value))
         return *value;
-    fail(fmt::format("expected {}{}{}, got {}{}{}", describe(quantity), range.words(),
+    fail(fmt::format("expected {}{}{}, got {}{}", describe(quantity), range.words(),
                      node.is_number() && !value ? ", finite" : "", shown(node),
-                     decimal_comma_hint(node.text), spaced_unit_hint(node.text, quantity)));
+                     value ? std::string(range.otherwise) : quantity_hint(node.text, quantity)));
     return std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -192,7 +192,9 @@ void CheckedTable::refuse_unknown() {
         if (std::ranges::find(_known, own.key) == _known.end()) {
             // At the root of the case a number stands in none of its tables: it was meant in one.
             const std::string table = path().empty() ? context().elsewhere(own.key) : "";
-            fail(own.key, "unknown key" + (table.empty() ? suggestion(own.key, _known) : table));
+            context().problems.add(own.origin, path_of(own.key),
+                                   "unknown key" +
+                                       (table.empty() ? suggestion(own.key, _known) : table));
         }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "input/file_text.h"
 #include "input/node.h"
 #include "input/units.h"
 
@@ -15,26 +16,30 @@ namespace whirl::input {
 
 /// Values that a number may have.
 struct Range {
-    double low = -std::numeric_limits<double>::infinity();
-    double high = std::numeric_limits<double>::infinity();
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    double low = -infinity;
+    double high = infinity;
     bool low_open = false;  ///< low itself is not allowed
     bool high_open = false; ///< high itself is not allowed
+    /// What else may be given where a number is out of range, for the end of a message.
+    std::string_view otherwise = {};
 
     /// False for nan.
     [[nodiscard]] bool contains(double value) const;
     /// " greater than 0", " in [0, 0.5)", or nothing for all numbers.
     [[nodiscard]] std::string words() const;
 
-    static Range positive() { return {0, std::numeric_limits<double>::infinity(), true, true}; }
-    static Range not_negative() { return {0, std::numeric_limits<double>::infinity()}; }
-    static Range inside(double low, double high) { return {low, high, true, true}; }
+    static Range positive() { return {0, infinity, true, true, {}}; }
+    static Range not_negative() { return {0, infinity, false, false, {}}; }
+    static Range inside(double low, double high) { return {low, high, true, true, {}}; }
 };
 
 /// What reading a case shares: the mistakes found, and which entries are numbers of which kind.
 struct ReadContext {
-    explicit ReadContext(const Node &whole) : tree(whole) {}
+    ReadContext(const Node &whole, FileTexts &tables) : tree(whole), files(tables) {}
 
     const Node &tree; ///< the case
+    FileTexts &files;
     Problems problems;
     std::map<std::string, Quantity> numeric; ///< path of an entry, its quantity
     std::vector<std::string> remarks;        ///< what is no mistake and looks like one

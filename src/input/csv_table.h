@@ -17,16 +17,22 @@ struct CsvRule {
 
 class CsvRow;
 
-/// A table of numbers with a header line. Header cells may carry a unit ("length [mm]") that holds
-/// for the plain numbers below it, cells may carry their own ("25 mm"). A cell in
-/// quotation marks may hold commas and '#', and "" for one of them. Blank lines and what else
-/// follows '#' are skipped. Mistakes are collected as "file:line: column: text".
+/// A table of numbers with a header line, as people and spreadsheets write them: columns apart by
+/// commas, semicolons or tabs; with semicolons and tabs a decimal comma; lines ended in any way, in
+/// UTF-8, UTF-16 or the Windows code page, with empty cells behind the last column.
+///
+/// Header cells may carry a unit ("length [mm]") that holds for the plain numbers below it, or be
+/// one that fits a single column ("rpm"); a line of units may follow; cells may carry their own
+/// ("25 mm"). A cell in quotation marks may hold separators and '#', and "" for one of them. Blank
+/// lines and what else follows '#' are skipped, but for the errors of a spreadsheet (#DIV/0!). What
+/// has two meanings, as 1,234 without another sign of what its comma is, is refused. Mistakes are
+/// collected as "file:line: column: text".
 class CsvTable {
   public:
     /// Reads the file; its header may have the columns of `rules`, each once, in any order.
     /// `file` must be reachable from the working directory and names the table in messages.
     CsvTable(const std::filesystem::path &file, const std::vector<CsvRule> &rules,
-             Problems &problems);
+             Problems &problems, FileTexts &files);
 
     /// False where the file or its header was wrong or it has no rows; the problem is collected.
     [[nodiscard]] bool usable() const { return _usable; }
@@ -42,6 +48,7 @@ class CsvTable {
     friend CsvRow;
     struct Column {
         std::string name;
+        std::optional<Quantity> quantity;
         double factor = 1; ///< of its unit to SI
         bool unit = false; ///< given in the header
     };
@@ -50,10 +57,20 @@ class CsvTable {
         std::vector<std::string> cells;
     };
 
+    void read(std::string_view text, const std::vector<CsvRule> &rules);
+    void read_header(const Line &line, const std::vector<CsvRule> &rules);
     void read_column(const std::string &cell, const std::vector<CsvRule> &rules);
+    /// Takes the line as one of units below the names. @returns whether it is one
+    bool read_units(const Line &line);
+    void add_line(Line line);
+    /// Makes points of decimal commas, or refuses where it is not known what commas are.
+    void read_decimal_commas(char separator);
+    void refuse(int line, const std::string &column, std::string text);
     [[nodiscard]] const Column *find(const std::string &name) const;
     /// Of the line; the table must have the column.
     [[nodiscard]] const std::string &cell(const Line &line, const Column &column) const;
+    /// "B7", as a spreadsheet names it.
+    [[nodiscard]] std::string place(const Line &line, const Column &column) const;
 
     Problems *_problems;
     std::string _file;

@@ -34,7 +34,7 @@ PathStep items_of(std::string_view text) {
 
 /// Reads "[3][0]" from the front of `text`; false where it is malformed.
 bool parse_indices(std::string_view &text, std::vector<PathStep> &steps) {
-    while (text.starts_with('[')) {
+    while (text.starts_with('[') && steps.size() <= deepest) {
         const std::size_t end = text.find(']');
         if (end == std::string_view::npos || end == 1)
             return false;
@@ -65,10 +65,10 @@ std::string in_quotes(std::string_view text) {
     return "\"" + out + (text.size() > longest ? "...\"" : "\"");
 }
 
-std::string as_written(const Node *node, double value, std::string_view unit) {
+std::string as_written(const Node *node, double value, std::string_view unit, double other) {
     return node != nullptr && node->kind == Node::Kind::text && !parse_number(node->text)
                ? in_quotes(node->text)
-               : fmt::format("{:.6g} {}", value, unit);
+               : fmt::format("{} {}", digits_apart(value, other), unit);
 }
 
 std::string shown(const Node &node) {
@@ -92,7 +92,7 @@ std::string shown(const Node &node) {
 
 std::vector<PathStep> parse_path(std::string_view text) {
     std::vector<PathStep> steps;
-    while (true) {
+    while (steps.size() <= deepest) {
         const std::size_t end = std::min(text.find_first_of(".[]"), text.size());
         if (end == 0)
             return {};
@@ -106,6 +106,7 @@ std::vector<PathStep> parse_path(std::string_view text) {
             return {};
         text.remove_prefix(1);
     }
+    return {};
 }
 
 bool is_named(const Node &item, std::string_view name) {

@@ -10,6 +10,10 @@
 
 namespace whirl::input {
 
+/// Tables and lists within one another that a case may have; real ones have a handful. Whoever goes
+/// through them calls himself once for each.
+inline constexpr std::size_t deepest = 60;
+
 /// A value of a case file with the place where it was written.
 struct Node {
     enum class Kind { table, list, text, integer, real, boolean, other };
@@ -33,8 +37,10 @@ struct Node {
 /// The value as the user wrote it, for messages: `"5 kg"`, `-3.5`, `a table`.
 [[nodiscard]] std::string shown(const Node &node);
 
-/// A number with its unit as the user wrote it, `"420 mm"`; else its value in SI, `0.42 m`.
-[[nodiscard]] std::string as_written(const Node *node, double value, std::string_view unit);
+/// A number with its unit as the user wrote it, `"420 mm"`; else its value in SI, `0.42 m`, in
+/// digits that tell it from another one.
+[[nodiscard]] std::string as_written(const Node *node, double value, std::string_view unit,
+                                     double other);
 
 /// `text` in quotation marks, cut where it is long, control characters replaced.
 [[nodiscard]] std::string in_quotes(std::string_view text);

@@ -10,40 +10,51 @@
 namespace whirl::input {
 namespace {
 
-using Nodes = std::vector<Node *>;
+/// A node of the case with its path, in which every item has its index: "bearing[1].k".
+struct Place {
+    Node *node;
+    std::string path;
 
-/// The entry `name` of a table; where it is missing it is made as an empty table, but not if
-/// `list_wanted`. Null where there is none or `node` is no table.
-Node *entry(Node &node, const std::string &name, bool list_wanted, const Origin &origin) {
+    [[nodiscard]] Place entry(Node &of, const std::string &key) const {
+        return {&of, path.empty() ? key : path + "." + key};
+    }
+    [[nodiscard]] Place item(std::size_t i) const {
+        return {&node->items[i], fmt::format("{}[{}]", path, i)};
+    }
+};
+using Places = std::vector<Place>;
+
+/// The entry `key` of a table; where it is missing it is made as an empty table, but not if
+/// `list_wanted`. None where there is none or the node is no table.
+Places entry(const Place &place, const std::string &key, bool list_wanted, const Origin &origin) {
+    Node &node = *place.node;
     if (node.is_list() && node.items.size() == 1) // bearing.k of the only bearing
-        return entry(node.items.front(), name, list_wanted, origin);
+        return entry(place.item(0), key, list_wanted, origin);
     if (node.kind != Node::Kind::table)
-        return nullptr;
-    if (Node *found = node.find(name))
-        return found;
+        return {};
+    if (Node *found = node.find(key))
+        return {place.entry(*found, key)};
     if (list_wanted)
-        return nullptr;
+        return {};
     Node made;
-    made.key = name;
+    made.key = key;
     made.origin = origin;
     node.items.push_back(std::move(made));
-    return &node.items.back();
+    return {place.entry(node.items.back(), key)};
 }
 
 /// Items of a list that a step speaks of.
-Nodes items(Node &node, const PathStep &step) {
-    Nodes out;
+Places items(const Place &place, const PathStep &step) {
+    Places out;
+    const Node &node = *place.node;
     for (std::size_t i = 0; node.is_list() && i < node.items.size(); ++i)
         if (step.index ? i == *step.index : !step.name || is_named(node.items[i], *step.name))
-            out.push_back(&node.items[i]);
+            out.push_back(place.item(i));
     return out;
 }
 
-Nodes followed(Node &node, const PathStep &step, bool list_wanted, const Origin &origin) {
-    if (step.key.empty())
-        return items(node, step);
-    Node *found = entry(node, step.key, list_wanted, origin);
-    return found ? Nodes{found} : Nodes{};
+Places followed(const Place &place, const PathStep &step, bool list_wanted, const Origin &origin) {
+    return step.key.empty() ? items(place, step) : entry(place, step.key, list_wanted, origin);
 }
 
 std::string step_text(const PathStep &step) {
@@ -84,63 +95,84 @@ std::string obstacle(const Node &node, const PathStep &step, const std::string &
 bool remove(Node &node, const PathStep &step) {
     if (!step.key.empty() && node.is_list() && node.items.size() == 1)
         return remove(node.items.front(), step);
-    const Nodes gone = step.key.empty() ? items(node, step) : Nodes{node.find(step.key)};
+    std::vector<const Node *> gone{node.find(step.key)};
+    if (step.key.empty()) {
+        gone.clear();
+        for (const Place &item : items({&node, ""}, step))
+            gone.push_back(item.node);
+    }
     return std::erase_if(node.items, [&](const Node &item) {
                return std::ranges::find(gone, &item) != gone.end();
            }) > 0;
 }
 
-void apply(Node &root, const std::string &path, std::string_view value, const Origin &origin,
-           Problems &problems) {
-    const std::vector<PathStep> steps = parse_path(path);
-    if (steps.empty()) {
-        problems.add(origin, "", "expected a path such as bearing[0].k, got " + in_quotes(path));
-        return;
-    }
-    const bool removes = trimmed(value).empty();
-    Nodes nodes{&root};
+/// Places that all but the last `left` steps of a path speak of; none with a problem.
+Places places_of(Node &root, const std::vector<PathStep> &steps, std::size_t left,
+                 const std::string &path, const Origin &origin, Problems &problems) {
+    Places places{{&root, ""}};
     std::string walked;
-    for (std::size_t i = 0; i + (removes ? 1 : 0) < steps.size(); ++i) {
+    for (std::size_t i = 0; i + left < steps.size(); ++i) {
         const bool list_wanted = i + 1 < steps.size() && steps[i + 1].key.empty();
-        Nodes next;
-        for (Node *node : nodes) {
-            const Nodes found = followed(*node, steps[i], list_wanted || removes, origin);
+        Places next;
+        for (const Place &place : places) {
+            const Places found = followed(place, steps[i], list_wanted || left > 0, origin);
             if (found.empty()) {
-                problems.add(origin, path, obstacle(*node, steps[i], walked));
-                return;
+                problems.add(origin, path, obstacle(*place.node, steps[i], walked));
+                return {};
             }
             next.insert(next.end(), found.begin(), found.end());
         }
         walked += (walked.empty() || steps[i].key.empty() ? "" : ".") + step_text(steps[i]);
-        nodes = std::move(next);
+        places = std::move(next);
     }
-    if (removes) {
-        const auto gone =
-            std::ranges::count_if(nodes, [&](Node *node) { return remove(*node, steps.back()); });
-        if (gone == 0)
-            problems.add(origin, path,
-                         "expected something to take out of the case, there is no such entry");
-        return;
-    }
-    for (Node *node : nodes) {
-        const std::string key = node->key;
-        *node = parse_value(value, origin);
-        node->key = key;
-    }
+    return places;
+}
+
+/// "path.to.key=", which takes entries or items out.
+void take_out(Node &root, const std::string &path, const Origin &origin, Problems &problems) {
+    const std::vector<PathStep> steps = parse_path(path);
+    const std::size_t before = problems.count();
+    const Places places = places_of(root, steps, 1, path, origin, problems);
+    const auto gone = std::ranges::count_if(
+        places, [&](const Place &place) { return remove(*place.node, steps.back()); });
+    if (gone == 0 && problems.count() == before)
+        problems.add(origin, path,
+                     "expected something to take out of the case, there is no such entry");
 }
 
 } // namespace
 
+std::vector<std::string> set_entries(Node &root, const std::string &path, std::string_view value,
+                                     const Origin &origin, Problems &problems) {
+    std::vector<std::string> paths;
+    for (const Place &place : places_of(root, parse_path(path), 0, path, origin, problems)) {
+        const std::string key = place.node->key;
+        *place.node = parse_value(value, origin);
+        place.node->key = key;
+        paths.push_back(place.path);
+    }
+    return paths;
+}
+
 void apply_overrides(Node &root, const std::vector<std::string> &overrides, Problems &problems) {
     for (const std::string &text : overrides) {
-        const Origin origin{"--set " + text, 0};
+        constexpr std::size_t shown = 200; // of a text that is no override
+        const Origin origin{
+            "--set " + (text.size() <= shown ? text : text.substr(0, shown) + "..."), 0};
         const std::size_t equals = text.find('=');
         if (equals == std::string::npos) {
             problems.add(origin, "", "expected path.to.key=value, got no \"=\"");
             continue;
         }
         const std::string path(trimmed(std::string_view(text).substr(0, equals)));
-        apply(root, path, std::string_view(text).substr(equals + 1), origin, problems);
+        const std::string_view value = std::string_view(text).substr(equals + 1);
+        if (parse_path(path).empty())
+            problems.add(origin, "",
+                         "expected a path such as bearing[0].k, got " + in_quotes(path));
+        else if (trimmed(value).empty())
+            take_out(root, path, origin, problems);
+        else
+            (void)set_entries(root, path, value, origin, problems);
     }
 }
 

@@ -13,4 +13,10 @@ namespace whirl::input {
 /// Mistakes are named "--set path.to.key=value".
 void apply_overrides(Node &root, const std::vector<std::string> &overrides, Problems &problems);
 
+/// Sets what a path speaks of to a value, as an override does.
+/// @returns  the path of each entry that was set, with the index of every item: "bearing[1].k" for
+///           "bearing[right].k"; none, with a problem, where the path leads nowhere
+std::vector<std::string> set_entries(Node &root, const std::string &path, std::string_view value,
+                                     const Origin &origin, Problems &problems);
+
 } // namespace whirl::input

@@ -34,6 +34,9 @@ std::size_t edit_distance(std::string_view left, std::string_view right) {
 
 /// The candidate nearest to `word` (fewest edits), or empty where none is near enough to be meant.
 std::string nearest(std::string_view word, const std::vector<std::string> &candidates) {
+    constexpr std::size_t longest = 100; // nobody slips in more
+    if (word.size() > longest)
+        return "";
     // Two edits are a slip in a short word; in a long one, a third of its letters.
     std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
     std::string best;
@@ -52,7 +55,11 @@ std::string nearest(std::string_view word, const std::vector<std::string> &candi
 std::string Origin::text() const { return line > 0 ? fmt::format("{}:{}", file, line) : file; }
 
 void Problems::add(Origin origin, std::string key, std::string text) {
-    _problems.push_back({std::move(origin), std::move(key), std::move(text)});
+    constexpr std::size_t most = 1000; // more than anyone reads
+    if (_problems.size() < most)
+        _problems.push_back({std::move(origin), std::move(key), std::move(text)});
+    else
+        ++_more;
 }
 
 void Problems::throw_if_any() const {
@@ -75,6 +82,8 @@ void Problems::throw_if_any() const {
         message += problem.key.empty() ? "" : problem.key + ": ";
         message += problem.text;
     }
+    if (_more > 0)
+        message += fmt::format("\nand {} more", _more);
     throw model::BadInput(message);
 }
 
@@ -88,6 +97,11 @@ std::string suggestion(std::string_view word, const std::vector<std::string> &ca
     if (!best.empty())
         return best;
     return candidates.empty() ? "" : fmt::format(", known are {}", fmt::join(candidates, ", "));
+}
+
+std::string digits_apart(double value, double other) {
+    std::string text = fmt::format("{:.6g}", value);
+    return value != other && text == fmt::format("{:.6g}", other) ? fmt::format("{}", value) : text;
 }
 
 std::string decimal_comma_hint(std::string_view text) {

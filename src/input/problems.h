@@ -19,10 +19,11 @@ struct Origin {
 class Problems {
   public:
     /// `text` says what was expected and what was given; `key` is the path of the entry, or empty.
+    /// Of more than a thousand the rest is counted.
     void add(Origin origin, std::string key, std::string text);
 
     [[nodiscard]] bool empty() const { return _problems.empty(); }
-    [[nodiscard]] std::size_t count() const { return _problems.size(); }
+    [[nodiscard]] std::size_t count() const { return _problems.size() + _more; }
 
     /// Throws model::BadInput with one line for each problem, "origin: key: text", those of one
     /// file together and in the order of their lines; does nothing where there is no problem.
@@ -35,6 +36,7 @@ class Problems {
         std::string text;
     };
     std::vector<Problem> _problems;
+    std::size_t _more = 0; ///< beyond those
 };
 
 /// `, did you mean "x"?` for the nearest candidate, or nothing.
@@ -44,6 +46,9 @@ class Problems {
 /// The same, but `, known are a, b, c` where none is near.
 [[nodiscard]] std::string suggestion(std::string_view word,
                                      const std::vector<std::string> &candidates);
+
+/// A number for a message with six digits, or with all it has where `other` would read the same.
+[[nodiscard]] std::string digits_apart(double value, double other);
 
 /// What may have been meant by a text in place of a number: its first comma is between digits.
 [[nodiscard]] std::string decimal_comma_hint(std::string_view text);

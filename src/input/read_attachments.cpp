@@ -25,9 +25,9 @@ model::Disc read_disc_of_geometry(CheckedTable &table, const Materials &material
     const double width = table.number("width", Quantity::length, Range::positive());
     const double rho = material_of(table, materials).rho;
     if (inner >= outer) {
-        table.fail("inner", fmt::format("expected an inner diameter below the outer one, {:.6g} m, "
-                                        "got {:.6g} m",
-                                        outer, inner));
+        table.fail("inner", fmt::format("expected an inner diameter below the outer one, {} m, "
+                                        "got {} m",
+                                        digits_apart(outer, inner), digits_apart(inner, outer)));
         return {};
     }
     return model::disc_from_geometry(z, outer, inner, width, rho);

@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace whirl::input {
 namespace {
 
 /// `position`, angles of all balls or rings; "symmetric" leaves the list empty.
-void read_position(CheckedTable &table, const char *part, int count, model::Balancer &balancer) {
+void read_position(CheckedTable &table, const char *part, std::int64_t count,
+                   model::Balancer &balancer) {
     const Node *entry = table.find("position");
     if (!entry || (entry->kind == Node::Kind::text && entry->text == "symmetric"))
         return;
@@ -28,7 +30,7 @@ void read_position(CheckedTable &table, const char *part, int count, model::Bala
 
 void read_row(CheckedTable &table, model::BallRow &row) {
     row.mass = table.number("mass", Quantity::mass, Range::positive());
-    row.n = table.whole_or("n", row.n, 1, largest_count);
+    row.n = table.whole_or("n", row.n, 1, most_parts);
     row.radius = table.number("radius", Quantity::length, Range::positive());
     row.damping = table.number_or("damping", 0, Quantity::damping, Range::not_negative());
     constexpr double steel = 7800; // kg/m3
@@ -73,7 +75,7 @@ void read_ball(CheckedTable &table, model::Balancer &balancer) {
         read_row(table, balls.rows.front());
     }
     read_contact(table, balls);
-    int count = 0;
+    std::int64_t count = 0;
     for (const model::BallRow &row : balls.rows)
         count += row.n;
     read_position(table, "ball", count, balancer);
@@ -121,7 +123,7 @@ double read_ring_inertia(CheckedTable &table, const model::Rings &rings) {
 
 void read_ring(CheckedTable &table, model::Balancer &balancer) {
     model::Rings rings;
-    rings.n = table.whole_or("n", rings.n, 1, largest_count);
+    rings.n = table.whole_or("n", rings.n, 1, most_parts);
     rings.mass = table.number("mass", Quantity::mass, Range::positive());
     rings.journal_radius = table.number("journal_radius", Quantity::length, Range::positive());
     rings.clearance = table.number("clearance", Quantity::length, Range::positive());

@@ -42,16 +42,17 @@ void read_operation(CheckedTable &table, model::Case &scene) {
     operation.from = table.number("from", Quantity::angular_speed, Range::not_negative());
     operation.to = table.number("to", Quantity::angular_speed, Range::positive());
     operation.trip = table.optional_number("trip", Quantity::angular_speed, Range::positive());
-    const auto written = [&table](const char *key, double value) {
-        return as_written(table.find(key), value, "rad/s");
+    const auto written = [&table](const char *key, double value, double other) {
+        return as_written(table.find(key), value, "rad/s", other);
     };
     if (operation.to <= operation.from)
         table.fail("to", fmt::format("expected more than from = {}, got {}",
-                                     written("from", operation.from), written("to", operation.to)));
+                                     written("from", operation.from, operation.to),
+                                     written("to", operation.to, operation.from)));
     if (operation.trip && *operation.trip < operation.to)
-        table.fail("trip",
-                   fmt::format("expected at least to = {}, got {}", written("to", operation.to),
-                               written("trip", *operation.trip)));
+        table.fail("trip", fmt::format("expected at least to = {}, got {}",
+                                       written("to", operation.to, *operation.trip),
+                                       written("trip", *operation.trip, operation.to)));
     scene.operation = operation;
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace whirl::input {
 
@@ -15,12 +16,31 @@ namespace {
 const std::vector<std::string> distribution_words{"normal", "uniform", "values"};
 const std::vector<std::string> answer_words{"critical", "peaks", "ends", "residual"};
 
-void read_normal(CheckedTable &table, Quantity quantity, model::UncertainInput &input) {
+/// The value that the case gives all of the entries. NaN where one is no number, which is told
+/// where it stands; none where one is not given, or they differ.
+std::optional<double> value_in_case(const NumericEntries &entries, const Node &tree) {
+    std::optional<double> value;
+    for (const std::string &path : entries.paths) {
+        const Node *own = find_path(tree, path);
+        if (!own)
+            return std::nullopt;
+        constexpr double wrong = std::numeric_limits<double>::quiet_NaN();
+        const double given = number_of(*own, entries.quantity).value_or(wrong);
+        if (value && given != *value)
+            return std::nullopt;
+        value = given;
+    }
+    return value;
+}
+
+void read_normal(CheckedTable &table, const NumericEntries &entries, model::UncertainInput &input) {
+    const Quantity quantity = entries.quantity;
     const bool relative = table.flag_or("relative", false);
-    const Node *in_case = find_path(table.context().tree, input.path);
-    const auto usual = in_case ? number_of(*in_case, quantity) : std::nullopt;
-    constexpr double wrong = std::numeric_limits<double>::quiet_NaN(); // told where it stands
-    input.mean = table.number_or("mean", usual.value_or(wrong), quantity);
+    if (const auto usual = value_in_case(entries, table.context().tree);
+        usual && !table.has("mean"))
+        input.mean = *usual;
+    else
+        input.mean = table.number("mean", quantity);
     input.deviation =
         table.number("deviation", relative ? Quantity::dimensionless : quantity, Range::positive());
     if (!relative)
@@ -47,48 +67,47 @@ void read_values(CheckedTable &table, Quantity quantity, model::UncertainInput &
 }
 
 /// One entry of `vary`. Its numbers are read where its path and distribution are known.
-model::UncertainInput read_input(CheckedTable &table,
-                                 const std::map<std::string, Quantity> &entries) {
+/// @param varied  paths of the entries that others of `vary` change; gets those of this one
+model::UncertainInput read_input(CheckedTable &table, std::set<std::string> &varied) {
     model::UncertainInput input;
     const auto path = table.text("path");
     if (!table.has("path"))
         table.fail("path", "missing, expected a numeric entry of the case");
-    const auto quantity = path ? quantity_of_entry(table, *path, entries, "") : std::nullopt;
+    const auto entries = path ? numeric_entries(table, *path, "") : std::nullopt;
     const std::size_t none = distribution_words.size();
     const std::size_t kind = table.choice("distribution", distribution_words, none);
     if (!table.has("distribution"))
         table.fail("distribution", fmt::format("missing, expected \"{}\"",
                                                fmt::join(distribution_words, "\" or \"")));
-    if (!quantity || kind == none)
+    if (!entries || kind == none)
         return input;
+    std::string twice;
+    for (const std::string &own : entries->paths)
+        if (!varied.insert(own).second)
+            twice = own;
+    if (!twice.empty())
+        table.fail("path", "expected each entry once, got " + in_quotes(twice) + " twice");
     input.path = *path;
-    input.unit = unit_of(*quantity);
+    input.unit = unit_of(entries->quantity);
     input.distribution = static_cast<model::Distribution>(kind);
     if (input.distribution == model::Distribution::normal)
-        read_normal(table, *quantity, input);
+        read_normal(table, *entries, input);
     else if (input.distribution == model::Distribution::uniform)
-        read_uniform(table, *quantity, input);
+        read_uniform(table, entries->quantity, input);
     else
-        read_values(table, *quantity, input);
+        read_values(table, entries->quantity, input);
     table.refuse_unknown();
     return input;
 }
 
-void read_inputs(CheckedTable &table, const std::map<std::string, Quantity> &entries,
-                 model::SamplesSettings &samples) {
+void read_inputs(CheckedTable &table, model::SamplesSettings &samples) {
     const Node *list = table.find("vary");
     if (!list || (list->is_list() && list->items.empty()))
         table.fail("vary", list ? "expected at least one entry of the case, got none"
                                 : "missing, expected a list of tables {path, distribution, ...}");
-    for (CheckedTable &item : table.tables("vary")) {
-        model::UncertainInput input = read_input(item, entries);
-        const bool twice = std::ranges::any_of(samples.vary, [&input](const auto &before) {
-            return !input.path.empty() && before.path == input.path;
-        });
-        if (twice)
-            item.fail("path", "expected each entry once, got " + in_quotes(input.path) + " twice");
-        samples.vary.push_back(std::move(input));
-    }
+    std::set<std::string> varied;
+    for (CheckedTable &item : table.tables("vary"))
+        samples.vary.push_back(read_input(item, varied));
 }
 
 /// Which answers are wanted.
@@ -126,15 +145,12 @@ void read_quantiles(CheckedTable &table, model::SamplesSettings &samples) {
 } // namespace
 
 void read_samples(CheckedTable &table, model::Case &scene) {
-    // Taken before its own numbers are read. Those of the map are not used with samples.
-    std::map<std::string, Quantity> entries = table.context().numeric;
-    std::erase_if(entries, [](const auto &entry) { return entry.first.starts_with("map."); });
     model::SamplesSettings samples;
     samples.count = table.whole("count", 1, largest_count);
     samples.seed = table.whole_or("seed", 1, 0, std::numeric_limits<int>::max());
     read_wanted(table, samples);
     read_quantiles(table, samples);
-    read_inputs(table, entries, samples);
+    read_inputs(table, samples);
     scene.samples = std::move(samples);
 }
 

@@ -1,3 +1,4 @@
+#include "input/overrides.h"
 #include "input/sections.h"
 
 #include "balancers/pendulum4.h"
@@ -10,8 +11,7 @@
 namespace whirl::input {
 namespace {
 
-model::MapAxis read_axis(CheckedTable &map, const std::string &key,
-                         const std::map<std::string, Quantity> &entries) {
+model::MapAxis read_axis(CheckedTable &map, const std::string &key) {
     model::MapAxis axis;
     auto table = map.table(key);
     if (!table) {
@@ -23,9 +23,11 @@ model::MapAxis read_axis(CheckedTable &map, const std::string &key,
     if (!table->has("path"))
         table->fail("path", "missing, expected \"speed\" or a numeric entry of the case");
     std::optional<Quantity> quantity;
-    if (path)
-        quantity = *path == "speed" ? Quantity::angular_speed
-                                    : quantity_of_entry(*table, *path, entries, "speed");
+    if (path && *path == "speed")
+        quantity = Quantity::angular_speed;
+    else if (path)
+        if (const auto entries = numeric_entries(*table, *path, "speed"))
+            quantity = entries->quantity;
     if (!quantity)
         return axis;
     axis.path = *path;
@@ -66,27 +68,52 @@ void read_written(CheckedTable &table, const char *key, Quantity quantity,
     const auto factor = unit_factor(node->text, quantity);
     if (!factor)
         table.fail(key, "expected the unit of " + describe(quantity) + " or another one, got " +
-                            shown(*node));
+                            shown(*node) + unit_hint(node->text, quantity));
     else
         units.of[key] = {std::string(trimmed(node->text)), *factor};
 }
 
 } // namespace
 
-std::optional<Quantity> quantity_of_entry(CheckedTable &table, const std::string &path,
-                                          const std::map<std::string, Quantity> &entries,
-                                          const std::string &besides) {
-    const auto found = entries.find(path);
-    if (found != entries.end())
-        return found->second;
-    std::vector<std::string> paths;
+std::optional<NumericEntries> numeric_entries(CheckedTable &table, const std::string &path,
+                                              const std::string &besides) {
+    ReadContext &context = table.context();
+    const auto of_quantity =
+        [](const std::vector<std::string> &paths,
+           const std::map<std::string, Quantity> &numeric) -> std::optional<NumericEntries> {
+        const auto first = paths.empty() ? numeric.end() : numeric.find(paths.front());
+        const bool all = std::ranges::all_of(paths, [&](const std::string &own) {
+            const auto found = numeric.find(own);
+            return found != numeric.end() && found->second == first->second &&
+                   !own.starts_with("map.") && !own.starts_with("samples.");
+        });
+        return first != numeric.end() && all ? std::optional(NumericEntries{paths, first->second})
+                                             : std::nullopt;
+    };
+    Node tree = context.tree;
+    Problems ignored;
+    const std::vector<std::string> paths = set_entries(tree, path, "1", {}, ignored);
+    auto found = of_quantity(paths, context.numeric);
+    if (!found && !paths.empty()) {
+        // An entry that the case leaves out is a number if the case with it has one there.
+        std::erase_if(tree.items,
+                      [](const Node &own) { return own.key == "map" || own.key == "samples"; });
+        ReadContext with_it(tree, context.files);
+        with_it.folder = context.folder;
+        CheckedTable root({tree, "", with_it});
+        (void)read_case(root);
+        found = of_quantity(paths, with_it.numeric);
+    }
+    if (found)
+        return found;
+    std::vector<std::string> known;
     if (!besides.empty())
-        paths.push_back(besides);
-    for (const auto &entry : entries)
-        paths.push_back(entry.first);
+        known.push_back(besides);
+    for (const auto &entry : context.numeric)
+        known.push_back(entry.first);
     table.fail("path", "expected " + (besides.empty() ? "" : in_quotes(besides) + " or ") +
                            "a numeric entry of the case, got " + in_quotes(path) +
-                           did_you_mean(path, paths));
+                           did_you_mean(path, known));
     return std::nullopt;
 }
 
@@ -97,10 +124,11 @@ void read_speeds(CheckedTable &table, model::Case &scene) {
     speeds.to = to.value_or(speeds.from);
     speeds.count = table.whole_or("count", to ? 101 : 1, 1, largest_count);
     if (speeds.to < speeds.from || (to && speeds.count > 1 && speeds.to == speeds.from))
-        table.fail("to", fmt::format("expected {} from = {}, got {}",
-                                     speeds.count > 1 ? "more than" : "at least",
-                                     as_written(table.find("from"), speeds.from, "rad/s"),
-                                     as_written(table.find("to"), speeds.to, "rad/s")));
+        table.fail("to",
+                   fmt::format("expected {} from = {}, got {}",
+                               speeds.count > 1 ? "more than" : "at least",
+                               as_written(table.find("from"), speeds.from, "rad/s", speeds.to),
+                               as_written(table.find("to"), speeds.to, "rad/s", speeds.from)));
     if (!table.has("to") && speeds.count > 1)
         table.fail("to", "missing, expected an angular speed in rad/s where count is above 1");
     scene.speeds = speeds;
@@ -144,11 +172,9 @@ void read_balance(CheckedTable &table, model::Case &scene) {
 }
 
 void read_map(CheckedTable &table, model::Case &scene) {
-    // Taken before the axes are read: their own numbers are no entries to vary.
-    const std::map<std::string, Quantity> entries = table.context().numeric;
     model::MapSettings map;
-    map.x = read_axis(table, "x", entries);
-    map.y = read_axis(table, "y", entries);
+    map.x = read_axis(table, "x");
+    map.y = read_axis(table, "y");
     if (map.x.path == "speed" && map.y.path == "speed")
         table.fail("y", "expected another entry than x, got " + in_quotes(map.y.path) + " twice");
     scene.map = map;

@@ -102,12 +102,13 @@ template <class Table> model::Material pick_material(Table &table, const Materia
 /// The bore is smaller than the outer diameter at both ends, and what has mass is not empty.
 template <class Table> void check_diameters(const model::Segment &segment, Table &table) {
     const bool start = segment.inner_start >= segment.outer_start;
-    if (start || segment.inner_end >= segment.outer_end)
-        table.fail("inner", fmt::format("expected an inner diameter below the outer one, {:.6g} "
-                                        "m, got {:.6g} m{}",
-                                        start ? segment.outer_start : segment.outer_end,
-                                        start ? segment.inner_start : segment.inner_end,
-                                        start ? "" : " (at the end of the segment)"));
+    const double outer = start ? segment.outer_start : segment.outer_end;
+    const double inner = start ? segment.inner_start : segment.inner_end;
+    if (inner >= outer)
+        table.fail("inner",
+                   fmt::format("expected an inner diameter below the outer one, {} m, got {} m{}",
+                               digits_apart(outer, inner), digits_apart(inner, outer),
+                               start ? "" : " (at the end of the segment)"));
     if (segment.mass_inner > 0 && segment.mass_inner >= segment.mass_outer)
         table.fail("mass_inner", fmt::format("expected mass_inner below mass_outer, {:.6g} m "
                                              "(which a cone must be given), got {:.6g} m",
@@ -152,7 +153,7 @@ const std::vector<CsvRule> station_columns{
 std::vector<model::Segment> read_stations(const std::string &path, const Materials &materials,
                                           int elements, ReadContext &context) {
     const auto file = (context.folder / path).lexically_normal();
-    CsvTable table(file, station_columns, context.problems);
+    CsvTable table(file, station_columns, context.problems, context.files);
     std::vector<model::Segment> segments;
     bool complete = table.usable();
     for (const std::string column : {"length", "outer"})

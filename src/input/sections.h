@@ -1,6 +1,7 @@
 #pragma once
 
 #include "input/checked_table.h"
+#include "input/size.h"
 #include "model/case.h"
 
 #include <map>
@@ -54,14 +55,20 @@ void read_samples(CheckedTable &table, model::Case &scene);
 /// [[simulate.imbalance]], [[simulate.force]], [simulate.base]. The rotor must be there already.
 void read_outside(CheckedTable &simulate, model::Case &scene);
 
-/// Collects a mistake where `path` is no key of `entries`, numbers that may be varied.
-/// @param besides  a word that may stand for one: "speed", or empty
-/// @returns quantity of the entry, empty with a mistake
-[[nodiscard]] std::optional<Quantity>
-quantity_of_entry(CheckedTable &table, const std::string &path,
-                  const std::map<std::string, Quantity> &entries, const std::string &besides);
+/// Numbers of a case that a path speaks of in the words of --set: one, or those of several items.
+struct NumericEntries {
+    std::vector<std::string> paths; ///< with the index of every item
+    Quantity quantity = Quantity::dimensionless;
+};
 
-/// Largest number of anything that a case counts.
-inline constexpr int largest_count = 1000000;
+/// What the entry `path` of a table of [map] or [samples] names: all that --set can set to a
+/// number, whether the case gives it or leaves it at its default. None, with a mistake, where it is
+/// nothing of that kind.
+/// @param besides  a word that may stand for one: "speed", or empty
+[[nodiscard]] std::optional<NumericEntries>
+numeric_entries(CheckedTable &table, const std::string &path, const std::string &besides);
+
+/// Reads all of a case, the last [map] and [samples].
+[[nodiscard]] model::Case read_case(CheckedTable &root);
 
 } // namespace whirl::input

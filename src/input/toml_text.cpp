@@ -7,8 +7,14 @@
 // The only translation unit that sees toml++: it is slow to compile.
 #include <toml++/toml.h>
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 #include <sstream>
+#include <vector>
 
 namespace whirl::input {
 namespace {
@@ -60,7 +66,9 @@ template <class Add> void hand_over(const Node &node, Add add) {
     case Node::Kind::text:
         return add(node.text);
     case Node::Kind::integer:
-        return add(static_cast<std::int64_t>(node.number));
+        if (std::abs(node.number) < 0x1p63)
+            return add(static_cast<std::int64_t>(node.number));
+        return add(node.number);
     case Node::Kind::real:
         return add(node.number);
     case Node::Kind::boolean:
@@ -96,23 +104,109 @@ std::string hint_for_line(std::string_view document, toml::source_index line) {
     return decimal_comma_hint(document.substr(0, document.find_first_of(" \t#")));
 }
 
+/// Follows a document far enough to see how deep its keys and brackets go.
+class DepthReader {
+  public:
+    explicit DepthReader(std::string_view document) : _rest(document) {}
+
+    /// The line at which it is deeper than is allowed; none: nowhere.
+    std::optional<int> too_deep() {
+        std::size_t dots = 0;            // of the key that is read
+        std::vector<std::size_t> around; // depth of each bracket that is open
+        const auto depth = [&] { return (around.empty() ? 0 : around.back()) + dots; };
+        while (!_rest.empty()) {
+            const char c = _rest[0];
+            if (c == '"' || c == '\'') {
+                skip_string();
+                continue;
+            }
+            if (c == '#') {
+                _rest.remove_prefix(std::min(_rest.find('\n'), _rest.size()));
+                continue;
+            }
+            _rest.remove_prefix(1);
+            _line += c == '\n' ? 1 : 0;
+            if (c == '.')
+                ++dots;
+            else if (c == '\n' || c == ',')
+                dots = 0;
+            if (c == '[' || c == '{') {
+                around.push_back(depth() + 1);
+                dots = 0;
+            } else if ((c == ']' || c == '}') && !around.empty()) {
+                around.pop_back();
+                dots = 0;
+            }
+            if (depth() > deepest)
+                return _line;
+        }
+        return std::nullopt;
+    }
+
+  private:
+    std::string_view _rest;
+    int _line = 1;
+
+    void skip_string() {
+        const char mark = _rest[0];
+        const std::string whole(3, mark);
+        const bool lines = _rest.starts_with(whole);
+        const std::string end = lines ? whole : std::string(1, mark);
+        _rest.remove_prefix(end.size());
+        while (!_rest.empty() && !_rest.starts_with(end) && (lines || _rest[0] != '\n')) {
+            const bool escape = mark == '"' && _rest[0] == '\\' && _rest.size() > 1;
+            _line += _rest[escape ? 1 : 0] == '\n' ? 1 : 0;
+            _rest.remove_prefix(escape ? 2 : 1);
+        }
+        _rest.remove_prefix(std::min(end.size(), _rest.size()));
+    }
+};
+
+/// What is wrong with a second header of the same name.
+std::string hint_for_header(std::string_view document, toml::source_index line) {
+    for (; line > 1; --line)
+        document.remove_prefix(std::min(document.find('\n') + 1, document.size()));
+    std::string_view header = trimmed(document.substr(0, document.find('\n')));
+    header = header.substr(0, header.find(']'));
+    if (!header.starts_with('[') || header.starts_with("[["))
+        return "";
+    header = trimmed(header.substr(1));
+    constexpr std::array lists{
+        "disc",  "bearing",   "seal",  "anisotropy",         "balancer",
+        "plane", "imbalance", "probe", "simulate.imbalance", "simulate.force"};
+    return std::ranges::find(lists, header) == lists.end()
+               ? ""
+               : fmt::format("; there may be several: write [[{}]] above each", header);
+}
+
+/// The document, parsed where it is not too deep to be.
+Node parsed(std::string_view document, const Origin &origin) {
+    if (const auto line = DepthReader(document).too_deep())
+        throw model::BadInput(
+            fmt::format("{}: expected keys and lists within one another up to {} deep, got more",
+                        Origin{origin.file, origin.line > 0 ? *line : 0}.text(), deepest));
+    return convert(toml::parse(document, origin.file), origin);
+}
+
 } // namespace
 
 Node parse_toml(std::string_view document, const std::string &file) {
     try {
-        return convert(toml::parse(document, file), {file, 1});
+        return parsed(document, {file, 1});
     } catch (const toml::parse_error &error) {
-        const Origin origin{file, static_cast<int>(error.source().begin.line)};
+        const auto line = error.source().begin.line;
         std::string text(error.description());
-        text += hint_for_line(document, error.source().begin.line);
-        throw model::BadInput(origin.text() + ": not valid TOML: " + text);
+        text += text.find("redefine existing table") != text.npos ? hint_for_header(document, line)
+                                                                  : hint_for_line(document, line);
+        throw model::BadInput(Origin{file, static_cast<int>(line)}.text() +
+                              ": not valid TOML: " + text);
     }
 }
 
 Node parse_value(std::string_view text, const Origin &origin) {
     Node node;
     try {
-        Node table = convert(toml::parse("value = " + std::string(text)), origin);
+        Node table = parsed("value = " + std::string(text), origin);
         // A line break in the text could have smuggled further keys in.
         if (table.items.size() == 1)
             node = table.items.front();

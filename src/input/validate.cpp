@@ -1,5 +1,7 @@
 #include "input/validate.h"
 
+#include "input/size.h"
+
 #include "balancers/kind.h"
 
 #include <fmt/core.h>
@@ -15,8 +17,9 @@ namespace {
 void check_position(double &z, const std::string &path, double length, const Check &check) {
     const double margin = 1e-9 * length;
     if (z < -margin || z > length + margin)
-        check.fail(path, fmt::format("expected a place on the shaft, 0 to {:.6g} m, got {}", length,
-                                     as_written(find_path(check.tree, path), z, "m")));
+        check.fail(path, fmt::format("expected a place on the shaft, 0 to {} m, got {}",
+                                     digits_apart(length, z),
+                                     as_written(find_path(check.tree, path), z, "m", length)));
     else if (!std::isnan(z))
         z = std::clamp(z, 0.0, length);
 }
@@ -32,9 +35,9 @@ void check_disc(const model::Disc &disc, const std::string &path, const Check &c
     constexpr double tolerance = 1e-6;
     if (disc.Id < disc.Ip / 2 * (1 - tolerance))
         check.fail(path + ".Id",
-                   fmt::format("expected at least Ip/2 = {:.6g} kg m2 for a rigid disc, "
-                               "got {:.6g} kg m2",
-                               disc.Ip / 2, disc.Id));
+                   fmt::format("expected at least Ip/2 = {} kg m2 for a rigid disc, got {} kg m2",
+                               digits_apart(disc.Ip / 2, disc.Id),
+                               digits_apart(disc.Id, disc.Ip / 2)));
     if (disc.mass == 0 && (disc.Id > 0 || disc.Ip > 0))
         check.fail(path + ".mass",
                    "expected a mass in kg greater than 0 where Id or Ip is given, got 0");
@@ -111,6 +114,7 @@ void validate(model::Case &scene, const Check &check) {
     }
     for (std::size_t i = 0; i < rotor.discs.size(); ++i)
         check_disc(rotor.discs[i], fmt::format("disc[{}]", i), check);
+    check_counts(scene, check);
     check_modal_damping(rotor, check);
     check_anisotropies(rotor, check);
     check_ball_positions(scene, check);

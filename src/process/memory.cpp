@@ -1,10 +1,14 @@
 #include "process/memory.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <fstream>
+#include <limits>
 
 #ifdef __linux__
 #include <malloc.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 #endif
 
@@ -26,6 +30,29 @@ void use_huge_pages() {
     if (end > begin)
         madvise(begin, static_cast<std::size_t>(end - begin), MADV_HUGEPAGE);
 #endif
+}
+
+double memory_of_machine() {
+    double least = std::numeric_limits<double>::infinity();
+#ifdef __linux__
+    const long pages = sysconf(_SC_PHYS_PAGES);
+    const long page = sysconf(_SC_PAGE_SIZE);
+    if (pages > 0 && page > 0)
+        least = static_cast<double>(pages) * static_cast<double>(page);
+    for (const int of : {RLIMIT_AS, RLIMIT_DATA}) {
+        rlimit limit{};
+        if (getrlimit(of, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+            least = std::min(least, static_cast<double>(limit.rlim_cur));
+    }
+    // Of a container; "max" where it has none.
+    for (const char *name :
+         {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+        double limit = 0;
+        if (std::ifstream(name) >> limit && limit > 0)
+            least = std::min(least, limit);
+    }
+#endif
+    return least;
 }
 
 } // namespace whirl::process

@@ -7,4 +7,8 @@ namespace whirl::process {
 /// by one. Only what is touched takes memory. Without an effect elsewhere than on Linux.
 void use_huge_pages();
 
+/// Bytes that a program may take here: of the machine, or what a container or a limit of the shell
+/// leaves of it. Infinite where that is not known.
+[[nodiscard]] double memory_of_machine();
+
 } // namespace whirl::process

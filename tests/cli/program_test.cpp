@@ -2,6 +2,7 @@
 
 #include "cases/program_run.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -366,6 +367,42 @@ TEST_F(Program, DealtWorkGivesTheSameOnAnyNumberOfProcesses) {
         EXPECT_EQ(of(run_on(processes, rows), {"map", "growth", "ends", "notes"}), rows_alone)
             << processes;
     EXPECT_TRUE(nothing_written());
+}
+
+/// A map over an entry that --set names for several items at once is what runs with --set find.
+TEST_F(Program, MapsOverEntriesOfOverridesAreThoseRuns) {
+    const std::string scene = std::string(WHIRL_ROOT) + "/cases/rodrigues_two_plane";
+    const auto json_of = [&](const std::vector<std::string> &more) {
+        std::vector<std::string> arguments{"stability",
+                                           scene,
+                                           "--json",
+                                           "--set",
+                                           "balancer[*].imbalance=0.005",
+                                           "--set",
+                                           "speeds.to=4",
+                                           "--set",
+                                           "speeds.from=1",
+                                           "--set",
+                                           "speeds.count=4"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const ProgramRun done = run(arguments);
+        EXPECT_EQ(done.status, 0) << done.errors;
+        return nlohmann::json::parse(done.output);
+    };
+    const nlohmann::json map =
+        json_of({"--set", "map={x = {path = \"speed\", from = 1, to = 4, count = 4}, y = {path = "
+                          "\"balancer[*].mass\", from = 0.01, to = \"40 g\", count = 4}}"})
+            .at("map");
+    const nlohmann::json &masses = map.at("y").at("values");
+    ASSERT_EQ(masses.size(), 4U);
+    for (std::size_t i = 0; i < masses.size(); ++i) {
+        const nlohmann::json alone =
+            json_of({"--set", fmt::format("balancer[*].mass={}", masses[i].get<double>())})
+                .at("growth");
+        for (std::size_t j = 0; j < alone.size(); ++j) // the same eigenvalues by another basis
+            EXPECT_NEAR(map.at("growth")[i][j].get<double>(), alone[j].get<double>(), 1e-7)
+                << masses[i] << " kg, " << j;
+    }
 }
 
 TEST_F(Program, SamplesOfNoRotorAreStatusOneOnEveryNumberOfProcesses) {

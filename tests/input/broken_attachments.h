@@ -16,6 +16,8 @@ inline std::vector<BrokenCase> broken_attachments() {
     return {
         {"rows and a mass", 11, "balancer[0].mass", "expected either rows or n, mass",
          rows + "{mass = 0.1, radius = 0.1}]\nmass = 1\n"},
+        {"just beyond the end", 9, "disc[0].z", "0 to 1 m, got 1.00000001 m",
+         base + "[[disc]]\nz = 1.00000001\nmass = 1\n"},
         {"no rows", 10, "balancer[0].rows", "at least one row", rows + "]\n"},
         {"row without a radius", 10, "balancer[0].rows[0].radius", "missing, expected a length",
          rows + "{mass = 0.1}]\n"},

@@ -16,6 +16,13 @@ inline std::vector<BrokenCase> broken_bearings() {
         {"pedestal alike and not", 11, "bearing[0].pedestal_mass", "got both",
          bearing + "k = 1\npedestal_mass = 5\npedestal_mass_x = 5\npedestal_k = 1\n"
                    "pedestal_mass_y = 1\n"},
+        {"stiffness below none", 10, "bearing[0].k",
+         "0 or more, got -5; negative ones are given as kxx and kyy", bearing + "k = -5\n"},
+        {"damping below none", 11, "bearing[0].c",
+         "0 or more, got \"-2 N s/mm\"; negative ones are given as cxx and cyy",
+         bearing + "k = 1\nc = \"-2 N s/mm\"\n"},
+        {"one bearing twice", 11, "", "there may be several: write [[bearing]] above each",
+         sound_case + "[bearing]\nz = 0\nk = 1\n[bearing]\nz = 1\nk = 1\n"},
         {"m and mxx", 11, "bearing[0].m", "got both", bearing + "k = 1\nm = 1\nmxx = 1\n"},
         {"mass that drives", 11, "bearing[0].mxx", "got -1 kg in one",
          bearing + "k = 1\nmxx = -1\n"},

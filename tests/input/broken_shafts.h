@@ -67,7 +67,7 @@ inline std::vector<BrokenCase> broken_shafts() {
         {"negative damping", 8, "shaft.internal_damping", "0 or more",
          base + "internal_damping = -1e-5\n"},
         {"rigid as text", 8, "shaft.rigid", "expected true or false", base + "rigid = \"yes\"\n"},
-        {"no table file", 0, "", "the file cannot be read", table, {}, "s.csv"},
+        {"no table file", 0, "", "there is no such file", table, {}, "s.csv"},
         {"empty table", 1, "", "table is empty", table, {{"s.csv", "# nothing\n"}}, "s.csv"},
         {"table of a header",
          2,

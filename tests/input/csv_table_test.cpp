@@ -15,7 +15,8 @@ const std::vector<input::CsvRule> rules{
 /// A table of that text; its mistakes go to `problems`.
 input::CsvTable read(const std::string &text, input::Problems &problems) {
     write_case(scratch_folder(), {"", 0, "", "", "", {{"t.csv", text}}});
-    return {scratch_folder() / "t.csv", rules, problems};
+    input::FileTexts files;
+    return {scratch_folder() / "t.csv", rules, problems, files};
 }
 
 std::string message(const input::Problems &problems) {

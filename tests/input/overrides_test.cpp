@@ -65,6 +65,74 @@ TEST(Overrides, TakeEntriesAndItemsOut) {
     EXPECT_NE(nothing.find("there is no such entry"), std::string::npos) << nothing;
 }
 
+/// [map] and [samples] name entries in the words of --set: what one override sets, they may vary.
+TEST(EntryPaths, OfMapsAndSamplesAreThoseOfOverrides) {
+    const std::string balancers = two_bearings +
+                                  "[[balancer]]\nz = 0.3\nmass = 0.1\nradius = 0.1\n"
+                                  "[[balancer]]\nz = 0.6\nmass = 0.1\nradius = 0.1\n";
+    const auto with = [&](const std::string &path, const std::string &to) {
+        return balancers +
+               "[map]\nx = {path = \"speed\", from = 0, to = 9, count = 3}\ny = {path = '" + path +
+               "', from = 0, to = \"" + to + "\", count = 3}\n[samples]\ncount = 3\n" +
+               "vary = [{path = '" + path + "', distribution = \"uniform\", from = 0, to = \"" +
+               to + "\"}]\n";
+    };
+    struct Entry {
+        const char *path, *to;
+        double value; ///< of `to` in SI
+    };
+    const std::vector<Entry> entries{{"balancer[*].mass", "50 g", 0.05},
+                                     {"bearing[left].k", "2 kN/mm", 2e6},
+                                     {"bearing[\"right end\"].k", "2 kN/mm", 2e6},
+                                     {"material.steel.E", "200 GPa", 2e11},
+                                     {"shaft.segments.outer", "20 mm", 0.02},
+                                     {"shaft.segments[0].outer", "20 mm", 0.02},
+                                     // entries that the case leaves at their defaults
+                                     {"bearing[0].c", "3 N s/mm", 3e3},
+                                     {"bearing[*].clearance", "20 um", 2e-5},
+                                     {"shaft.internal_damping", "2 ms", 2e-3},
+                                     {"balancer[*].damping", "3 N s/m", 3}};
+    for (const auto &[path, to, value] : entries) {
+        const model::Case scene = load_text(with(path, to));
+        ASSERT_TRUE(scene.map && scene.samples) << path;
+        EXPECT_EQ(scene.map->y.path, path);
+        EXPECT_EQ(scene.map->y.to, value) << path;
+        EXPECT_EQ(scene.samples->vary.at(0).to, value) << path;
+        // and an override sets it
+        EXPECT_NO_THROW((void)load_text(with(path, to), {std::string(path) + "=1e-3"})) << path;
+    }
+    for (const char *path :
+         {"bearing.k", "bearing[7].k", "bearing[middle].k", "bearing[0].q", "bearing[0].name",
+          "bearing", "bearing[0]", "map.x.count", "samples.count", "nothing", "a..b", "format"}) {
+        const std::string said = refusal(with(path, "1"));
+        EXPECT_NE(said.find("map.y.path: expected \"speed\" or a numeric entry of the case, got"),
+                  std::string::npos)
+            << path << ": " << said;
+        EXPECT_NE(said.find("samples.vary[0].path: expected a numeric entry of the case, got"),
+                  std::string::npos)
+            << path << ": " << said;
+    }
+}
+
+TEST(EntryPaths, OfSamplesDoNotOverlap) {
+    const auto with = [&](const std::string &vary) {
+        return two_bearings + "[samples]\ncount = 3\nvary = [" + vary + "]\n";
+    };
+    const std::string all = "{path = \"bearing[*].k\", distribution = \"normal\", mean = 1e6, "
+                            "deviation = 1e5}";
+    EXPECT_EQ(load_text(with(all)).samples->vary.at(0).mean, 1e6);
+    const std::string twice = refusal(
+        with(all + ", {path = \"bearing[left].k\", distribution = \"values\", values = [1]}"));
+    EXPECT_NE(twice.find("expected each entry once, got \"bearing[0].k\" twice"), std::string::npos)
+        << twice;
+    // Without a mean it is that of the case, where all have the same.
+    const std::string relative = "{path = \"bearing[*].k\", distribution = \"normal\", relative = "
+                                 "true, deviation = 0.1}";
+    const std::string differ = refusal(with(relative));
+    EXPECT_NE(differ.find("samples.vary[0].mean: missing"), std::string::npos) << differ;
+    EXPECT_EQ(load_text(with(relative), {"bearing[*].k=3e6"}).samples->vary.at(0).mean, 3e6);
+}
+
 TEST(Overrides, MistakesAreNamedByTheOption) {
     const std::vector<std::pair<std::string, std::string>> mistakes{
         {"shaft.order=abc", "--set shaft.order=abc: shaft.order: expected a whole number"},

@@ -30,7 +30,7 @@ auto on_cases(Result (*analysis)(const model::Case &, const analyses::CaseWith &
         return analysis(run.scene, [&run](const std::vector<std::string> &more) {
             std::vector<std::string> overrides = run.arguments.overrides;
             overrides.insert(overrides.end(), more.begin(), more.end());
-            return input::load_case(run.arguments.scene, overrides);
+            return run.file.load(overrides);
         });
     });
 }

@@ -24,7 +24,14 @@ struct Coefficient {
 
     [[nodiscard]] bool on_diagonal() const { return row < 0; }
     /// Range of those that are the same in x and y.
-    [[nodiscard]] Range range() const { return on_diagonal() ? Range::not_negative() : Range{}; }
+    [[nodiscard]] Range range() const {
+        Range range = on_diagonal() ? Range::not_negative() : Range{};
+        if (quantity == Quantity::stiffness)
+            range.otherwise = "; negative ones are given as kxx and kyy";
+        if (quantity == Quantity::damping)
+            range.otherwise = "; negative ones are given as cxx and cyy";
+        return range;
+    }
 };
 
 /// What a table over the speed may have; of each matrix what stands for the diagonal first.
@@ -132,7 +139,7 @@ void read_table_row(const CsvTable &table, const CsvRow &row, model::Bearing &be
 void read_bearing_table(const std::string &path, bool spline, model::Bearing &bearing,
                         ReadContext &context) {
     const CsvTable table((context.folder / path).lexically_normal(), table_columns(),
-                         context.problems);
+                         context.problems, context.files);
     if (!table.usable())
         return;
     if (!table.has("speed")) {

@@ -118,6 +118,8 @@ void add_halved(const std::vector<Entry> &entries, std::size_t i, double from, d
 bool refine_by_spline(model::Bearing &bearing) {
     if (bearing.rows.size() < 3)
         return true;
+    if (bearing.rows.size() > most_rows)
+        return false;
     const std::vector<Entry> entries = entries_of(bearing);
     std::vector<double> speeds;
     for (std::size_t i = 0; i + 1 < bearing.speeds.size(); ++i)

@@ -35,12 +35,12 @@ void read_harmonic(CheckedTable &table, Quantity quantity, model::StationForce &
 }
 
 std::vector<model::BaseMotion::Row> read_base_table(const std::filesystem::path &file,
-                                                    Problems &problems) {
+                                                    ReadContext &context) {
     std::vector<model::BaseMotion::Row> rows;
     CsvTable csv(
         file,
         {{"time", Quantity::time}, {"x", Quantity::acceleration}, {"y", Quantity::acceleration}},
-        problems);
+        context.problems, context.files);
     if (!csv.usable())
         return rows;
     for (const CsvRow &row : csv.rows()) {
@@ -63,7 +63,7 @@ model::BaseMotion read_base(CheckedTable &table) {
         for (const char *key : {"x", "y", "frequency", "phase", "phase_y", "from", "to"})
             if (table.has(key))
                 table.fail(key, "expected either a table or a harmonic acceleration, got both");
-        base.table = read_base_table(context.folder / *file, context.problems);
+        base.table = read_base_table(context.folder / *file, context);
     } else {
         read_harmonic(table, Quantity::acceleration, base.harmonic.emplace());
     }
