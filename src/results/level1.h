@@ -12,7 +12,7 @@ struct Level1 {
     double z = 0;                  ///< m
     double speed = 0;              ///< rad/s
     std::vector<double> q;         ///< N/m, ascending from 0
-    std::vector<double> log_dec;   ///< of the first forward mode
+    std::vector<double> log_dec;   ///< of the motion that begins to grow first
     std::vector<double> frequency; ///< of the same, rad/s
     /// With which that motion stops dying out, N/m; none: it grows without, or never does.
     std::optional<double> critical_cross_coupling;
