@@ -278,19 +278,19 @@ class Answer {
         const CouplingRange &range = coupled.range();
         for (const results::Interval &step : found.doubtful)
             if (step.to < end && coupled.least_damped(range.q(step.to)).real() > 0) {
-                _notes.push_back(fmt::format("level1: not all motions could be followed over the "
-                                             "added cross coupling, and one grows with {:.6g} N/m",
-                                             range.q(step.to)));
+                _notes.emplace_back("level1: not all motions could be followed over the added "
+                                    "cross coupling, and one grows with {}",
+                                    results::as::stiffness(range.q(step.to)));
                 return;
             }
         if (coupled.motions().reduced())
             return; // its fast motions are none of this mesh
         for (const results::StabilityEnd &faster : found.ends)
             if (faster.speed < end && !faster.resolved.motion) {
-                _notes.push_back(
-                    fmt::format("level1: a motion faster than {:.4g} rad/s, which these elements "
-                                "do not resolve, grows with {:.6g} N/m: it is not counted",
-                                _counted.up_to, range.q(faster.speed)));
+                _notes.emplace_back("level1: a motion faster than {}, which these elements do not "
+                                    "resolve, grows with {}: it is not counted",
+                                    results::as::frequency(_counted.up_to, 4),
+                                    results::as::stiffness(range.q(faster.speed)));
                 return;
             }
     }

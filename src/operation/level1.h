@@ -2,8 +2,8 @@
 
 #include "model/case.h"
 #include "results/level1.h"
+#include "results/sentence.h"
 
-#include <string>
 #include <vector>
 
 namespace whirl::operation {

@@ -390,8 +390,9 @@ TEST_P(UnitsOfResults, AreThoseAskedForInEveryCommand) {
         arguments.overrides = asked.overrides;
         const std::string where = asked.command + " " + GetParam();
         try {
-            const model::Case scene = whirl::input::load_case(arguments.scene, arguments.overrides);
-            const cli::Run run{arguments, scene, [&](const report::Report &of) {
+            const whirl::input::CaseFile file(arguments.scene);
+            const model::Case scene = file.load(arguments.overrides);
+            const cli::Run run{arguments, file, scene, [&](const report::Report &of) {
                                    ++reports;
                                    compare_report(of, scene, where);
                                }};
