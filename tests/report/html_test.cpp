@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
+#include <cmath>
 #include <regex>
 
 namespace whirl::report {
@@ -17,6 +18,13 @@ std::string without_bundle(std::string html) {
     const std::string_view bundle = plotly_bundle();
     const std::size_t at = bundle.empty() ? std::string::npos : html.find(bundle);
     return at == std::string::npos ? html : html.erase(at, bundle.size());
+}
+
+/// What the scripts of a page draw.
+nlohmann::json data_of(const std::string &html) {
+    const std::string open = "type=\"application/json\">";
+    const std::size_t start = html.find(open) + open.size();
+    return nlohmann::json::parse(html.substr(start, html.find("</script>", start) - start));
 }
 
 } // namespace
@@ -76,11 +84,7 @@ TEST(Html, TitleIsEscapedAndCannotEndTheDataElement) {
     const std::string html = without_bundle(to_html(scene, sample_campbell(), ""));
     EXPECT_EQ(html.find("<script>alert"), std::string::npos);
     EXPECT_NE(html.find("&lt;script&gt;alert"), std::string::npos);
-    const std::string open = "type=\"application/json\">";
-    const std::size_t start = html.find(open) + open.size();
-    const auto data =
-        nlohmann::json::parse(html.substr(start, html.find("</script>", start) - start));
-    EXPECT_EQ(data.at("title"), scene.title);
+    EXPECT_EQ(data_of(html).at("title"), scene.title);
 }
 
 TEST(Html, SaysInWhichAxesTheFormIs) {
@@ -118,8 +122,34 @@ TEST(Html, ModesAreDrawnByTheCurvesOfTheStillPicture) {
     const std::string html = without_bundle(to_html(sample_case(), result, ""));
     if (plotly_bundle().empty())
         GTEST_SKIP() << "the page has no script";
-    EXPECT_NE(html.find("y: [0.25,1,-0.5]"), std::string::npos);
+    const nlohmann::json data = data_of(html);
+    EXPECT_EQ(data["drawn"]["modes"][0]["y"], (nlohmann::json{0.25, 1.0, -0.5}));
     EXPECT_NE(html.find("drawnModes[k].y"), std::string::npos);
+}
+
+// The scripts know no units: each number of their data is the one of the result in SI times the
+// factor of its quantity, whose name stands beside it.
+TEST(Html, DataAreInTheUnitsOfTheReaders) {
+    model::Case scene = sample_case();
+    scene.units.of = {{"length", {"in", 0.0254}}, {"frequency", {"rpm", pi / 30}}};
+    const nlohmann::json data = data_of(without_bundle(to_html(scene, sample_modes(), "")));
+    EXPECT_EQ(data["units"]["length"], "in");
+    EXPECT_EQ(data["units"]["frequency"], "rpm");
+    EXPECT_EQ(data["units"]["speed"], "rpm");
+    const auto near = [](const nlohmann::json &found, double expected) {
+        return std::abs(found.get<double>() - expected) <= 1e-14 * std::abs(expected);
+    };
+    EXPECT_TRUE(near(data["speed"], 100 * 30 / pi));
+    EXPECT_TRUE(near(data["z"][1], 0.75 / 0.0254));
+    EXPECT_TRUE(near(data["modes"][0]["frequency"], 80 * 30 / pi));
+    EXPECT_TRUE(near(data["drawn"]["rotor"]["length"], 1.5 / 0.0254));
+    EXPECT_TRUE(near(data["drawn"]["modes"][1]["damping_ratio"], 2 / std::hypot(2, 90)));
+    results::CampbellResult result = sample_campbell();
+    result.modes[1].error[2] = 1e-3; // growth of 2 beside 110 rad/s is more
+    const nlohmann::json campbell = data_of(without_bundle(to_html(scene, result, "")));
+    EXPECT_TRUE(near(campbell["drawn"]["synchronous"], 1)) << "rpm over rpm";
+    EXPECT_TRUE(near(campbell["crossings"][0]["frequency"], 82.5 * 30 / pi));
+    EXPECT_EQ(campbell["drawn"]["grows"][1], (nlohmann::json{false, false, true}));
 }
 
 } // namespace whirl::report
