@@ -22,8 +22,8 @@ using namespace whirl;
 using tests::stable_above;
 
 /// The rotor of Rodrigues et al. with a static eccentricity, which each of the two races balances
-/// by half; without the balls' inertia against tilting, which the equations of 2008 contain and those
-/// of later papers leave out.
+/// by half; without the balls' inertia against tilting, which the equations of 2008 contain and
+/// those of later papers leave out.
 model::Case published_rotor(double eccentricity, double ball_mass) {
     return tests::rotor_with({eccentricity, 0, 0}, ball_mass, 0.01);
 }

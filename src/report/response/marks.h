@@ -30,8 +30,9 @@ struct PeakMarks {
     std::string after{};  ///< takes away what is not for the next panel, behind it
 };
 /// @param busy  curves that labels should not lie on, in the units of the panel
-[[nodiscard]] PeakMarks peak_marks(const Units &units, const results::ResponseResult &result, std::size_t station,
-                                   const BodePanel &panel, const std::vector<NamedCurve> &busy);
+[[nodiscard]] PeakMarks peak_marks(const Units &units, const results::ResponseResult &result,
+                                   std::size_t station, const BodePanel &panel,
+                                   const std::vector<NamedCurve> &busy);
 
 /// Whether there is a polar plot: more than one speed, and every amplitude has a limit.
 [[nodiscard]] bool has_polar(const results::ResponseResult &result);
