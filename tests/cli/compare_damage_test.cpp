@@ -3,6 +3,7 @@
 
 #include "cases/program_run.h"
 #include "model/errors.h"
+#include "report/common/units.h"
 #include "report/compare/comparison.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +68,7 @@ class CompareDamage : public testing::Test {
     static std::vector<double> compared(const whirl::report::ComparedResult &a,
                                         const whirl::report::ComparedResult &b) {
         const whirl::report::Comparison comparison = whirl::report::compare({a, b});
-        (void)whirl::report::comparison_figure(comparison);
+        (void)whirl::report::comparison_figure(comparison, whirl::report::Units::of_readers({}));
         std::vector<double> out;
         for (const whirl::report::Difference &at : comparison.differences.front())
             for (const auto &value : {at.first_value, at.other_value, at.error})
