@@ -519,7 +519,8 @@ TEST(SixBallsHeld, are_unstable_where_the_closed_form_says) {
         for (const results::RigidLimitRow &row : limit.rows) {
             if (!row.elements.empty() || !row.quantity.starts_with("unstable"))
                 continue;
-            const double end = row.quantity == "unstable range, upper end" ? ends[1] : ends[0];
+            const double end =
+                row.quantity.text() == "unstable range, upper end" ? ends[1] : ends[0];
             EXPECT_NEAR(row.closed_form, end, 1e-9 * end) << row.quantity;
             EXPECT_LT(std::abs(row.relative_difference.back().value()), 1e-5) << row.quantity;
             EXPECT_LT(row.rate.value(), -0.9) << row.quantity; // falls as 1/stiffness

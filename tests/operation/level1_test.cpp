@@ -126,7 +126,8 @@ TEST(Level1, EstimatesItsError) {
     scene.level1 = model::Level1Settings{0.75, {}, 2, {}};
     const auto of_order = [&](int order) {
         scene.rotor.shaft.order = order;
-        std::vector<std::string> notes; // of order 2: its fastest motion grows before, at 1e5 rad/s
+        // Of order 2: its fastest motion grows before, at 1e5 rad/s.
+        std::vector<results::Sentence> notes;
         return level1(scene, notes);
     };
     const results::Level1 exact = of_order(12);
