@@ -188,10 +188,10 @@ TEST_F(Faults, StandardOutputThatIsFullIsStatusOne) {
 
 // --- Signals (tests/faults/kills.sh sends many at random times) ---------------------------------
 
-const std::string for_ever =
-    "\"$WHIRL\" simulate \"$CASES/rodrigues_two_plane\" --set "
-    "simulate.time=1e6 --out results --quiet & pid=$!; "
-    "until grep -q '^SigCgt:.*[2367abef]$' /proc/$pid/status; do :; done; ";
+const std::string for_ever = "\"$WHIRL\" simulate \"$CASES/rodrigues_two_plane\" --set "
+                             "simulate.time=1e6 --out results --quiet & pid=$!; "
+                             "until grep -q '^SigCgt:.*[2367abef]$' /proc/$pid/status 2> /dev/null "
+                             "|| ! kill -0 $pid 2> /dev/null; do :; done; ";
 
 TEST_F(Faults, ASignalEndsARunWithAWordAndNothingElse) {
     const ProgramRun run = shell(for_ever + "sleep 0.3; kill -TERM $pid; wait $pid");
