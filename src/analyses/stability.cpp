@@ -116,16 +116,15 @@ results::ArrangementFamily family_of(const std::vector<balancers::Arrangement> &
         out.always_unstable = k == 0 ? bands : stability::common(out.always_unstable, bands);
         some.insert(some.end(), bands.begin(), bands.end());
         if (model.form == results::Form::rotating && !model.rotor.bearings_depend_on_speed()) {
-            const auto &d = (other ? *other : finder_of_first).solver().discretization();
             const assembly::Discretization undamped(model::without_damping(model.rotor),
                                                     model.order);
             const auto shapes = other ? other->good_shapes(grid) : nullptr; // first: in full
-            const auto speeds = [&](const assembly::Discretization &of, bool frozen) {
-                return speeds_of(zero_root_or_none(of, arrangements[k], frozen, grid,
+            const auto speeds = [&](bool frozen) {
+                return speeds_of(zero_root_or_none(undamped, arrangements[k], frozen, grid,
                                                    out.incomplete, shapes.get()));
             };
-            critical.push_back(speeds(undamped, true));
-            additional.push_back(speeds(d, false));
+            critical.push_back(speeds(true));
+            additional.push_back(speeds(false));
         }
         process::report_progress(0.9 * static_cast<double>(k + 1) /
                                  static_cast<double>(arrangements.size()));
@@ -153,8 +152,12 @@ void search_zero_roots(const stability::BandFinder &finder, const std::vector<do
     result.critical_speeds =
         speeds_of(zero_root_or_none(undamped, arrangement, true, grid, failed));
     const auto free = zero_root_or_none(d, arrangement, false, grid, failed);
-    if (!model.rotor.balancers.empty())
-        result.additional_speeds = speeds_of(free);
+    if (!model.rotor.balancers.empty()) {
+        result.additional_speeds =
+            speeds_of(zero_root_or_none(undamped, arrangement, false, grid, failed));
+        if (model.rotor.damped())
+            result.additional_speeds_damped = speeds_of(free);
+    }
     for (const stability::ZeroRootSpeed &standing : free)
         if (standing.exact)
             result.zero_root_speeds.push_back(standing.speed);
@@ -220,10 +223,10 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
     }
     if (all)
         tell_resolved_apart(*all, model, roots, result);
-    if (!range)
-        return;
     stage.emplace("permissible anisotropy", 0.65, 0.8);
     result.permissible = stability::permissible_anisotropies(finder, grid, result.unstable);
+    if (!range)
+        return;
     stage.emplace("arrangements of the balls", 0.8, 1.0);
     if (arrangements.size() > 1)
         result.family = family_of(arrangements, result.unstable, finder, grid);

@@ -114,9 +114,11 @@ struct StabilityResult {
     /// Speeds in the range at which an eigenvalue of the rotor as it is, in rotating axes, is zero:
     /// a motion stands still in the rotor and neither grows nor dies out, rad/s (rotating form).
     std::vector<double> zero_root_speeds;
-    /// Speeds in the range at which a root is zero with the balls free: the rotor's critical
-    /// speeds when it is pinned at the balancers, rad/s.
+    /// Speeds in the range at which a root is zero with the balls free and without damping: the
+    /// rotor's critical speeds when it is pinned at the balancers, rad/s.
     std::vector<double> additional_speeds;
+    /// The same with the damping of the case: real parts of complex roots; empty without damping.
+    std::vector<double> additional_speeds_damped;
     std::vector<PermissibleAnisotropy> permissible;
     int neutral_pairs = 0; ///< pairs 0, -h of balls that move without changing the balance
     int harmonics = 0;     ///< of the Hill series

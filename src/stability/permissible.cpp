@@ -113,6 +113,19 @@ class Varied {
         return std::nullopt;
     }
 
+    /// At one speed: the largest dI below which no motion grows, by the whole rotor; none: stable
+    /// up to `largest`. Growth that ceases again within a step is passed over.
+    [[nodiscard]] std::optional<double> least_growing(double speed, double largest) const {
+        constexpr int steps = 40;
+        const auto growth = [&](double dI) { return growth_of(whole(dI).at(speed)); };
+        if (growth(0) > 0)
+            return 0;
+        for (int k = 1; k <= steps; ++k)
+            if (growth(largest * k / steps) > 0)
+                return just_stable(growth, largest * (k - 1) / steps, largest * k / steps);
+        return std::nullopt;
+    }
+
     [[nodiscard]] std::vector<results::Interval> bands(double dI,
                                                        const std::vector<double> &speeds) const {
         BandFinder finder(model_with(dI), _arrangement, _shapes);
@@ -353,7 +366,7 @@ permissible_anisotropies(const BandFinder &finder, const std::vector<double> &gr
     const balancers::Arrangement &arrangement = finder.arrangement();
     const model::Rotor &rotor = model.rotor;
     constexpr std::size_t enough = 101;
-    const std::vector<double> speeds = thinned(grid, enough);
+    const std::vector<double> speeds = grid.size() == 1 ? grid : thinned(grid, enough);
     std::vector<results::PermissibleAnisotropy> out;
     for (std::size_t i = 0; i < rotor.anisotropies.size(); ++i) {
         const model::Anisotropy &element = rotor.anisotropies[i];
@@ -365,10 +378,12 @@ permissible_anisotropies(const BandFinder &finder, const std::vector<double> &gr
                       model.form == results::Form::hill ? nullptr : finder.shapes());
         results::PermissibleAnisotropy entry{element.z, element.name, 0.0,
                                              {},        largest,      limit.of_disc};
-        if (largest > 0)
+        if (largest > 0 && speeds.size() == 1)
+            entry.dI = varied.least_growing(speeds.front(), largest);
+        else if (largest > 0)
             entry.dI = closing_anisotropy([&](double dI) { return model_with(model, i, dI); },
                                           element.dI, finder, bands, speeds);
-        if (largest > 0 && !entry.dI)
+        if (largest > 0 && speeds.size() > 1 && !entry.dI)
             entry.dI = permissible(varied, largest, !rotor.damped(), speeds);
         entry.closed_form =
             rigid::rigid_permissible_anisotropy(rotor, speeds.front(), speeds.back());

@@ -139,6 +139,37 @@ TEST(RigidRotating, CriticalAndAdditionalSpeedsOfTwoBalls) {
         EXPECT_NEAR(found.additional_speeds[i], additional[i], 1e-9 * additional[i]);
 }
 
+// Damping makes the roots complex: the additional speeds are those without it, and the real parts
+// stand beside them, apart by the square of the damping.
+TEST(RigidRotating, AdditionalSpeedsAreThoseWithoutDamping) {
+    const auto scene_with = [](double share) {
+        tests::CompositeInput in;
+        in.left_c *= share;
+        in.right_c *= share;
+        return tests::composite_scene(in, closed_form::symmetric_position(2, in.E).value());
+    };
+    const auto exact = closed_form::additional_speeds(
+        closed_form::rotating_coefficients(scene_with(0).exact.physical));
+    ASSERT_EQ(exact.size(), 2U);
+    double full = 0; // relative difference with the damping as it is
+    for (const double share : {1.0, 0.1}) {
+        const auto found =
+            stability_of(tests::scene_of(scene_with(share).rotor, 0, 1.5 * exact.back(), 51));
+        ASSERT_EQ(found.additional_speeds.size(), exact.size());
+        ASSERT_EQ(found.additional_speeds_damped.size(), exact.size());
+        double apart = 0;
+        for (std::size_t i = 0; i < exact.size(); ++i) {
+            EXPECT_NEAR(found.additional_speeds[i], exact[i], 1e-9 * exact[i]);
+            apart = std::max(apart, std::abs(found.additional_speeds_damped[i] / exact[i] - 1));
+        }
+        if (share == 1)
+            full = apart;
+        else
+            EXPECT_NEAR(apart, share * share * full, 0.1 * share * share * full);
+    }
+    EXPECT_GT(full, 1e-9);
+}
+
 TEST(RigidRotating, TwoBallsOfCapacityTwoLeaveNoAnisotropy) {
     const auto frozen_growth = [](double E) {
         tests::CompositeInput in;
@@ -265,6 +296,36 @@ TEST(AnisotropicRigidRotor, PermissibleAnisotropy) {
     const auto whole =
         stability_of(tests::scene_of(tests::tilt_rotor(0.8, 0.1, 1.25, 0.156), 0, 6, 61));
     EXPECT_NEAR(*whole.permissible.at(0).dI, 0.055266, 0.5e-6);
+}
+
+// Equation (14) of the paper, where a body can have as much anisotropy.
+TEST(AnisotropicRigidRotor, PermissibleAnisotropyAtOneSpeed) {
+    std::mt19937 random(14);
+    const auto drawn = [&random](double from, double to) {
+        return std::uniform_real_distribution<double>(from, to)(random);
+    };
+    int compared = 0;
+    for (int draw = 0; draw < 60; ++draw) {
+        const double C = drawn(0.5, 1.6);
+        const double p = drawn(0.5, 3);
+        const double h = drawn(0.01, 0.3) * p;
+        const double speed = drawn(0.5, 3) * p;
+        const auto found =
+            stability_of(tests::scene_of(tests::tilt_rotor(C, 0.01, p, h), speed, speed, 1));
+        const double exact = closed_form::permissible_anisotropy({C, 0, p, h}, speed);
+        ASSERT_EQ(found.permissible.size(), 1U);
+        const auto &permissible = found.permissible.front();
+        ASSERT_TRUE(permissible.closed_form);
+        EXPECT_NEAR(*permissible.closed_form, exact, 1e-12 * exact);
+        if (exact > permissible.most) {
+            EXPECT_FALSE(permissible.dI) << C << " " << p << " " << h << " " << speed;
+            continue;
+        }
+        ++compared;
+        ASSERT_TRUE(permissible.dI) << C << " " << p << " " << h << " " << speed;
+        EXPECT_NEAR(*permissible.dI, exact, 1e-8 * exact);
+    }
+    EXPECT_GE(compared, 20);
 }
 
 // The largest anisotropy does not depend on the one in the case, nor on its direction.

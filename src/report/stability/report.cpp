@@ -157,6 +157,7 @@ Json json_of(const StabilityResult &result, const Units &units) {
             {"critical_speeds", speeds(result.critical_speeds)},
             {"zero_root_speeds", speeds(result.zero_root_speeds)},
             {"additional_speeds", speeds(result.additional_speeds)},
+            {"additional_speeds_damped", speeds(result.additional_speeds_damped)},
             {"permissible", json_rows(permissible_columns, result.permissible, units)},
             {"neutral_pairs", result.neutral_pairs},
             {"harmonics", result.harmonics},
@@ -174,14 +175,16 @@ std::string csv_of(const StabilityResult &result, const Units &units) {
     const auto rows = [&](const std::vector<BandLine> &of) {
         return csv_rows(head, all, of, units);
     };
-    std::string csv = csv_head_line(head, units) + rows(growth_lines(result)) +
-                      rows(band_lines("unstable", result.unstable, &result.unstable_error)) +
-                      rows(band_lines("unstable, resolved", result.resolved_unstable,
-                                      &result.resolved_unstable_error)) +
-                      csv_rows(head, end_columns, result.ends, units) +
-                      rows(speed_lines("critical speed", result.critical_speeds)) +
-                      rows(speed_lines("zero root", result.zero_root_speeds)) +
-                      rows(speed_lines("additional speed", result.additional_speeds));
+    std::string csv =
+        csv_head_line(head, units) + rows(growth_lines(result)) +
+        rows(band_lines("unstable", result.unstable, &result.unstable_error)) +
+        rows(band_lines("unstable, resolved", result.resolved_unstable,
+                        &result.resolved_unstable_error)) +
+        csv_rows(head, end_columns, result.ends, units) +
+        rows(speed_lines("critical speed", result.critical_speeds)) +
+        rows(speed_lines("zero root", result.zero_root_speeds)) +
+        rows(speed_lines("additional speed, undamped", result.additional_speeds)) +
+        rows(speed_lines("additional speed, damped", result.additional_speeds_damped));
     if (const auto &family = result.family)
         csv += rows(band_lines("unstable with some arrangement", family->unstable)) +
                rows(band_lines("unstable with every arrangement", family->always_unstable)) +
@@ -197,7 +200,9 @@ std::vector<BandLine> still_speeds(const StabilityResult &result) {
     for (const auto &more :
          {speed_lines("a root is zero: a motion stands still and neither grows nor dies out",
                       result.zero_root_speeds),
-          speed_lines("additional: pinned at the balancers", result.additional_speeds)})
+          speed_lines("additional: pinned at the balancers, undamped", result.additional_speeds),
+          speed_lines("the same, damped: real part of a complex root",
+                      result.additional_speeds_damped)})
         all.insert(all.end(), more.begin(), more.end());
     return all;
 }
@@ -261,8 +266,10 @@ std::string text_of(const model::Case &scene, const StabilityResult &result, con
                             units.text(Quantity::frequency, *result.resolved_up_to));
     text += speeds_text("Critical speeds, balls held, undamped", result.critical_speeds, units) +
             speeds_text("A root is zero at", result.zero_root_speeds, units) +
-            speeds_text("Additional speeds (rotor pinned at the balancers)",
-                        result.additional_speeds, units);
+            speeds_text("Additional speeds (rotor pinned at the balancers), undamped",
+                        result.additional_speeds, units) +
+            speeds_text("The same, damped (real parts of complex roots)",
+                        result.additional_speeds_damped, units);
     if (const auto &family = result.family)
         text += "\n" +
                 bands_text(fmt::format("Unstable with some of {} arrangements of the balls",
@@ -270,8 +277,10 @@ std::string text_of(const model::Case &scene, const StabilityResult &result, con
                            family->unstable, units) +
                 bands_text("Unstable with every arrangement", family->always_unstable, units) +
                 bands_text("Critical speeds over the arrangements", family->critical_speeds, units);
-    text += text_table("\nPermissible inertial anisotropy over this range:\n", permissible_columns,
-                       result.permissible, units);
+    text += text_table(result.speeds.size() == 1
+                           ? "\nPermissible inertial anisotropy at this speed:\n"
+                           : "\nPermissible inertial anisotropy over this range:\n",
+                       permissible_columns, result.permissible, units);
     if (result.level1)
         text += "\nLevel-I stability, added cross coupling:\n" +
                 text_table(
