@@ -5,6 +5,7 @@
 # environment turns the N-th on. A fault is caught where a test that passes without it fails with it.
 # Exit status 0: at least 95 of 100 are caught.
 set -euo pipefail
+set -f # filters have asterisks
 root="$1" build="$2" words="${3-}"
 here="$root/tests/mutants"
 mkdir -p "$build/source"
@@ -26,7 +27,8 @@ run_tests() {
     [[ -z "$program" ]] && return 0
     (cd "$build/build/tests" && WHIRL_MUTANT="$number" timeout 600 \
       "$(find . -type f -name "$program" -perm -u+x)" --gtest_brief=1 --gtest_fail_fast --gtest_filter="${filter:-*}") \
-      > "$build/last.log" 2>&1
+      > "$build/last.log" 2>&1 < /dev/null || return 1
+    ! grep -q '^\[==========\] 0 tests' "$build/last.log" # a filter that nothing passes sees nothing
   }
   for word in $2; do
     if [[ "$word" == *_tests ]]; then

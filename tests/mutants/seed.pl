@@ -48,11 +48,9 @@ inline bool whirl_mutant(int number) {
 #endif
 END
 
-my %wanted;
 for my $path (split /\0/, do { local $/; <STDIN> }) {
     my $text = content("$from/$path");
     next unless defined $text; # deleted, or a folder
-    $wanted{$path} = 1;
     if (my $faults = delete $in_file{$path}) {
         for my $fault (@$faults) {
             my $count = () = $text =~ /\Q$fault->{from}\E/g;
@@ -61,7 +59,7 @@ for my $path (split /\0/, do { local $/; <STDIN> }) {
             $mutated =~ s/\bMUTANT\b/whirl_mutant($fault->{number})/g or die "$fault->{fault}: no MUTANT in '$mutated'\n";
             $text =~ s/\Q$fault->{from}\E/$mutated/;
         }
-            $text =~ s{\A(#pragma once\n)?}{($1 // "") . $switch}e;
+        $text =~ s{\A(#pragma once\n)?}{($1 // "") . $switch}e;
     }
     my $old = content("$to/$path");
     next if defined $old && $old eq $text;
