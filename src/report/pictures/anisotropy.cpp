@@ -18,13 +18,19 @@ constexpr const char *limit_look = "with lines lw 2 lc rgb '#B00020'";
 constexpr const char *critical_look = "with lines lw 1.8 dt (12,5) lc rgb '#0072B2'";
 constexpr const char *case_look = "lc rgb '#444444' dt (6,4) front";
 
-/// Speeds in rad/s on the left, as the panel has them, and in the unit of readers on the right.
+/// Speeds in rad/s on the left, as the panel has them, and in the unit of readers on the right;
+/// there alone where it was asked for.
 std::string speed_axes(const Units &units, const AnisotropyChart &chart) {
-    return fmt::format("set yrange [0:{}]\nset ytics nomirror\nset ylabel 'Spin speed (rad/s)'\n"
+    const bool asked = units.asked(Quantity::speed);
+    return fmt::format("set yrange [0:{}]\n{}"
                        "set y2range [0:{}]\nset y2tics\nset y2label {}\n"
                        "set grid lc rgb '#E4E4E4' lt 1\nset key bottom right opaque\n",
-                       chart.speed.back(), units(Quantity::speed, chart.speed.back()),
-                       plot_text(units.name(Quantity::speed)));
+                       chart.speed.back(),
+                       asked ? "unset ytics\n"
+                             : "set ytics nomirror\nset ylabel 'Spin speed (rad/s)'\n",
+                       units(Quantity::speed, chart.speed.back()),
+                       asked ? axis_text(units, "Spin speed", Quantity::speed)
+                             : plot_text(units.name(Quantity::speed)));
 }
 
 std::string mark(double x, double y, const char *text) {

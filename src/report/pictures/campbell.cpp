@@ -240,7 +240,8 @@ std::string axes(const Panel &panel, bool first, bool last) {
     const Units &units = panel.units;
     script += last ? "set xlabel " + axis_text(units, "Spin speed", Quantity::speed) + "\n"
                    : "unset xlabel\n";
-    if (first)
+    // Second axes in the units of theory, where no others were asked for.
+    if (first && !units.asked(Quantity::speed))
         script += fmt::format("set x2range [{}:{}]\nset x2tics\nset x2label 'Spin speed (rad/s)' "
                               "offset 0,-0.4\n",
                               panel.x.low / panel.speed(1), panel.x.high / panel.speed(1));
@@ -254,11 +255,13 @@ std::string axes(const Panel &panel, bool first, bool last) {
     if (panel.damping)
         return script + "set ytics mirror\nunset y2tics\nunset y2label\n"
                         "set ylabel 'Logarithmic decrement'\n";
-    return script + fmt::format("set y2range [{}:{}]\nset y2tics\nset ylabel {}\n"
+    script += "set ylabel " + axis_text(units, "Whirl frequency", Quantity::frequency) + "\n";
+    if (units.asked(Quantity::frequency))
+        return script + "set ytics mirror\nunset y2tics\nunset y2label\n";
+    return script + fmt::format("set y2range [{}:{}]\nset y2tics\n"
                                 "set y2label 'Whirl frequency (cycles/min)'\n",
                                 30 / pi / panel.frequency(1) * panel.y.low,
-                                30 / pi / panel.frequency(1) * panel.y.high,
-                                axis_text(units, "Whirl frequency", Quantity::frequency));
+                                30 / pi / panel.frequency(1) * panel.y.high);
 }
 
 std::string draw(const Panel &panel, const model::Case &scene, const CampbellResult &result,
