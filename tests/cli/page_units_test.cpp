@@ -137,7 +137,8 @@ std::vector<std::vector<Row>> tables_of_terminal(const std::string &text) {
     return tables;
 }
 
-/// The unit in brackets at the end of a heading, or its last word.
+/// The unit in brackets at the end of a heading, its last two words with a square ("kg mm2"), or
+/// its last word.
 std::optional<double> size_in(std::string heading) {
     double times = 1;
     if (const std::size_t at = heading.find("pk-pk"); at != std::string::npos) {
@@ -146,9 +147,11 @@ std::optional<double> size_in(std::string heading) {
         times = 0.5; // an amplitude is half of that
     }
     static const std::regex in_brackets(".*\\(([^()]*)\\)");
+    static const std::regex squared("(?:.* )?([^ 0-9]+ [^ 0-9]+2)");
     static const std::regex last("(?:.* )?([^ 0-9]+)");
     std::smatch found;
-    if (!std::regex_match(heading, found, in_brackets) && !std::regex_match(heading, found, last))
+    if (!std::regex_match(heading, found, in_brackets) &&
+        !std::regex_match(heading, found, squared) && !std::regex_match(heading, found, last))
         return std::nullopt;
     const auto size = size_of(found[1]);
     return size ? std::optional(*size * times) : std::nullopt;
