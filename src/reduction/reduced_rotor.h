@@ -50,11 +50,12 @@ struct ReducedRotor {
 
 /// What the shapes must be good for.
 struct ReductionGoal {
-    double speed = 0;           ///< rad/s, where the response is compared
-    std::vector<double> places; ///< z of forces and of the deflections that count, m
-    std::vector<double> tilted; ///< z of moments, m
-    double tolerance = 1e-3;    ///< relative, of response and whirl speeds
-    int modes = 0;              ///< so many modes, whatever the error; 0: as many as needed
+    double speed = 0;            ///< rad/s, where the response is compared
+    std::vector<double> places;  ///< z of forces and of the deflections that count, m
+    std::vector<double> tilted;  ///< z of moments, m
+    std::vector<double> watched; ///< z of further deflections that count, without forces, m
+    double tolerance = 1e-3;     ///< relative, of response and whirl speeds
+    int modes = 0;               ///< so many modes, whatever the error; 0: as many as needed
 };
 
 /// The rotor on its lowest undamped planar modes at rest (mean bearing stiffness) and the static

@@ -16,21 +16,23 @@ namespace {
 
 using assembly::i_unit;
 
-/// Deflections (x rows, then y rows) at the places under forward unit forces, full model.
-/// @param loads  unit loads at the places
+/// Deflections (x rows, then y rows) at the places seen under forward unit forces, full model.
+/// @param loads  unit loads at the places of forces
+/// @param seen   the same at those of the deflections
 Eigen::MatrixXcd full_response(const assembly::Discretization &d, const Eigen::MatrixXd &loads,
-                               double speed) {
+                               const Eigen::MatrixXd &seen, double speed) {
     linalg::HarmonicSolver solver(assembly::assemble_fixed(d, speed));
     const Eigen::MatrixXcd w = loads.cast<std::complex<double>>();
     const Eigen::MatrixXcd motion = solver.solve(speed, assembly::in_pairs(w, -i_unit * w));
-    Eigen::MatrixXcd response(2 * w.cols(), w.cols());
-    response << linalg::transposed_times(w, motion(Eigen::seqN(0, w.rows(), 2), Eigen::all)),
-        linalg::transposed_times(w, motion(Eigen::seqN(1, w.rows(), 2), Eigen::all));
+    const Eigen::MatrixXcd at = seen.cast<std::complex<double>>();
+    Eigen::MatrixXcd response(2 * at.cols(), w.cols());
+    response << linalg::transposed_times(at, motion(Eigen::seqN(0, w.rows(), 2), Eigen::all)),
+        linalg::transposed_times(at, motion(Eigen::seqN(1, w.rows(), 2), Eigen::all));
     return response;
 }
 
 Eigen::MatrixXcd reduced_response(const ReducedRotor &reduced, const Eigen::MatrixXd &loads,
-                                  double speed) {
+                                  const Eigen::MatrixXd &seen, double speed) {
     const Eigen::Index r = reduced.size();
     const ReducedRotor::Supports at = reduced.supports_at(speed);
     Eigen::MatrixXcd A = at.stiffness + i_unit * speed * at.damping;
@@ -49,9 +51,11 @@ Eigen::MatrixXcd reduced_response(const ReducedRotor &reduced, const Eigen::Matr
     Eigen::MatrixXcd forces(2 * r, rows.cols());
     forces << rows, -i_unit * rows;
     const Eigen::MatrixXcd motion = linalg::solved(A.partialPivLu(), forces);
-    Eigen::MatrixXcd response(2 * rows.cols(), rows.cols());
-    response << linalg::transposed_times(rows, motion.topRows(r)),
-        linalg::transposed_times(rows, motion.bottomRows(r));
+    const Eigen::MatrixXcd at_seen =
+        linalg::transposed_times(reduced.shapes, seen).cast<std::complex<double>>();
+    Eigen::MatrixXcd response(2 * at_seen.cols(), rows.cols());
+    response << linalg::transposed_times(at_seen, motion.topRows(r)),
+        linalg::transposed_times(at_seen, motion.bottomRows(r));
     return response;
 }
 
@@ -82,10 +86,12 @@ linalg::DefinitePencil full_pencil(const assembly::Discretization &d, double spe
     return {linalg::Matrix::sum(1, system.K, shift, system.M), system.M, system.G};
 }
 
-Eigen::MatrixXd loads_at(const assembly::Discretization &d, const std::vector<double> &places) {
+Eigen::MatrixXd loads_at(const assembly::Discretization &d, const std::vector<double> &places,
+                         const std::vector<double> &more = {}) {
     std::vector<assembly::Combination> deflections;
-    for (const double z : places)
-        deflections.push_back(d.deflection_at(z));
+    for (const auto *list : {&places, &more})
+        for (const double z : *list)
+            deflections.push_back(d.deflection_at(z));
     return assembly::unit_loads(deflections, d.planar_size());
 }
 
@@ -93,9 +99,10 @@ Eigen::MatrixXd loads_at(const assembly::Discretization &d, const std::vector<do
 
 ReductionError::ReductionError(const assembly::Discretization &discretization,
                                const ReductionGoal &goal)
-    : _loads(loads_at(discretization, goal.places)), _speed(goal.speed),
+    : _loads(loads_at(discretization, goal.places)),
+      _seen(loads_at(discretization, goal.places, goal.watched)), _speed(goal.speed),
       _shift(0.01 * goal.speed * goal.speed),
-      _response(full_response(discretization, _loads, _speed)),
+      _response(full_response(discretization, _loads, _seen, _speed)),
       _pencil(full_pencil(discretization, _speed, _shift)) {}
 
 const std::vector<linalg::RealPair> &ReductionError::whirl(std::size_t wanted) {
@@ -106,7 +113,7 @@ const std::vector<linalg::RealPair> &ReductionError::whirl(std::size_t wanted) {
 }
 
 void ReductionError::measure(ReducedRotor &reduced) {
-    const Eigen::MatrixXcd response = reduced_response(reduced, _loads, _speed);
+    const Eigen::MatrixXcd response = reduced_response(reduced, _loads, _seen, _speed);
     reduced.response_error =
         (response - _response).cwiseAbs().maxCoeff() / _response.cwiseAbs().maxCoeff();
     const std::vector<double> found = whirl_speeds(reduced, _speed, _shift);

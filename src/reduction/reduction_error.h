@@ -16,13 +16,14 @@ class ReductionError {
     /// @throws linalg::SolverError where the full model cannot be solved.
     ReductionError(const assembly::Discretization &discretization, const ReductionGoal &goal);
 
-    /// Fills response_error: largest difference of the deflections at the places under forward
-    /// synchronous unit forces there, over the largest of them; and frequency_error: of the whirl
-    /// speeds on mean bearings up to the spin speed.
+    /// Fills response_error: largest difference of the deflections at the places, and those
+    /// watched, under forward synchronous unit forces at the places, over the largest of them; and
+    /// frequency_error: of the whirl speeds on mean bearings up to the spin speed.
     void measure(ReducedRotor &reduced);
 
   private:
     Eigen::MatrixXd _loads; ///< at the places, a column each
+    Eigen::MatrixXd _seen;  ///< at all places whose deflections count
     double _speed;
     double _shift; ///< 1/s2, times the mass beside the stiffness: holds a rotor that is free
     Eigen::MatrixXcd _response;

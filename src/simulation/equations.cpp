@@ -293,6 +293,7 @@ MotionScene motion_scene(const model::Case &scene) {
     goal.tolerance = scene.simulate.reduction_tolerance;
     goal.modes = scene.reduction ? scene.simulate.modes : d.planar_size();
     goal.places = places_of(scene);
+    goal.watched = watched_places_of(scene);
     for (const model::Anisotropy &anisotropy : scene.rotor.anisotropies)
         goal.tilted.push_back(anisotropy.z);
     motion.parts.rotor = reduction::reduce(d, goal);

@@ -90,6 +90,10 @@ std::vector<double> places_of(const model::Case &scene) {
     return each_once(std::move(places));
 }
 
+std::vector<double> watched_places_of(const model::Case &scene) {
+    return scene.rotor.balancers.empty() ? std::vector<double>{} : attached_places_of(scene.rotor);
+}
+
 void add_outside(const model::Case &scene, const assembly::Discretization &d, MotionScene &motion) {
     const model::SimulateSettings &s = scene.simulate;
     for (const model::SuddenImbalance &imbalance : s.imbalances) {

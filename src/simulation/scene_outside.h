@@ -17,6 +17,8 @@ namespace whirl::simulation {
 /// Places of forces and of the deflections that count, ascending, m: of balancers, imbalances and
 /// what [simulate] adds, and of all that is attached to a rotor without balancers.
 [[nodiscard]] std::vector<double> places_of(const model::Case &scene);
+/// Further places whose deflections count, m: with balancers those of all that is attached.
+[[nodiscard]] std::vector<double> watched_places_of(const model::Case &scene);
 
 /// The mass fixed in the rotor that a model::Imbalance or model::SuddenImbalance is.
 template <class Imbalance>

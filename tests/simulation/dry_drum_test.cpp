@@ -45,6 +45,7 @@ from = "7500 rpm"
 count = 1
 [simulate]
 time = 0.6
+reduction_tolerance = 3e-3 # the shapes in which it happened
 ball_angles = [[0.6978319591103511, "100 deg", 3.002410105684052, "280 deg"],
                [-0.07471498318986597, "110 deg", "200 deg", "290 deg"]]
 )";
