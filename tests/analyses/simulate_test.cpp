@@ -184,7 +184,7 @@ TEST(Simulate, NotesWhatIsUnusual) {
     tests::set_damping(scene.rotor.balancers[1], 0);
     for (model::Bearing &bearing : scene.rotor.bearings)
         bearing.rows.front().c.setZero();
-    EXPECT_TRUE(noted(scene, "start chosen"));
+    EXPECT_TRUE(noted(scene, "ball_angles is not given"));
     EXPECT_TRUE(noted(scene, "no damping: its balls"));
     EXPECT_TRUE(noted(scene, "no damping in the bearings"));
 }

@@ -26,7 +26,7 @@ results::BalanceResult sample_balance() {
         plane.bands.bands = {{50, 120}, {150, 200}};
         plane.bands.rigid_bands = std::vector<results::Interval>{{51, 125}};
         plane.bands.pinned = {120};
-        plane.bands.ends = {{120, true, 125, -0.04, {}, 120}, {150, false, {}, {}, {}, {}}};
+        plane.bands.ends = {{120, true, 125, -0.04, {}, 120, {}}, {150, false, {}, {}, {}, {}, {}}};
         plane.criterion = {0, -0.1, std::numeric_limits<double>::infinity()};
         result.planes.push_back(plane);
     }

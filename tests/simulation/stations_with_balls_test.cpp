@@ -83,7 +83,7 @@ struct DrawnRotor {
                                      b.z, b.ball, b.radius, 40 * b.ball, b.imbalance);
         }
         balancers += fmt::format(
-            "[simulate]\ntime = 4\nreduction_tolerance = 1e-5\nball_angles = [[{}, {}]{}]\n",
+            "[simulate]\ntime = 10\nreduction_tolerance = 1e-5\nball_angles = [[{}, {}]{}]\n",
             draw(0, 3), draw(3, 6), both ? fmt::format(", [{}, {}]", draw(0, 3), draw(3, 6)) : "");
     }
 

@@ -226,7 +226,7 @@ TEST(DrawnRotors, EndsAreThoseOfTheCountedSpectrum) {
         const results::StabilityResult result = analyses::stability(scene.scene, {});
         const std::string name = fmt::format("rotor {}", seed);
         expect_ends(Counted(scene.own), result.ends, result.speeds.back(), name);
-        for (const std::string &note : result.model.notes)
+        for (const results::Sentence &note : result.model.notes)
             EXPECT_EQ(note.find("growing motions"), std::string::npos) << name << ": " << note;
         ends += result.ends.size();
     }
