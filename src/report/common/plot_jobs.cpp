@@ -88,9 +88,10 @@ bool PlotJobs::start(const Figure &figure, PictureFormat format, const std::stri
     // The user's own gnuplotrc must not change a report.
     std::optional<process::Child> gnuplot =
         process::Child::start({"gnuplot", "--default-settings"}, gnuplot_input(figure, format));
-    if (gnuplot)
-        _jobs.push_back({*std::move(gnuplot), name, format, figure.width, figure.height});
-    return gnuplot.has_value();
+    if (!gnuplot)
+        return false;
+    _jobs.push_back({*std::move(gnuplot), name, format, figure.width, figure.height});
+    return true;
 }
 
 std::map<std::string, std::string> PlotJobs::finish() {
