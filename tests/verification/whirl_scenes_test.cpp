@@ -41,9 +41,10 @@ std::filesystem::path file_of_test() {
 std::string rotor_text(tests::Random &random, const std::string &shaft, bool isotropic) {
     const double first = random(0.3, 0.6);
     const double second = random(0.3, 0.6);
-    std::string out = fmt::format("[shaft]\norder = 1\nelements = 3\n{}segments = [{{length = {}, "
-                                  "outer = {}, material = \"s\"}}, {{length = {}, outer = {}, material = \"s\"}}]\n",
-                                  shaft, first, random(0.03, 0.06), second, random(0.03, 0.06));
+    std::string out = fmt::format(
+        "[shaft]\norder = 1\nelements = 3\n{}segments = [{{length = {}, "
+        "outer = {}, material = \"s\"}}, {{length = {}, outer = {}, material = \"s\"}}]\n",
+        shaft, first, random(0.03, 0.06), second, random(0.03, 0.06));
     const double Id = random(0.05, 0.3);
     out += fmt::format("[[disc]]\nz = {}\nmass = {}\nId = {}\nIp = {}\n", first, random(10, 40), Id,
                        Id * random(1.2, 1.9));
@@ -154,9 +155,9 @@ TEST(FreeRotor, every_crossing_in_the_range_is_listed) {
     tests::Random random(3203);
     for (int i = 0; i < 22; ++i) {
         const double top = random(400, 1500);
-        std::string text = fmt::format(
-            "[shaft]\norder = 1\nelements = 12\nsegments = [{{length = 1.2, outer = {}, material = \"s\"}}]\n",
-            random(0.012, 0.03));
+        std::string text = fmt::format("[shaft]\norder = 1\nelements = 12\nsegments = [{{length = "
+                                       "1.2, outer = {}, material = \"s\"}}]\n",
+                                       random(0.012, 0.03));
         for (const double z : {0.0, random(0.4, 0.8), 1.2}) {
             const double Id = random(0.005, 0.03);
             text += fmt::format("[[disc]]\nz = {}\nmass = {}\nId = {}\nIp = {}\n", z, random(2, 6),
