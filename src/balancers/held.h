@@ -14,7 +14,8 @@ namespace whirl::balancers {
 // imbalance m0 R0 exp(i phase) + sum m_j R_j exp(i a_j) where they do not balance
 // (docs/theory.md, "Balancers held").
 
-/// What the parts of a balancer, fixed at some angles, and its imbalance are to the rotor.
+/// Mass, inertia, anisotropy and imbalance that the parts of a balancer, fixed at some angles, and
+/// its imbalance add to the rotor.
 struct HeldMasses {
     model::Disc disc;
     std::complex<double> anisotropy; ///< kg m2, twice the direction; 0 where it is rounding alone
@@ -39,8 +40,8 @@ struct HeldMasses {
                                            const std::vector<std::vector<double>> &angles);
 
 /// Takes the balancers that are to be held out of those of the rotor, with their part of the
-/// starts of [simulate], and puts what they are to it behind its discs, anisotropies and
-/// imbalances. Says in the remarks of the case what is not obvious.
+/// starts of [simulate], and adds their masses to its discs, anisotropies and imbalances. Says in
+/// the remarks of the case what is not obvious.
 /// @throws model::BadInput as held_angles
 void hold(model::Case &scene);
 

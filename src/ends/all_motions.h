@@ -44,7 +44,7 @@ class AllMotions {
     AllMotions &operator=(const AllMotions &) = delete;
 
     [[nodiscard]] const RotorPieces &rotor() const { return _rotor; }
-    /// On few shapes.
+    /// Whether the motions are those of a reduced rotor, not of all unknowns.
     [[nodiscard]] bool reduced() const { return _shapes != nullptr; }
     /// Without those that rounding does not tell from infinitely fast ones.
     /// @param piece  of the range between table rows, which decides what the rates are at a row
