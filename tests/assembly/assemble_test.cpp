@@ -113,6 +113,52 @@ TEST(Assembly, PlanarFormIsOnePlaneOfTheRealForm) {
     expect_same(dense(planar.G), -G(y, x));
 }
 
+/// alpha M + beta K of the shaft, of its bending alone: discs and bearings add nothing to it.
+TEST(Assembly, DampingIsProportionalToMassAndStiffnessOfTheShaft) {
+    for (const int order : {1, 4}) {
+        model::Rotor rotor = tests::friswell_shaft();
+        const assembly::FixedSystem shaft =
+            assembly::assemble_fixed(assembly::Discretization(rotor, order), 0);
+        const Eigen::MatrixXd M = dense(shaft.M);
+        const Eigen::MatrixXd K = dense(shaft.K);
+        rotor = tests::two_disc_rotor(1e6, 0.8e6);
+        for (const auto &[alpha, beta] :
+             {std::pair(3.0, 0.0), std::pair(0.0, 2e-4), std::pair(3.0, 2e-4)}) {
+            rotor.shaft.alpha = alpha;
+            rotor.shaft.beta = beta;
+            const Eigen::MatrixXd C =
+                dense(assembly::assemble_fixed(assembly::Discretization(rotor, order), 100).C);
+            const Eigen::MatrixXd expected = alpha * M + beta * K;
+            // Sums in another order.
+            EXPECT_LE((C - expected).norm(), 1e-14 * expected.norm()) << alpha << ' ' << beta;
+        }
+    }
+}
+
+/// Over w = x + i y a bearing [a b; -b a] is a - i b: the x and y rows of what one column x does.
+TEST(Assembly, PlanarFormOfBearingsThatCoupleIsOneColumnOfTheRealForm) {
+    model::Rotor rotor = tests::uniform_shaft(1, 0.05, 2);
+    rotor.bearings = {tests::bearing(0.5, 1e6, 1e6, 0, 200)};
+    model::BearingCoefficients &at = rotor.bearings[0].rows[0];
+    at.k << 1e6, 3e5, -3e5, 1e6;
+    at.c << 200, -70, 70, 200;
+    at.kt << 1e4, 2e3, -2e3, 1e4;
+    const assembly::Discretization d(rotor, 3);
+    const assembly::DampedPlanarSystem planar = assembly::assemble_damped_planar(d, 0);
+    const assembly::FixedSystem real = assembly::assemble_fixed(d, 0);
+    const Eigen::Index n = d.planar_size();
+    const auto x = Eigen::seqN(0, n, 2);
+    const auto y = Eigen::seqN(1, n, 2);
+    const auto expect_same = [](const Eigen::MatrixXd &a, const Eigen::MatrixXd &b) {
+        ASSERT_GT(b.norm(), 0);
+        EXPECT_LE((a - b).norm(), 1e-15 * b.norm()); // sums in another order
+    };
+    expect_same(dense(planar.K), dense(real.K)(x, x));
+    expect_same(dense(planar.Kx), dense(real.K)(y, x));
+    expect_same(dense(planar.C), dense(real.C)(x, x));
+    expect_same(dense(planar.Cx), dense(real.C)(y, x));
+}
+
 TEST(Assembly, BearingsActAtTheirNodesWithTheirCoefficientsOfTheSpeed) {
     model::Rotor with = tests::uniform_shaft(1, 0.05, 2);
     const assembly::FixedSystem without =

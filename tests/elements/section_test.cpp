@@ -44,4 +44,41 @@ TEST(Section, OfAHollowConeAtMidLength) {
     EXPECT_FALSE(beam.uniform());
 }
 
+/// Steel of 20 mm in aluminium of 40 mm.
+elements::Beam layered_beam() {
+    elements::Beam beam;
+    beam.span = {0, 1, 0.02, 0.02, 0, 0, 0};
+    beam.material = {"steel", 2e11, 8e10, 7800};
+    beam.shear = ShearFormula::given;
+    beam.given_shear_coefficient = 0.9;
+    beam.layers = {{0.04, 0.02, {"aluminium", 7e10, 2.6e10, 2700}}};
+    return beam;
+}
+
+TEST(Section, StiffnessAndMassOfALayerAddUp) {
+    const elements::Section s = layered_beam().at(0.3);
+    const double pi = std::numbers::pi;
+    const double core = pi * 1e-4;        // m2
+    const double tube = pi * 3e-4;        // m2
+    const double I_core = pi * 1e-8 / 4;  // m4
+    const double I_tube = pi * 15e-8 / 4; // m4
+    EXPECT_NEAR(s.EI, 2e11 * I_core + 7e10 * I_tube, 1e-12 * s.EI);
+    EXPECT_NEAR(s.rhoA, 7800 * core + 2700 * tube, 1e-12 * s.rhoA);
+    EXPECT_NEAR(s.rhoI, 7800 * I_core + 2700 * I_tube, 1e-12 * s.rhoI);
+    EXPECT_NEAR(s.kappaGA, 0.9 * (8e10 * core + 2.6e10 * tube), 1e-12 * s.kappaGA);
+}
+
+/// The rotary inertia alone goes; next to nothing of it is left so that masses stay positive.
+TEST(Section, WithoutRotaryInertiaKeepsAllElse) {
+    elements::Beam beam = layered_beam();
+    const elements::Section with = beam.at(0.3);
+    beam.rotary_inertia = false;
+    const elements::Section without = beam.at(0.3);
+    EXPECT_EQ(without.EI, with.EI);
+    EXPECT_EQ(without.kappaGA, with.kappaGA);
+    EXPECT_EQ(without.rhoA, with.rhoA);
+    EXPECT_GT(without.rhoI, 0);
+    EXPECT_LT(without.rhoI, 1e-8 * with.rhoI);
+}
+
 } // namespace

@@ -1,9 +1,12 @@
 # Copies the files named on standard input (separated by NUL) from one root to another, with the faults of a list
-# in them, each behind a switch; prints number, name, file and tests of each, with tabs between.
+# in them, each behind a switch; prints number, name, file and tests of each, with tabs between. What else is in the
+# other root, of an earlier list, goes.
 # Usage: git ls-files -z | perl seed.pl LIST FROM TO
 use strict;
 use warnings;
+use Digest::MD5 qw(md5_hex);
 use File::Basename qw(dirname);
+use File::Find qw(find);
 use File::Path qw(make_path);
 
 my ($list, $from, $to) = @ARGV;
@@ -16,8 +19,9 @@ sub content {
     return $text;
 }
 
-# Blocks of lines "key: value" with empty lines between, in the order of their numbers.
-my (@faults, %in_file);
+# Blocks of lines "key: value" with empty lines between. The number of a fault is made of its name, so that another
+# one more or less leaves the sources of the rest as they are.
+my (%named, %in_file);
 for my $block (split /\n\s*\n/, content($list) // die "no $list\n") {
     my %fault;
     for my $line (split /\n/, $block) {
@@ -27,8 +31,8 @@ for my $block (split /\n\s*\n/, content($list) // die "no $list\n") {
     }
     next unless %fault;
     defined $fault{$_} or die "$list: a fault without '$_': " . join(' ', %fault) . "\n" for qw(fault file from to tests);
-    push @faults, \%fault;
-    $fault{number} = @faults;
+    $fault{number} = hex substr(md5_hex($fault{fault}), 0, 7);
+    die "$list: two faults named '$fault{fault}', or of one number\n" if $named{$fault{number}}++;
     push @{$in_file{$fault{file}}}, \%fault;
     print join("\t", @fault{qw(number fault file tests)}), "\n";
 }
@@ -48,9 +52,11 @@ inline bool whirl_mutant(int number) {
 #endif
 END
 
+my %copied;
 for my $path (split /\0/, do { local $/; <STDIN> }) {
     my $text = content("$from/$path");
     next unless defined $text; # deleted, or a folder
+    $copied{"$to/$path"} = 1;
     if (my $faults = delete $in_file{$path}) {
         for my $fault (@$faults) {
             my $count = () = $text =~ /\Q$fault->{from}\E/g;
@@ -70,3 +76,4 @@ for my $path (split /\0/, do { local $/; <STDIN> }) {
     chmod 0755, "$to/$path" if -x "$from/$path";
 }
 die "no such file: $_\n" for sort keys %in_file;
+find({no_chdir => 1, wanted => sub { unlink if -f && !$copied{$_} }}, $to);

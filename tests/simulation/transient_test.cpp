@@ -225,6 +225,41 @@ TEST(StepForce, OvershootsAsTheClosedForm) {
     EXPECT_LT(energy_missing(result), 1e-7);
 }
 
+// Between two rows of a bearing table, stiffness and damping are both those of the line between
+// them: of the overshoot the time tells one and the height the other.
+TEST(StepForce, BetweenRowsOfATableIsThatOfTheLineBetweenThem) {
+    RigidJeffcott low;
+    low.kx = low.ky = 0.7e6;
+    low.c = 300;
+    RigidJeffcott high;
+    high.kx = high.ky = 1.3e6;
+    high.c = 900;
+    RigidJeffcott between; // a quarter of the way
+    between.kx = between.ky = 0.85e6;
+    between.c = 450;
+    model::Case scene = still_scene(low, 0.3);
+    const model::Case other = high.scene();
+    for (std::size_t b = 0; b < 2; ++b) {
+        scene.rotor.bearings[b].rows.push_back(other.rotor.bearings[b].rows[0]);
+        scene.rotor.bearings[b].speeds = {100, 300};
+    }
+    scene.speeds = model::SpeedRange{150, 150, 1};
+    model::StationForce force;
+    force.z = 0.5;
+    force.x = 30;
+    force.y = 40;
+    force.from = 0.1;
+    scene.simulate.forces = {force};
+    const results::SimulateResult result = analyses::simulate(scene);
+    const double z = between.ratio();
+    const double root = std::sqrt(1 - z * z);
+    const double expected = 50 / between.kx * (1 + std::exp(-std::numbers::pi * z / root));
+    const results::PeakInTime &peak = result.stations[disc].peak;
+    EXPECT_NEAR(peak.value, expected, 1e-8 * expected);
+    EXPECT_NEAR(peak.time, 0.1 + std::numbers::pi / (between.natural() * root), 1e-6);
+    EXPECT_LT(energy_missing(result), 1e-7);
+}
+
 // |F/(k - m w^2 + i c w)| of either axis, at an angle between them, when the start has died out.
 TEST(HarmonicForce, EndsInTheSteadyClosedForm) {
     RigidJeffcott rotor;

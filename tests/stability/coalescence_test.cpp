@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace whirl::stability {
 
@@ -148,6 +149,35 @@ TEST(Continued, AMotionWithoutAPartnerIsDoubtfulUnlessItDiesOut) {
         const Continuation found = continued(0, from, 1, to);
         EXPECT_EQ(found.to, (std::vector<int>{0, Continuation::nowhere, 1}));
         EXPECT_EQ(found.doubtful, decay == 0) << decay;
+    }
+}
+
+/// Two motions mix with a third one that is too fast to meet another. Next to the fastest that was
+/// computed such a one comes and goes, and the two are a pair; well below it, three are no pair.
+TEST(Continued, AFastMotionCountsInAMixtureUnlessItIsNextToTheFastest) {
+    const Complex i(0, 1);
+    const double third = std::sqrt(1.0 / 3);
+    const Complex turn = std::exp(2.0 * std::numbers::pi / 3 * i);
+    for (const double share : {0.4, 0.8, 0.97}) {
+        std::vector<Motion> from{motion(10. * i, e1), motion(12. * i, e2),
+                                 motion(share * 100. * i, e3)};
+        std::vector<Motion> to;
+        for (int k = 0; k < 3; ++k) // of all three in equal parts
+            to.push_back(
+                motion(from[static_cast<std::size_t>(k)].value,
+                       third * (e1 + std::pow(turn, k) * e2 + std::pow(turn, 2 * k) * e3)));
+        for (std::vector<Motion> *motions : {&from, &to}) {
+            for (Motion &one : *motions)
+                one.state = Eigen::Vector4cd(one.state(0), one.state(1), one.state(2), 0);
+            (*motions)[2].may_meet = false;
+            motions->push_back(motion(100. * i, e3));
+            motions->back().state = Eigen::Vector4cd(0, 0, 0, 1);
+            motions->back().may_meet = false;
+        }
+        const Continuation found = continued(0, from, 1, to);
+        EXPECT_EQ(found.to[3], 3) << share;
+        EXPECT_EQ(found.doubtful, share < 0.9) << share;
+        EXPECT_EQ(found.coalescences.size(), share < 0.9 ? 0U : 1U) << share;
     }
 }
 

@@ -7,10 +7,12 @@
 #include "support/test_rotors.h"
 #include "tracking/tracking.h"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
 #include <string>
 
@@ -66,6 +68,86 @@ TEST(ModeMatching, MixedVectorsAreAmbiguousAndSettledBySlopes) {
     const tracking::Snapshot outside = two_modes(1, 1, 1e-3);
     EXPECT_TRUE(tracking::match_by_vectors(middle, outside, 2).ambiguous);
     EXPECT_EQ(tracking::match_by_groups(middle, outside).to, (std::vector<int>{0, 1}));
+}
+
+/// Modes of one speed and of another that are the combinations P of them: left vectors L with
+/// L^T R = 1, so that the overlaps are P_ij (P^-1)_ji.
+tracking::Snapshot combined(const Eigen::MatrixXd &P, const Eigen::VectorXd &frequencies) {
+    tracking::Snapshot out;
+    out.spectrum.modes.resize(static_cast<std::size_t>(P.cols()));
+    for (Eigen::Index i = 0; i < P.cols(); ++i)
+        out.spectrum.modes[static_cast<std::size_t>(i)].eigenvalue = {0, frequencies(i)};
+    out.spectrum.complete_radius = 1000;
+    out.basis.right = P;
+    out.basis.left = P.inverse().transpose();
+    out.basis.rate_below = out.basis.rate_above = Eigen::VectorXcd::Zero(P.cols());
+    return out;
+}
+
+/// A mode with half of itself in one mode and a quarter in each of two others could as well have
+/// become these: of orthogonal vectors, overlaps of one mode sum to 1.
+TEST(ModeMatching, HalfOfAModeIsNotItsContinuation) {
+    const Eigen::Vector3d frequencies(100, 101, 102);
+    const tracking::Snapshot a = combined(Eigen::Matrix3d::Identity(), frequencies);
+    for (const double own : {0.5, 0.65, 0.75, 0.95}) {
+        // Reflection across the plane normal to v: 1 - 2 v v^T.
+        const double c = std::sqrt(own);
+        Eigen::Vector3d v(std::sqrt((1 - c) / 2), 0.5 * std::sqrt(1 + c), 0.5 * std::sqrt(1 + c));
+        const Eigen::Matrix3d P = Eigen::Matrix3d::Identity() - 2 * v * v.transpose();
+        ASSERT_NEAR(P(0, 0) * P(0, 0), own, 1e-12);
+        // The one lowest mode: the others are mixed in any case.
+        EXPECT_EQ(tracking::match_by_vectors(a, combined(P, frequencies), 1).ambiguous, own < 0.7)
+            << own;
+    }
+}
+
+/// Of damped modes, whose vectors are not orthogonal, overlaps may exceed 1 and cancel: a mode that
+/// is in two of the other speed is unsure seen from either.
+TEST(ModeMatching, IsAsUnsureBackwardsAsForwards) {
+    const Eigen::Vector3d frequencies(100, 101, 102);
+    const tracking::Snapshot a = combined(Eigen::Matrix3d::Identity(), frequencies);
+    std::mt19937 generator(3);
+    std::uniform_real_distribution<double> part(-0.9, 0.9);
+    int unsure = 0;
+    for (int draw = 0; draw < 300; ++draw) {
+        Eigen::Matrix3d P = Eigen::Matrix3d::Identity();
+        for (const auto &[i, j] : {std::pair(0, 1), {0, 2}, {1, 0}, {1, 2}, {2, 0}, {2, 1}})
+            P(i, j) = part(generator);
+        const tracking::Snapshot b = combined(P, frequencies);
+        const Matching forwards = tracking::match_by_vectors(a, b, 3);
+        const Matching backwards = tracking::match_by_vectors(b, a, 3);
+        EXPECT_EQ(forwards.to, backwards.from) << P;
+        // Sure is what is so from both sides: no mode of either speed has a rival.
+        const Eigen::MatrixXd overlap = (P.array() * P.inverse().transpose().array()).abs();
+        bool sure = forwards.to == std::vector<int>{0, 1, 2};
+        for (int i = 0; i < 3; ++i) {
+            const double own = overlap(i, i);
+            sure = sure && own >= 0.7;
+            for (int k = 0; k < 3; ++k)
+                sure = sure && (k == i || std::max(overlap(i, k), overlap(k, i)) <= 0.6 * own);
+        }
+        if (forwards.to == std::vector<int>{0, 1, 2}) {
+            EXPECT_EQ(forwards.ambiguous, !sure) << P;
+            unsure += sure ? 0 : 1;
+        }
+    }
+    EXPECT_GT(unsure, 30);
+}
+
+/// Lines that cross within the step, at whose ends the vectors are halves of each other: values and
+/// slopes tell which goes where, values alone would take the nearer.
+TEST(ModeMatching, MixedModesGoOnWithTheirSlopes) {
+    tracking::Snapshot a = combined(Eigen::Matrix2d::Identity(), Eigen::Vector2d(100, 104));
+    Eigen::Matrix2d half;
+    half << 1, -1, 1, 1;
+    tracking::Snapshot b = combined(half / std::sqrt(2.0), Eigen::Vector2d(94, 110));
+    b.spectrum.speed = 1;
+    a.basis.rate_below << std::complex<double>(0, 10), std::complex<double>(0, -10);
+    b.basis.rate_below << std::complex<double>(0, -10), std::complex<double>(0, 10);
+    a.basis.rate_above = a.basis.rate_below;
+    b.basis.rate_above = b.basis.rate_below;
+    EXPECT_EQ(tracking::match_by_groups(a, b).to, (std::vector<int>{1, 0}));
+    EXPECT_EQ(tracking::match_by_groups(b, a).to, (std::vector<int>{1, 0}));
 }
 
 TEST(ModeMatching, AModeOutsideTheOthersSpaceIsNotMatched) {

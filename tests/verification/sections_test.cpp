@@ -1,8 +1,6 @@
 // Sections of other make: layers, mass that carries no load, shear coefficients of their own, no
 // rotary inertia.
 
-#include "elements/section.h"
-#include "mesh/shaft_mesh.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
 #include "support/test_rotors.h"
@@ -56,26 +54,6 @@ TEST(Sections, TubesOfOneMaterialAreTheWholeSection) {
     segment.outer_start = segment.outer_end = 0.03;
     segment.layers = {{0.04, 0.03, segment.material}, {0.05, 0.04, segment.material}};
     expect_same_frequencies(layered, supported());
-}
-
-TEST(Sections, StiffnessAndMassOfALayerAddUp) {
-    // Steel of 20 mm in aluminium of 40 mm: EI and rho A of the parts, by hand.
-    model::Rotor rotor = supported();
-    model::Segment &segment = rotor.shaft.segments.front();
-    segment.outer_start = segment.outer_end = 0.02;
-    segment.layers = {{0.04, 0.02, {"aluminium", 7e10, 2.6e10, 2700}}};
-    const auto mesh = mesh::make_mesh(rotor);
-    const elements::Section s = elements::beam_of(rotor.shaft, mesh.spans.front()).at(0.3);
-    const double pi = std::numbers::pi;
-    const double core = pi * 1e-4;        // m2
-    const double tube = pi * 3e-4;        // m2
-    const double I_core = pi * 1e-8 / 4;  // m4
-    const double I_tube = pi * 15e-8 / 4; // m4
-    const model::Material &steel = segment.material;
-    EXPECT_NEAR(s.EI, steel.E * I_core + 7e10 * I_tube, 1e-12 * s.EI);
-    EXPECT_NEAR(s.rhoA, steel.rho * core + 2700 * tube, 1e-12 * s.rhoA);
-    EXPECT_NEAR(s.rhoI, steel.rho * I_core + 2700 * I_tube, 1e-12 * s.rhoI);
-    EXPECT_NEAR(s.kappaGA, 0.9 * (steel.G * core + 2.6e10 * tube), 1e-12 * s.kappaGA);
 }
 
 TEST(Sections, MassThatCarriesNoLoadIsALayerWithoutStiffness) {
