@@ -6,7 +6,10 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <complex>
 #include <map>
+#include <numbers>
 
 namespace {
 
@@ -194,6 +197,55 @@ TEST(Assembly, PedestalStandsBetweenBearingAndGround) {
     EXPECT_DOUBLE_EQ(dense(s.C)(p, p), 100);
     EXPECT_DOUBLE_EQ(dense(s.C)(0, p), -30);
     EXPECT_DOUBLE_EQ(dense(s.M)(p + 1, p + 1), 4);
+}
+
+/// A cantilever under the torque T and a force F at its tip: E I phi'' - i T phi' + F = 0 with
+/// w' - phi = F/(kappa G A), docs/theory.md, "Axial torque"; phi and w are zero at z = 0. At the
+/// tip E I phi' = share i T phi: the whole torque where it stays along z, none of it where it
+/// follows the tangent.
+std::complex<double> tip_of_cantilever(double F, double T, double share, double EI, double kappaGA,
+                                       double l) {
+    const std::complex<double> i(0, 1);
+    const double tau = T / EI;
+    const std::complex<double> turn = std::exp(i * tau * l);
+    // phi' = -i F/T + A exp(i tau z)
+    const std::complex<double> A = F / T * (share * tau * l + i) / (turn - share * (turn - 1.0));
+    return -i * F * l * l / (2 * T) + A / (i * tau) * ((turn - 1.0) / (i * tau) - l) +
+           F * l / kappaGA;
+}
+
+TEST(AxialTorque, BendsACantileverByWhatItDoesAtTheTip) {
+    constexpr double l = 0.8;
+    model::Rotor rotor = tests::uniform_shaft(l, 0.05, 2);
+    rotor.shaft.shear = model::ShearFormula::given;
+    rotor.shaft.shear_coefficient = 0.9;
+    const double EI = 211e9 * std::numbers::pi / 64 * std::pow(0.05, 4);
+    const double kappaGA = 0.9 * 81.2e9 * std::numbers::pi / 4 * 0.05 * 0.05;
+    constexpr double F = 1e3;
+    using Kind = model::TorqueKind;
+    for (const double T : {0.7 * EI / l, -1.9 * EI / l})
+        for (const auto &[kind, share] :
+             {std::pair(Kind::axial, 1.0), {Kind::semitangential, 0.5}, {Kind::tangential, 0.0}}) {
+            rotor.shaft.axial_torque = T;
+            rotor.shaft.torque_kind = kind;
+            const assembly::Discretization d(rotor, 8);
+            Eigen::MatrixXd K = dense(assembly::assemble_fixed(d, 0).K);
+            for (const assembly::Combination &held : {d.deflection_at_node(0), d.slope_at_node(0)})
+                for (const int unknown : {2 * held.begin()->first, 2 * held.begin()->first + 1}) {
+                    K.row(unknown).setZero();
+                    K(unknown, unknown) = 1;
+                }
+            Eigen::VectorXd force = Eigen::VectorXd::Zero(K.rows());
+            for (const auto &[unknown, value] : d.deflection_at(l))
+                force(2 * unknown) = F * value;
+            const Eigen::VectorXd q = K.partialPivLu().solve(force);
+            std::complex<double> found;
+            for (const auto &[unknown, value] : d.deflection_at(l))
+                found += value * std::complex<double>(q(2 * unknown), q(2 * unknown + 1));
+            const std::complex<double> expected = tip_of_cantilever(F, T, share, EI, kappaGA, l);
+            // Polynomials of degree 8 over half of exp(2 i): 1e-10 and less; rounding of K.
+            EXPECT_LT(std::abs(found / expected - 1.0), 1e-9) << share << ' ' << T;
+        }
 }
 
 } // namespace

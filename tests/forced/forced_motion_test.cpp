@@ -82,8 +82,8 @@ TEST(Probes, ReadACircleLaterByTheirAngle) {
         }
 }
 
-/// The mass hangs mg/k below, whatever the axes that its equations are written in.
-TEST(WeightOfAPointMass, BendsItDownBesideNoOtherWay) {
+/// The mass hangs mg/k below its place, whatever the axes that its equations are written in.
+TEST(WeightOfAPointMass, HangsBelowInEveryForm) {
     const RigidJeffcott jeffcott;
     const model::Rotor rotor = jeffcott.scene().rotor;
     const assembly::Discretization d(rotor, 1);
@@ -95,7 +95,7 @@ TEST(WeightOfAPointMass, BendsItDownBesideNoOtherWay) {
                         -i_unit * jeffcott.mass * gravity / jeffcott.kx, "sag", s);
             EXPECT_LT(std::abs(motion.motion(d.deflection_at(0.5)).x),
                       rounding * jeffcott.mass * gravity / jeffcott.kx);
-            // Both bearings push up.
+            // Either bearing is pressed down by half of the weight.
             expect_near(motion.bearing_force_at_rest(0), -i_unit * jeffcott.mass * gravity / 2.0,
                         "force", s);
         }

@@ -278,6 +278,42 @@ TEST(ResponsePeaks, OfThreeDiscsAreTheMaximaOfAFineGrid) {
     }
 }
 
+/// Broad peaks of heavily damped rotors stand at no resonance, each quantity has its own, and
+/// several lie within the width of one another: all are values of the whole rotor.
+TEST(ResponsePeaks, OfHeavilyDampedRotorsAreValuesOfTheWholeRotor) {
+    Random random(14);
+    int compared = 0;
+    for (int rotor = 0; rotor < 12; ++rotor) {
+        model::Case scene = random_rotor(random);
+        for (model::Bearing &bearing : scene.rotor.bearings)
+            bearing.rows[0].c *= std::pow(10, random(0.5, 2.5));
+        const assembly::Discretization d(scene.rotor, 3);
+        const Form form = forced::response_formulation(scene).form;
+        std::vector<forced::Quantity> quantities;
+        for (const model::Disc &disc : scene.rotor.discs)
+            quantities.push_back({d.deflection_at(disc.z)});
+        for (const int b : {0, 1})
+            quantities.push_back({forced::stretch_of_bearing(d, b), b});
+        forced::PeakOptions options;
+        options.with_errors = false;
+        const auto found = forced::response_peaks(d, form, quantities, 1, 5000, options);
+        forced::ForcedMotion whole(d, form);
+        for (const forced::Peak &peak : found.peaks) {
+            whole.solve(peak.speed);
+            const forced::Quantity &of = quantities[peak.quantity];
+            const forced::Phasor u = of.bearing == forced::Quantity::deflection
+                                         ? whole.motion(of.stretch)
+                                         : whole.bearing_force(of.bearing);
+            const double value = modes::ellipse_of(u.x, u.y).major;
+            // Documented: 1e-9; and rounding of what is compared with.
+            EXPECT_NEAR(peak.value / value, 1, 1e-9 + peak.rounding + whole.rounding())
+                << "rotor " << rotor << " at " << peak.speed << " shapes " << found.shapes;
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 60);
+}
+
 TEST(ResponsePeaks, ErrorsHold) {
     Random random(13);
     int compared = 0;

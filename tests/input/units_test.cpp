@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <string>
 
 namespace whirl::input {
 namespace {
@@ -97,8 +98,10 @@ TEST(Units, RefusedTexts) {
 }
 
 TEST(Units, DecimalPrefixesAreExactlyRounded) {
-    // 35 * 0.001 is 0.035000000000000003; a case in mm must be the same case in m.
-    EXPECT_EQ(*parse_quantity("35 mm", Quantity::length), 0.035);
+    // 36 * 0.001 is 0.036000000000000004; a case in mm must be the same case in m.
+    EXPECT_EQ(*parse_quantity("36 mm", Quantity::length), 0.036);
+    for (int i = 1; i < 1000; ++i)
+        EXPECT_EQ(*parse_quantity(std::to_string(i) + " mm", Quantity::length), i / 1000.0) << i;
     EXPECT_EQ(*parse_quantity("7.81 g/cm3", Quantity::density), 7810.0);
     EXPECT_EQ(scaled(3, 0.5), 1.5);
     EXPECT_EQ(scaled(3, 0.3), 3 * 0.3);

@@ -67,11 +67,11 @@ several() {
 }
 
 chosen() { awk -F '\t' -v OFS='\t' -v words="$words" 'index($2, words) { print $1, $2, $3, $4 }' "$build/faults.tsv"; }
-without="$(chosen | cut -f4 | sort -u | sed 's/^/0\t/' | several)"
+without="$(chosen | cut -f4 | sort -u | sed 's/^/0\t/' | several | tee "$build/without.tsv")"
 sound="$(grep -P '^0\tpasses' <<< "$without" | cut -f3)"
 with="$(chosen | awk -F '\t' -v OFS='\t' -v sound="$sound" '
   BEGIN { n = split(sound, list, "\n"); for (i = 1; i <= n; ++i) known[list[i]] = 1 }
-  $4 in known { print $1, $4 }' | several)"
+  $4 in known { print $1, $4 }' | several | tee "$build/with.tsv")"
 
 caught=0 seeded=0 broken=0
 while IFS=$'\t' read -r number name file tests; do

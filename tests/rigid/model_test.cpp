@@ -5,6 +5,7 @@
 #include "rigid/model.h"
 
 #include "analyses/stability.h"
+#include "rigid/inertia.h"
 #include "stability/permissible.h"
 #include "support/rigid_rotors.h"
 
@@ -13,6 +14,7 @@
 
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 namespace whirl::rigid {
 
@@ -173,18 +175,37 @@ TEST(RigidLimitModel, PinnedRotorStandsWhereFreeBallsDo) {
 TEST(RigidLimitModel, InertiaCountsBallsAndImbalance) {
     model::Case scene = balancer_case();
     scene.rotor.shaft.segments[0].material = weightless_steel();
-    const Inertia inertia = model_inertia(scene.rotor, 4);
     const double m0 = 0.4 / 0.3, balls = 2 * 2 * 0.04, A_m0 = m0 * 0.09;
-    EXPECT_NEAR(inertia.mass, 57.83 + 4 + m0, 1e-10);
-    EXPECT_NEAR(inertia.polar, 0.289 + balls + A_m0, 1e-12);
-    // E = 4 x 0.2 / 0.4 = 2: D = 2/E^2 - 1 = -1/2
-    EXPECT_NEAR(std::abs(inertia.a), (A_m0 - balls / 2) / 2, 1e-12);
     const double center = (57.83 * 0.4 + (4 + m0) * 0.5) / (61.83 + m0);
-    EXPECT_NEAR(inertia.center(), center, 1e-12);
-    EXPECT_NEAR(inertia.diametral(),
-                0.413 + 57.83 * std::pow(0.4 - center, 2) + (4 + m0) * std::pow(0.5 - center, 2) +
-                    (balls + A_m0) / 2,
-                1e-11);
+    const Inertia of_matrices = model_inertia(scene.rotor, 4);
+    // E = 4 x 0.2 / 0.4 = 2: D = 2/E^2 - 1 = -1/2
+    EXPECT_NEAR(std::abs(of_matrices.a), (A_m0 - balls / 2) / 2, 1e-12);
+    for (const Inertia &inertia : {of_matrices, inertia_of(scene.rotor)}) {
+        EXPECT_NEAR(inertia.mass, 57.83 + 4 + m0, 1e-10);
+        EXPECT_NEAR(inertia.polar, 0.289 + balls + A_m0, 1e-12);
+        EXPECT_NEAR(inertia.center(), center, 1e-12);
+        EXPECT_NEAR(inertia.diametral(),
+                    0.413 + 57.83 * std::pow(0.4 - center, 2) +
+                        (4 + m0) * std::pow(0.5 - center, 2) + (balls + A_m0) / 2,
+                    1e-11);
+    }
+}
+
+/// A tube of the mass m: m (ro^2 + ri^2)/2 about its axis, m (3 (ro^2 + ri^2) + L^2)/12 across it.
+TEST(RigidInertia, OfATubeIsThatOfTheTextbooks) {
+    model::Rotor rotor;
+    rotor.shaft = uniform_shaft(0.3, 0.2, steel());
+    rotor.shaft.segments[0].inner_start = rotor.shaft.segments[0].inner_end = 0.12;
+    rotor.shaft.segments[0].elements = 2;
+    const double squares = 0.1 * 0.1 + 0.06 * 0.06;
+    const double mass = 7800 * std::numbers::pi * (0.1 * 0.1 - 0.06 * 0.06) * 0.3;
+    for (const Inertia &inertia : {model_inertia(rotor, 4), inertia_of(rotor)}) {
+        // Rounding of sums over elements.
+        EXPECT_NEAR(inertia.mass / mass, 1, 1e-12);
+        EXPECT_NEAR(inertia.center(), 0.15, 1e-12);
+        EXPECT_NEAR(inertia.polar / (mass * squares / 2), 1, 1e-12);
+        EXPECT_NEAR(inertia.diametral() / (mass * (3 * squares + 0.3 * 0.3) / 12), 1, 1e-12);
+    }
 }
 
 } // namespace whirl::rigid

@@ -14,7 +14,7 @@ namespace {
 /// Circles forward and backward at the same frequency are an ellipse, of which the spectrum gives
 /// the larger semi-axis; Hann's window shows half of it at the frequencies next to it.
 TEST(Waterfall, GivesTheLargerSemiAxisAtEachFrequency) {
-    constexpr double end = 5;
+    constexpr double end = 20; ///< s: long enough for windows of 512 samples
     constexpr double fastest = 300;
     constexpr std::size_t slow = 20; ///< of the frequencies
     constexpr std::size_t fast = 90;
