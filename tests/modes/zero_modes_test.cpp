@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace whirl::modes {
@@ -105,6 +106,32 @@ TEST(ZeroModes, AreCountedByTheConstraintsThereAre) {
                 EXPECT_EQ(std::ssize(real.modes), both / 2) << one.what << " at " << speed;
             }
         }
+    }
+}
+
+/// A circle that turns as x + i y = exp(i w t) has y = -i x; in the hyperbolic form y stands for
+/// -i y.
+TEST(ZeroModes, CirclesTurnAsTheyAreNamed) {
+    const std::complex<double> i(0, 1);
+    const assembly::Discretization d(free_rotor(), 4);
+    for (const Form form : {Form::hyperbolic, Form::general}) {
+        int forward = 0;
+        const ZeroModes found = zero_modes(d, form, 300, 300);
+        ASSERT_EQ(found.modes.size(), 3U);
+        for (const WhirlMode &mode : found.modes) {
+            ASSERT_TRUE(mode.whirl == results::Whirl::forward ||
+                        mode.whirl == results::Whirl::backward);
+            const double sense = mode.whirl == results::Whirl::forward ? 1 : -1;
+            forward += sense > 0 ? 1 : 0;
+            const Eigen::VectorXcd x = mode.shape(Eigen::seqN(0, d.planar_size(), 2));
+            Eigen::VectorXcd y = mode.shape(Eigen::seqN(1, d.planar_size(), 2));
+            if (form == Form::hyperbolic)
+                y *= i;
+            EXPECT_GT(x.norm(), 0);
+            EXPECT_LE((y + sense * i * x).norm(), 1e-12 * x.norm());
+        }
+        // Of the translation both; the forward tilt gets a frequency by the spin.
+        EXPECT_EQ(forward, 1);
     }
 }
 

@@ -193,6 +193,38 @@ TEST(CrossingsOfLines, MultiplesInOneStep) {
                       1e-9);
 }
 
+/// Of unequal stiffnesses: bounces at their frequencies, tilts where
+/// (Id^2 - Ip^2) W^4 - Id (Kx + Ky) W^2 + Kx Ky = 0; turning either way. The step is so long that
+/// every line is far below the speed at both of its ends: the speed has its kink at rest.
+TEST(CrossingsOfLines, OnBothSidesOfRestInOneStep) {
+    const double kx = 1e5;
+    const double ky = 1.3e5;
+    const double Kx = 2 * kx * l * l;
+    const double Ky = 2 * ky * l * l;
+    const double a = Id * Id - Ip * Ip;
+    const double b = Id * (Kx + Ky);
+    const double root = std::sqrt(b * b - 4 * a * Kx * Ky);
+    std::vector<double> expected;
+    for (const double squared :
+         {2 * kx / mass, 2 * ky / mass, (b - root) / (2 * a), (b + root) / (2 * a)})
+        for (const double side : {-1, 1})
+            expected.push_back(side * std::sqrt(squared));
+    std::ranges::sort(expected);
+    for (const Form form : {Form::hyperbolic, Form::general}) {
+        const modes::SpectrumSolver solver(rigid_rotor(kx, ky), form, 1);
+        const Swept sweep = swept(solver, {-1500, 1500});
+        const Crossings crossed = crossings(solver, sweep.tracking, sweep.spectra, {1});
+        EXPECT_TRUE(crossed.unsettled.empty());
+        std::vector<double> found;
+        for (const results::Crossing &crossing : crossed.found) {
+            EXPECT_NEAR(crossing.frequency / std::abs(crossing.speed), 1, 1e-12);
+            found.push_back(crossing.speed);
+        }
+        std::ranges::sort(found);
+        expect_speeds(found, expected, 1e-9);
+    }
+}
+
 TEST(CrossingsOfLines, TwoOfOneLineInOneStep) {
     for (const double half : {15.0, 1.0, 1e-2}) {
         const double a = 105 - half;
