@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace whirl::tracking {
 
@@ -23,13 +22,12 @@ namespace {
 
 using results::Locked;
 
-/// Speeds strictly inside a step at which a frequency may have a kink: bends of bearing tables,
-/// rest.
+/// Bends of bearing tables strictly inside a step: a frequency has a kink there. So has the
+/// multiple at rest, which the slopes at the ends of a step over it show; in rotating axes a mode
+/// is no forward or backward whirl there, and no line is to be followed to it.
 std::vector<double> kinks(const model::Rotor &rotor, double from, double to) {
     const std::vector<double> bends = rotor.table_bends();
-    std::set<double> out(bends.begin(), bends.end());
-    out.insert(0);
-    return {out.upper_bound(from), out.lower_bound(to)};
+    return {std::ranges::upper_bound(bends, from), std::ranges::lower_bound(bends, to)};
 }
 
 bool inside(const Locked &interval, double a, double b) {

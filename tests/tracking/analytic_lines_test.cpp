@@ -225,6 +225,33 @@ TEST(CrossingsOfLines, OnBothSidesOfRestInOneStep) {
     }
 }
 
+/// The bounces of a rotor with unequal diametral inertias, in rotating axes, are those of a round
+/// one: two lines at w0, whichever way it turns and however long the step is.
+TEST(CrossingsOfLines, OfAnAsymmetricRotorOnBothSidesOfRestInOneStep) {
+    const double k = 1e5;
+    const double bounce = std::sqrt(2 * k / mass);
+    model::Rotor rotor = rigid_rotor(k, k);
+    for (const double dI : {0.04, 0.2}) {
+        rotor.anisotropies = {{"", l, dI, 0.4}};
+        const modes::SpectrumSolver solver(rotor, Form::rotating, 1);
+        for (const auto &[from, to] : {std::pair(-3.8, 3.0), {-20.2, 17.7}, {-30.4, 25.3}}) {
+            const Swept sweep = swept(solver, {from * bounce, to * bounce});
+            const Crossings crossed = crossings(solver, sweep.tracking, sweep.spectra, {2, 5});
+            for (const double multiple : {2.0, 5.0})
+                for (const double side : {-1.0, 1.0})
+                    EXPECT_EQ(std::ranges::count_if(crossed.found,
+                                                    [&](const results::Crossing &crossing) {
+                                                        return crossing.multiple == multiple &&
+                                                               std::abs(crossing.speed * multiple *
+                                                                            side / bounce -
+                                                                        1) < 1e-9;
+                                                    }),
+                              2)
+                        << multiple * side << " from " << from << " with " << dI;
+        }
+    }
+}
+
 TEST(CrossingsOfLines, TwoOfOneLineInOneStep) {
     for (const double half : {15.0, 1.0, 1e-2}) {
         const double a = 105 - half;
