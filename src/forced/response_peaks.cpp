@@ -86,18 +86,6 @@ std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, dou
     return speeds;
 }
 
-/// Speeds of the peaks, those of one resonance once.
-std::vector<double> peak_speeds(std::vector<Peak> peaks) {
-    std::ranges::sort(peaks, {}, &Peak::speed);
-    std::vector<double> out;
-    constexpr double near_enough = 0.1; // of the width
-    for (const Peak &peak : peaks)
-        if (std::isfinite(peak.value) &&
-            (out.empty() || peak.speed - out.back() > near_enough * peak.width))
-            out.push_back(peak.speed);
-    return out;
-}
-
 /// What rounding leaves of a motion that the shapes have already is not new.
 constexpr double newness_of_rounding = 1e-8;
 
@@ -197,6 +185,17 @@ std::vector<PeakSearch::Sample> drawn(const PeakSearch &search, double from, dou
 
 } // namespace
 
+std::vector<double> compared_speeds(std::vector<Peak> peaks) {
+    std::ranges::sort(peaks, {}, &Peak::speed);
+    std::vector<double> out;
+    constexpr double near_enough = 0.1; // of the width
+    for (const Peak &peak : peaks)
+        if (std::isfinite(peak.value) &&
+            (out.empty() || peak.speed - out.back() > near_enough * peak.width))
+            out.push_back(peak.speed);
+    return out;
+}
+
 CertifiedPeaks response_peaks(const assembly::Discretization &discretization, results::Form form,
                               const std::vector<Quantity> &quantities, double from, double to,
                               const PeakOptions &options) {
@@ -218,7 +217,7 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     Compared at_peaks;
     for (int round = 0;; ++round) { // and at the peaks found, which need not be at resonances
         search.emplace(reduced, from, to);
-        at_peaks = widened_at(reduced, whole, peak_speeds(search->peaks()));
+        at_peaks = widened_at(reduced, whole, compared_speeds(search->peaks()));
         if (round >= most_rounds || !at_peaks.news)
             break;
     }

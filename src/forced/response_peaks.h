@@ -26,6 +26,10 @@ struct CertifiedPeaks {
     std::vector<PeakSearch::Sample> curve;
 };
 
+/// Speeds at which peaks are compared with the whole rotor, rad/s, ascending: of every finite peak
+/// one within a tenth of its width, those of several quantities at one resonance together.
+[[nodiscard]] std::vector<double> compared_speeds(std::vector<Peak> peaks);
+
 /// Peaks between two speeds of one sign (rad/s) under the imbalances of the rotor, or of its motion
 /// at twice the spin speed under its weight (rotating form), by the reduced rotor: it takes in the
 /// motion of the whole rotor wherever the two differ, until they agree to 1e-9 at every resonance
