@@ -597,6 +597,9 @@ void compare_comparison(report::Report of, const model::Case &scene, const std::
 class UnitsOfResults : public testing::TestWithParam<std::string> {
   protected:
     static void TearDownTestSuite() {
+        // Labels for which there was room in one picture alone, axes with less than two numbers.
+        EXPECT_LE(totals.labels_without_match, 5 + totals.labels / 50);
+        EXPECT_LE(totals.unreadable + totals.unnamed, 5 + totals.panels / 10);
         for (const auto &[kind, compared] : totals.of)
             std::cout << kind << ": " << compared.numbers << " numbers compared, "
                       << compared.converted << " in another unit than SI, " << compared.rough
