@@ -51,11 +51,12 @@ model::HeldBalancer held_in(model::Rotor &rotor, const model::Balancer &balancer
 void remark_imbalance(model::Case &scene) {
     const model::HeldBalancer &held = scene.rotor.held.back();
     const model::Imbalance &left = scene.rotor.imbalances.back();
-    scene.remarks.push_back(fmt::format(
-        "{}: its {} are held off balance: with its imbalance they leave {:.6g} kg m "
-        "at {:.6g} rad, which count as an imbalance of the rotor",
+    namespace as = model::as;
+    scene.remarks.emplace_back(
+        "{}: its {} are held off balance: with its imbalance they leave {} at {}, which count as "
+        "an imbalance of the rotor",
         held.balancer.name.empty() ? fmt::format("balancer[{}]", held.index) : held.balancer.name,
-        kind_of(held.balancer)->parts(), left.mr, left.phase));
+        kind_of(held.balancer)->parts(), as::imbalance(left.mr), as::angle(left.phase));
 }
 
 } // namespace

@@ -34,9 +34,7 @@ struct Run {
         auto result = analysis();
         result.model.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        std::vector<model::Sentence> notes; // of the case first
-        for (const std::string &remark : scene.remarks)
-            notes.emplace_back(remark);
+        std::vector<model::Sentence> notes = scene.remarks; // of the case first
         notes.insert(notes.end(), result.model.notes.begin(), result.model.notes.end());
         result.model.notes = std::move(notes);
         return result;

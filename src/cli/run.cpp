@@ -80,8 +80,9 @@ void note_idle_map(const Arguments &arguments) {
 /// A number alone on the command line, of which the case has no remark of its own.
 void note_plain_speed(const Arguments &arguments, const model::Case &scene) {
     const bool told =
-        std::any_of(scene.remarks.begin(), scene.remarks.end(),
-                    [](const std::string &remark) { return remark.starts_with("modes.speed = "); });
+        std::any_of(scene.remarks.begin(), scene.remarks.end(), [](const model::Sentence &remark) {
+            return remark.starts_with("modes.speed = ");
+        });
     const std::string &text = arguments.speed;
     if (told || text.empty() || text.find_first_not_of("0123456789.eE+-_ ") != std::string::npos ||
         !scene.modes.speed || *scene.modes.speed == 0)
@@ -119,8 +120,8 @@ void run_command(const Arguments &arguments) {
         throw model::BadInput(file.with_place(problem.what(), arguments.overrides));
     } catch (const model::AnalysisFailure &failure) { // what looks like a slip may be why
         std::string message = units.text(failure.sentence());
-        for (const std::string &remark : scene.remarks)
-            message += "\nnote: " + remark;
+        for (const model::Sentence &remark : scene.remarks)
+            message += "\nnote: " + units.text(remark);
         throw model::AnalysisFailure(message);
     }
 }

@@ -42,7 +42,7 @@ struct ReadContext {
     FileTexts &files;
     Problems problems;
     std::map<std::string, Quantity> numeric; ///< path of an entry, its quantity
-    std::vector<std::string> remarks;        ///< what is no mistake and looks like one
+    std::vector<model::Sentence> remarks;    ///< what is no mistake and looks like one
     std::filesystem::path folder;            ///< of the case file; paths in it start here
 
     /// `, did you mean "material.steel.E"?` for E: a number of that key read in some table.

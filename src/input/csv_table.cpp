@@ -190,29 +190,10 @@ class LineReader {
     std::string_view _rest;
 };
 
-/// With blanks of all widths and the minus sign of typesetting as those of ASCII.
-std::string with_plain_blanks(std::string_view text) {
-    constexpr std::array<std::pair<std::string_view, char>, 6> signs{{{"\u00a0", ' '},
-                                                                      {"\u2007", ' '},
-                                                                      {"\u2009", ' '},
-                                                                      {"\u202f", ' '},
-                                                                      {"\ufeff", ' '},
-                                                                      {"\u2212", '-'}}};
-    const auto in_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
-    std::string out;
-    out.reserve(text.size());
-    while (true) {
-        const auto other = std::find_if_not(text.begin(), text.end(), in_ascii);
-        out.append(text.begin(), other);
-        text.remove_prefix(static_cast<std::size_t>(other - text.begin()));
-        if (text.empty())
-            return out;
-        const auto sign =
-            std::ranges::find_if(signs, [&](const auto &at) { return text.starts_with(at.first); });
-        out += sign == signs.end() ? text[0] : sign->second;
-        text.remove_prefix(sign == signs.end() ? 1 : sign->first.size());
-    }
-}
+/// Blanks of all widths and the minus sign of typesetting. Units keep their signs.
+constexpr std::array plain_blanks{Replacement{"\u00a0", " "}, Replacement{"\u2007", " "},
+                                  Replacement{"\u2009", " "}, Replacement{"\u202f", " "},
+                                  Replacement{"\ufeff", " "}, Replacement{"\u2212", "-"}};
 
 /// How the digits of a number are written.
 struct Digits {
@@ -246,7 +227,7 @@ CsvTable::CsvTable(const std::filesystem::path &file, const std::vector<CsvRule>
     if (!mistake.empty())
         problems.add({_file, 0}, "", "expected a CSV table, " + mistake);
     else
-        read(with_plain_blanks(is_utf8(text) ? text : from_latin1(text)), rules);
+        read(replaced_signs(is_utf8(text) ? text : from_latin1(text), plain_blanks), rules);
 }
 
 void CsvTable::read(std::string_view text, const std::vector<CsvRule> &rules) {
@@ -511,7 +492,7 @@ std::optional<double> CsvRow::optional_number(const std::string &column, Quantit
 int CsvRow::whole_or(const std::string &column, int fallback, int low, int high) const {
     const double least = low;
     const auto number =
-        optional_number(column, Quantity::dimensionless, {least, static_cast<double>(high)});
+        optional_number(column, Quantity::number, {least, static_cast<double>(high)});
     if (!number)
         return fallback;
     const int whole = static_cast<int>(std::max(least, *number)); // the least of nan

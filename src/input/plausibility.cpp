@@ -15,36 +15,39 @@ namespace whirl::input {
 
 namespace {
 
+namespace as = model::as;
+
 /// What no machine has more or less of.
 struct Usual {
     double least, most;
-    const char *unit;
-    const char *example;
+    model::ValueOf of;
+    const char *example; ///< of the case file, with its unit
 };
-constexpr Usual of_modulus{5e8, 1.3e12, "Pa", "steel has 2.1e11 Pa, \"210 GPa\""};
+constexpr Usual of_modulus{5e8, 1.3e12, as::pressure, "steel has 2.1e11 Pa, \"210 GPa\""};
 constexpr double made_rigid = 5e13; // Pa: no slip by a power of ten or two
-constexpr Usual of_density{200, 25000, "kg/m3", "steel has 7850 kg/m3, \"7.85 g/cm3\""};
+constexpr Usual of_density{200, 25000, as::density, "steel has 7850 kg/m3, \"7.85 g/cm3\""};
 constexpr double massless = 1e-3; // kg/m3: a shaft made so
-constexpr Usual of_length{1e-3, 60, "m", "lengths are in m unless they have a unit: \"1200 mm\""};
-constexpr Usual of_clearance{1e-6, 0.02, "m", "it is in m unless it has a unit: \"0.1 mm\""};
-constexpr Usual of_diameter{1e-4, 10, "m", "diameters are in m unless they have a unit: \"50 mm\""};
+constexpr Usual of_length{1e-3, 60, as::length,
+                          "lengths are in m unless they have a unit: \"1200 mm\""};
+constexpr Usual of_clearance{1e-6, 0.02, as::length, "it is in m unless it has a unit: \"0.1 mm\""};
+constexpr Usual of_diameter{1e-4, 10, as::length,
+                            "diameters are in m unless they have a unit: \"50 mm\""};
 
-constexpr Usual of_rolling{0, 1e-3, "m", "it is in m unless it has a unit: \"10 um\""};
+constexpr Usual of_rolling{0, 1e-3, as::length, "it is in m unless it has a unit: \"10 um\""};
 
 /// Collects remarks, each once.
 class Remarks {
   public:
     explicit Remarks(model::Case &scene) : _scene(scene) {}
 
-    void add(const std::string &text) {
+    template <class... Parts> void add(const Parts &...parts) {
         auto &all = _scene.remarks;
-        if (std::ranges::find(all, text) == all.end())
-            all.push_back(text);
+        if (const model::Sentence remark(parts...); std::ranges::find(all, remark) == all.end())
+            all.push_back(remark);
     }
     void check(const std::string &what, double value, const Usual &usual) {
         if (value < usual.least || value > usual.most)
-            add(fmt::format("{} of {:.6g} {} is unlike any machine's; {}", what, value, usual.unit,
-                            usual.example));
+            add("{} of {} is unlike any machine's; {}", what, usual.of(value), usual.example);
     }
 
   private:
@@ -57,9 +60,9 @@ void check_density(double rho, Remarks &remarks) {
     if (rho > massless)
         remarks.check("a density", rho, of_density);
     else if (rho > lightest && rho < heaviest)
-        remarks.add(fmt::format("a density of {0:.6g} kg/m3 makes the shaft massless; with a unit, "
-                                "\"{0:.6g} t/mm3\", it is that of a metal",
-                                rho));
+        remarks.add("a density of {} makes the shaft massless; with a unit, \"{} t/mm3\", it is "
+                    "that of a metal",
+                    as::density(rho), as::number(rho));
 }
 
 void check_shaft(const model::Shaft &shaft, Remarks &remarks) {
@@ -129,10 +132,10 @@ void check_speeds(const model::Case &scene, const Node &tree, Remarks &remarks) 
         const Node *node = find_path(tree, key);
         const double surface = largest_radius(scene.rotor) * std::abs(speed);
         if (node && node->is_number() && surface > fastest)
-            remarks.add(fmt::format("{} = {:.6g} is in rad/s, {:.6g} rpm: the rotor's surface "
-                                    "moves at {:.0f} m/s; with "
-                                    "a unit, \"{:.6g} rpm\", it is that speed",
-                                    key, speed, speed * model::rpm, surface, speed));
+            remarks.add("{} = {} is in rad/s, {} rpm: the rotor's surface moves at {} m/s; with a "
+                        "unit, \"{} rpm\", it is that speed",
+                        key, as::number(speed), as::number(speed * model::rpm),
+                        as::number(surface, 3), as::number(speed));
     }
 }
 
@@ -140,18 +143,20 @@ void check_speeds(const model::Case &scene, const Node &tree, Remarks &remarks) 
 void check_mode_speed(const Node &tree, Remarks &remarks) {
     const Node *node = find_path(tree, "modes.speed");
     if (node && node->is_number() && node->number != 0 && in_other_units(tree))
-        remarks.add(fmt::format("modes.speed = {:.6g} is in rad/s, {:.6g} rpm, where [speeds] have "
-                                "another unit; with a unit, \"{:.6g} rpm\", it is that speed",
-                                node->number, node->number * model::rpm, node->number));
+        remarks.add(
+            "modes.speed = {} is in rad/s, {} rpm, where [speeds] have another unit; with a "
+            "unit, \"{} rpm\", it is that speed",
+            as::number(node->number), as::number(node->number * model::rpm),
+            as::number(node->number));
 }
 
 /// Beyond a turn, without a unit.
 void check_angle(const Node &tree, const std::string &path, Remarks &remarks) {
     const Node *node = find_path(tree, path);
     if (node && node->is_number() && std::abs(node->number) > 2 * std::numbers::pi + 1e-9)
-        remarks.add(fmt::format("{} = {:.6g} is in rad, more than a turn; with a unit, \"{:.6g} "
-                                "deg\", it is that angle",
-                                path, node->number, node->number));
+        remarks.add("{} = {} is in rad, more than a turn; with a unit, \"{} deg\", it is that "
+                    "angle",
+                    path, as::number(node->number), as::number(node->number));
 }
 
 void check_angles(const model::Rotor &rotor, const Node &tree, Remarks &remarks) {
@@ -181,12 +186,11 @@ void check_tables(const model::Case &scene, Remarks &remarks) {
             (low >= bearing.speeds.front() && high <= bearing.speeds.back()))
             continue;
         const std::size_t others = scene.rotor.supports().size();
-        remarks.add(fmt::format("[speeds] reach from {:.6g} to {:.6g} rad/s, the table of {}[{}] "
-                                "from {:.6g} to {:.6g} rad/s: "
-                                "outside of it the coefficients are those at its end",
-                                low, high, bearing.seal ? "seal" : "bearing",
-                                bearing.seal ? i - others : i, bearing.speeds.front(),
-                                bearing.speeds.back()));
+        remarks.add("[speeds] reach from {}, the table of {}[{}] from {}: outside of it the "
+                    "coefficients are those at its end",
+                    as::speed.range(low, high), bearing.seal ? "seal" : "bearing",
+                    bearing.seal ? i - others : i,
+                    as::speed.range(bearing.speeds.front(), bearing.speeds.back()));
     }
 }
 
@@ -200,10 +204,10 @@ void check_imbalances(const model::Rotor &rotor, Remarks &remarks) {
     for (std::size_t i = 0; mass > 0 && i < rotor.imbalances.size(); ++i) {
         const double mr = std::abs(rotor.imbalances[i].mr);
         if (mr > mass * largest_radius(rotor))
-            remarks.add(fmt::format("an imbalance of {:.6g} kg m moves the centre of mass of a "
-                                    "rotor of {:.6g} kg by {:.4g} m, out of the rotor; it is in "
-                                    "kg m unless it has a unit: \"50 g mm\"",
-                                    mr, mass, mr / mass));
+            remarks.add(
+                "an imbalance of {} moves the centre of mass of a rotor of {} by {}, out of "
+                "the rotor; it is in kg m unless it has a unit: \"50 g mm\"",
+                as::imbalance(mr), as::mass(mass), as::length(mr / mass, 4));
     }
 }
 
@@ -215,11 +219,11 @@ void check_inertias(const model::Rotor &rotor, Remarks &remarks) {
         const double inertia = std::max(disc.Id, disc.Ip);
         const double gyration = std::sqrt(inertia / disc.mass);
         if (disc.mass > 0 && gyration > rotor.shaft.length())
-            remarks.add(
-                fmt::format("disc[{}]: {:.6g} kg m2 of {:.6g} kg is a radius of gyration of "
-                            "{:.4g} m, more than the shaft is long ({:.4g} m); moments of "
-                            "inertia are in kg m2 unless they have a unit: \"70 kg cm2\"",
-                            i, inertia, disc.mass, gyration, rotor.shaft.length()));
+            remarks.add("disc[{}]: {} of {} is a radius of gyration of {}, more than the shaft is "
+                        "long ({}); moments of inertia are in kg m2 unless they have a unit: "
+                        "\"70 kg cm2\"",
+                        i, as::inertia(inertia), as::mass(disc.mass), as::length(gyration, 4),
+                        as::length(rotor.shaft.length(), 4));
     }
 }
 
@@ -243,18 +247,17 @@ void check_stiffness(const model::Case &scene, Remarks &remarks) {
     const double sag = mass * gravity / stiffness;
     if (stiffness > 0 && sag > rotor.shaft.length() &&
         top > far_faster * std::sqrt(stiffness / mass))
-        remarks.add(fmt::format("bearings of {:.6g} N/m together let a rotor of {:.6g} kg sink by "
-                                "{:.4g} m, more than its length; stiffnesses are in N/m unless "
-                                "they have a unit: \"100 N/um\"",
-                                stiffness, mass, sag));
+        remarks.add("bearings of {} together let a rotor of {} sink by {}, more than its length; "
+                    "stiffnesses are in N/m unless they have a unit: \"100 N/um\"",
+                    as::stiffness(stiffness), as::mass(mass), as::length(sag, 4));
 }
 
 template <class Items> void check_names(const char *what, const Items &items, Remarks &remarks) {
     std::set<std::string> seen;
     for (const auto &item : items)
         if (!item.name.empty() && !seen.insert(item.name).second)
-            remarks.add(fmt::format("{} \"{}\" stands more than once: results name them alike",
-                                    what, item.name));
+            remarks.add("{} \"{}\" stands more than once: results name them alike", what,
+                        item.name);
 }
 
 } // namespace

@@ -92,6 +92,7 @@ std::string meant_unit(std::string_view unit, Quantity quantity) {
 std::vector<std::string> usual_units(Quantity quantity) {
     switch (quantity) {
     case Quantity::length:
+    case Quantity::amplitude:
         return {"mm", "cm", "inch", "foot", "metre", "micron", "mil"};
     case Quantity::mass:
         return {"kg", "gram", "lb", "pound", "slug", "tonne"};
@@ -111,7 +112,8 @@ std::vector<std::string> usual_units(Quantity quantity) {
         return {"kg/m3", "g/cm3", "t/m3", "lb/in3", "slug/ft3"};
     case Quantity::angle:
         return {"deg", "rad", "rev", "degree", "radian"};
-    case Quantity::angular_speed:
+    case Quantity::speed:
+    case Quantity::frequency:
         return {"rpm", "rad/s", "Hz", "rev/min", "rev/s", "deg/s", "1/min"};
     case Quantity::time:
         return {"ms", "min", "second", "minute", "hour"};
@@ -119,13 +121,13 @@ std::vector<std::string> usual_units(Quantity quantity) {
         return {"kN", "lbf", "kgf", "dyn", "newton"};
     case Quantity::imbalance:
         return {"g mm", "kg mm", "kg m", "oz in", "g cm", "g in"};
-    case Quantity::torque:
+    case Quantity::moment:
         return {"N m", "kN m", "N mm", "lbf in", "lbf ft", "kgf m"};
     case Quantity::acceleration:
         return {"m/s2", "mm/s2", "in/s2", "ft/s2"};
     case Quantity::rate:
         return {"1/s", "1/min"};
-    case Quantity::dimensionless:
+    default:
         break;
     }
     return {};
@@ -329,11 +331,11 @@ std::string advice(std::optional<double> number, std::string_view unit, Quantity
     if (parts)
         if (const std::string says = two_meanings(*parts, quantity); !says.empty())
             return "; " + says;
-    if (quantity == Quantity::angular_speed && unit_factor(unit, Quantity::rate))
+    if (turns(quantity) && unit_factor(unit, Quantity::rate))
         return fmt::format("; \"{}\" does not say whether radians or turns are meant: write "
                            "\"rad/s\" or \"rev/s\"",
                            unit);
-    if (quantity == Quantity::rate && unit_factor(unit, Quantity::angular_speed))
+    if (quantity == Quantity::rate && unit_factor(unit, Quantity::speed))
         return "; a rate of growth or decay counts no turns: write \"1/s\"";
     if (const std::string found = meant_unit(unit, quantity); !found.empty())
         return number ? meant(*number, found) : fmt::format(", did you mean \"{}\"?", found);

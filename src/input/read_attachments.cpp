@@ -88,7 +88,7 @@ std::optional<double> read_grade(CheckedTable &table) {
         text.remove_prefix(1);
     std::optional<double> value = parse_number(trimmed(text));
     if (grade.node.is_number()) {
-        table.context().numeric.insert_or_assign(grade.path, Quantity::dimensionless);
+        table.context().numeric.insert_or_assign(grade.path, Quantity::number);
         value = grade.node.number;
     }
     if (value && *value > 0 && std::isfinite(*value))
@@ -104,8 +104,8 @@ double read_rule(CheckedTable &table, const model::Case &scene) {
     const bool graded = table.has("grade");
     const double mass = table.number_or("mass", model::mass_of_shaft_and_discs(scene.rotor),
                                         Quantity::mass, Range::positive());
-    const auto own = table.optional_number("speed", Quantity::angular_speed, Range::positive());
-    const double share = table.number_or("share", 1, Quantity::dimensionless, Range::positive());
+    const auto own = table.optional_number("speed", Quantity::speed, Range::positive());
+    const double share = table.number_or("share", 1, Quantity::number, Range::positive());
     const double fastest =
         scene.speeds ? std::max(std::abs(scene.speeds->from), std::abs(scene.speeds->to)) : 0;
     const double speed = own.value_or(scene.operation ? scene.operation->to : fastest);
@@ -117,13 +117,14 @@ double read_rule(CheckedTable &table, const model::Case &scene) {
         return 0;
     }
     constexpr double millimetre = 1e-3; // m
-    const double rpm = speed * model::rpm;
     const auto grade = graded ? read_grade(table) : std::nullopt;
-    const double mr =
-        share * (graded ? grade.value_or(0) * millimetre * mass / speed : 0.00635 * mass / rpm);
-    table.context().remarks.push_back(
-        fmt::format("{}: {:.6g} kg m, {} of {:.6g} kg at {:.6g} rpm", table.path(), mr,
-                    graded ? fmt::format("G {:.3g}", grade.value_or(0)) : "4W/N", mass, rpm));
+    const double mr = share * (graded ? grade.value_or(0) * millimetre * mass / speed
+                                      : 0.00635 * mass / (speed * model::rpm));
+    namespace as = model::as;
+    table.context().remarks.emplace_back("{}: {}, {} of {} at {}", table.path(), as::imbalance(mr),
+                                         graded ? fmt::format("G {:.3g}", grade.value_or(0))
+                                                : "4W/N",
+                                         as::mass(mass), as::speed(speed));
     return mr;
 }
 

@@ -47,7 +47,7 @@ void read_row(CheckedTable &table, model::BallRow &row) {
 /// Balls that do not pass each other must have room.
 void read_contact(CheckedTable &table, model::Balls &balls) {
     balls.contact = table.flag_or("contact", false);
-    balls.restitution = table.number_or("restitution", 0.9, Quantity::dimensionless, Range{0, 1});
+    balls.restitution = table.number_or("restitution", 0.9, Quantity::number, Range{0, 1});
     if (!balls.contact && table.has("restitution"))
         table.fail("restitution", "expected only with contact = true, got it alone");
     for (const model::BallRow &row : balls.rows) {

@@ -39,9 +39,9 @@ std::optional<std::size_t> support_of(const CheckedEntry &entry, const model::Ro
 
 void read_operation(CheckedTable &table, model::Case &scene) {
     model::Operation operation;
-    operation.from = table.number("from", Quantity::angular_speed, Range::not_negative());
-    operation.to = table.number("to", Quantity::angular_speed, Range::positive());
-    operation.trip = table.optional_number("trip", Quantity::angular_speed, Range::positive());
+    operation.from = table.number("from", Quantity::speed, Range::not_negative());
+    operation.to = table.number("to", Quantity::speed, Range::positive());
+    operation.trip = table.optional_number("trip", Quantity::speed, Range::positive());
     const auto written = [&table](const char *key, double value, double other) {
         return as_written(table.find(key), value, "rad/s", other);
     };

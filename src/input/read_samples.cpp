@@ -42,7 +42,7 @@ void read_normal(CheckedTable &table, const NumericEntries &entries, model::Unce
     else
         input.mean = table.number("mean", quantity);
     input.deviation =
-        table.number("deviation", relative ? Quantity::dimensionless : quantity, Range::positive());
+        table.number("deviation", relative ? Quantity::number : quantity, Range::positive());
     if (!relative)
         return;
     input.deviation *= std::abs(input.mean);
@@ -88,7 +88,7 @@ model::UncertainInput read_input(CheckedTable &table, std::set<std::string> &var
     if (!twice.empty())
         table.fail("path", "expected each entry once, got " + in_quotes(twice) + " twice");
     input.path = *path;
-    input.quantity = in_results(entries->quantity);
+    input.quantity = entries->quantity;
     input.distribution = static_cast<model::Distribution>(kind);
     if (input.distribution == model::Distribution::normal)
         read_normal(table, *entries, input);
@@ -132,8 +132,7 @@ void read_wanted(CheckedTable &table, model::SamplesSettings &samples) {
 void read_quantiles(CheckedTable &table, model::SamplesSettings &samples) {
     if (!table.has("quantiles"))
         return;
-    std::vector<double> shares =
-        table.numbers("quantiles", Quantity::dimensionless, Range::inside(0, 1));
+    std::vector<double> shares = table.numbers("quantiles", Quantity::number, Range::inside(0, 1));
     const Node *list = table.find("quantiles");
     if (list->is_list() && list->items.empty())
         table.fail("quantiles", "expected at least one number in (0, 1), got none");

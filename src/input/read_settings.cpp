@@ -24,14 +24,14 @@ model::MapAxis read_axis(CheckedTable &map, const std::string &key) {
         table->fail("path", "missing, expected \"speed\" or a numeric entry of the case");
     std::optional<Quantity> quantity;
     if (path && *path == "speed")
-        quantity = Quantity::angular_speed;
+        quantity = Quantity::speed;
     else if (path)
         if (const auto entries = numeric_entries(*table, *path, "speed"))
             quantity = entries->quantity;
     if (!quantity)
         return axis;
     axis.path = *path;
-    axis.quantity = in_results(*quantity);
+    axis.quantity = *quantity;
     axis.from = table->number("from", *quantity);
     axis.to = table->number("to", *quantity);
     if (axis.to <= axis.from)
@@ -41,28 +41,27 @@ model::MapAxis read_axis(CheckedTable &map, const std::string &key) {
     return axis;
 }
 
-/// What of results may be written in other units: a key of [units], and the units of each preset.
+/// What of results may be written in other units, and its units in each preset.
 struct Written {
-    const char *key;
     Quantity quantity;
     std::array<const char *, 3> units;
 };
 const std::vector<std::string> presets{"none", "si", "mm-rpm", "us"}; ///< "none" has no units
 constexpr std::array written{
-    Written{"length", Quantity::length, {"m", "mm", "in"}},
-    Written{"amplitude", Quantity::length, {"m", "um", "mil"}},
-    Written{"speed", Quantity::angular_speed, {"rad/s", "rpm", "rpm"}},
-    Written{"frequency", Quantity::angular_speed, {"rad/s", "Hz", "Hz"}},
-    Written{"force", Quantity::force, {"N", "N", "lbf"}},
-    Written{"stiffness", Quantity::stiffness, {"N/m", "N/mm", "lbf/in"}},
-    Written{"damping", Quantity::damping, {"N s/m", "N s/mm", "lbf s/in"}},
-    Written{"mass", Quantity::mass, {"kg", "kg", "lb"}},
-    Written{"inertia", Quantity::inertia, {"kg m2", "kg mm2", "lb in2"}},
-    Written{"imbalance", Quantity::imbalance, {"kg m", "g mm", "oz in"}},
+    Written{Quantity::length, {"m", "mm", "in"}},
+    Written{Quantity::amplitude, {"m", "um", "mil"}},
+    Written{Quantity::speed, {"rad/s", "rpm", "rpm"}},
+    Written{Quantity::frequency, {"rad/s", "Hz", "Hz"}},
+    Written{Quantity::force, {"N", "N", "lbf"}},
+    Written{Quantity::stiffness, {"N/m", "N/mm", "lbf/in"}},
+    Written{Quantity::damping, {"N s/m", "N s/mm", "lbf s/in"}},
+    Written{Quantity::mass, {"kg", "kg", "lb"}},
+    Written{Quantity::inertia, {"kg m2", "kg mm2", "lb in2"}},
+    Written{Quantity::imbalance, {"kg m", "g mm", "oz in"}},
 };
 
-void read_written(CheckedTable &table, const char *key, Quantity quantity,
-                  model::OutputUnits &units) {
+void read_written(CheckedTable &table, Quantity quantity, model::OutputUnits &units) {
+    const char *key = model::names_of(quantity).key;
     const Node *node = table.find(key);
     if (!node)
         return;
@@ -120,8 +119,8 @@ std::optional<NumericEntries> numeric_entries(CheckedTable &table, const std::st
 
 void read_speeds(CheckedTable &table, model::Case &scene) {
     model::SpeedRange speeds;
-    speeds.from = table.number_or("from", 0, Quantity::angular_speed);
-    const auto to = table.optional_number("to", Quantity::angular_speed);
+    speeds.from = table.number_or("from", 0, Quantity::speed);
+    const auto to = table.optional_number("to", Quantity::speed);
     speeds.to = to.value_or(speeds.from);
     speeds.count = table.whole_or("count", to ? 101 : 1, 1, largest_count);
     if (speeds.to < speeds.from || (to && speeds.count > 1 && speeds.to == speeds.from))
@@ -138,18 +137,17 @@ void read_speeds(CheckedTable &table, model::Case &scene) {
 void read_campbell(CheckedTable &table, model::Case &scene) {
     scene.campbell.modes = table.whole_or("modes", scene.campbell.modes, 1, 1000);
     if (table.has("multiples"))
-        scene.campbell.multiples =
-            table.numbers("multiples", Quantity::dimensionless, Range::positive());
+        scene.campbell.multiples = table.numbers("multiples", Quantity::number, Range::positive());
 }
 
 void read_modes(CheckedTable &table, model::Case &scene) {
-    scene.modes.speed = table.optional_number("speed", Quantity::angular_speed);
+    scene.modes.speed = table.optional_number("speed", Quantity::speed);
 }
 
 void read_response(CheckedTable &table, model::Case &scene) {
     scene.response.gravity = table.number_or("gravity", 0, Quantity::acceleration);
-    scene.response.orbits_at = table.numbers("orbits_at", Quantity::angular_speed);
-    scene.response.shape_at = table.numbers("shape_at", Quantity::angular_speed);
+    scene.response.orbits_at = table.numbers("orbits_at", Quantity::speed);
+    scene.response.shape_at = table.numbers("shape_at", Quantity::speed);
 }
 
 void read_balance(CheckedTable &table, model::Case &scene) {
@@ -165,7 +163,7 @@ void read_balance(CheckedTable &table, model::Case &scene) {
               });
     if (table.has("external_damping"))
         scene.balance.external_damping =
-            table.numbers("external_damping", Quantity::dimensionless, Range::not_negative());
+            table.numbers("external_damping", Quantity::number, Range::not_negative());
     const bool pendulums = !balancers::pendulums_in(scene.rotor).empty();
     for (const char *key : {"designs", "external_damping"})
         if (table.has(key) && !pendulums)
@@ -183,12 +181,13 @@ void read_map(CheckedTable &table, model::Case &scene) {
 
 void read_units(CheckedTable &table, model::Case &scene) {
     const std::size_t chosen = table.choice("preset", presets, 0);
-    for (const auto &[key, quantity, units] : written) {
+    for (const auto &[quantity, units] : written) {
         if (chosen > 0) {
             const char *unit = units.at(chosen - 1);
-            scene.units.of[key] = {unit, unit_factor(unit, quantity).value()};
+            scene.units.of[model::names_of(quantity).key] = {unit,
+                                                             unit_factor(unit, quantity).value()};
         }
-        read_written(table, key, quantity, scene.units);
+        read_written(table, quantity, scene.units);
     }
     scene.units.peak_to_peak = table.flag_or("peak_to_peak", false);
     scene.units.json = table.flag_or("json", false);

@@ -29,7 +29,7 @@ model::Material read_material(CheckedTable table, const std::string &name) {
     material.name = name;
     material.E = table.number("E", Quantity::pressure, Range::positive());
     material.rho = table.number("rho", Quantity::density, Range::positive());
-    const auto nu = table.optional_number("nu", Quantity::dimensionless, {0, 0.5, false, true});
+    const auto nu = table.optional_number("nu", Quantity::number, {0, 0.5, false, true});
     const auto shear = table.optional_number("G", Quantity::pressure, Range::positive());
     if (!table.has("nu") && !table.has("G"))
         table.fail("G", "missing, expected a pressure in Pa greater than 0, or nu");
@@ -127,12 +127,10 @@ model::Segment read_segment(Table &table, const Materials &materials, int elemen
     segment.inner_end =
         table.number_or("inner_end", segment.inner_start, Quantity::length, Range::not_negative());
     segment.elements = table.whole_or("elements", elements, 1, largest_count);
-    segment.asymmetry =
-        table.number_or("asymmetry", 0, Quantity::dimensionless, Range::inside(-1, 1));
+    segment.asymmetry = table.number_or("asymmetry", 0, Quantity::number, Range::inside(-1, 1));
     segment.asymmetry_angle = table.number_or("asymmetry_angle", 0, Quantity::angle);
     segment.material = pick_material(table, materials);
-    segment.shear_coefficient =
-        table.number_or("shear", 0, Quantity::dimensionless, Range::positive());
+    segment.shear_coefficient = table.number_or("shear", 0, Quantity::number, Range::positive());
     const auto inner = table.optional_number("mass_inner", Quantity::length, Range::not_negative());
     const bool cylinder = segment.outer_start == segment.outer_end; // a cone has no one diameter
     segment.mass_inner = inner.value_or(0);
@@ -143,12 +141,12 @@ model::Segment read_segment(Table &table, const Materials &materials, int elemen
 }
 
 const std::vector<CsvRule> station_columns{
-    {"length", Quantity::length},          {"outer", Quantity::length},
-    {"inner", Quantity::length},           {"outer_end", Quantity::length},
-    {"inner_end", Quantity::length},       {"material", {}},
-    {"elements", Quantity::dimensionless}, {"asymmetry", Quantity::dimensionless},
-    {"asymmetry_angle", Quantity::angle},  {"shear", Quantity::dimensionless},
-    {"mass_outer", Quantity::length},      {"mass_inner", Quantity::length}};
+    {"length", Quantity::length},         {"outer", Quantity::length},
+    {"inner", Quantity::length},          {"outer_end", Quantity::length},
+    {"inner_end", Quantity::length},      {"material", {}},
+    {"elements", Quantity::number},       {"asymmetry", Quantity::number},
+    {"asymmetry_angle", Quantity::angle}, {"shear", Quantity::number},
+    {"mass_outer", Quantity::length},     {"mass_inner", Quantity::length}};
 
 std::vector<model::Segment> read_stations(const std::string &path, const Materials &materials,
                                           int elements, ReadContext &context) {
@@ -175,7 +173,7 @@ void read_shear(CheckedTable &table, model::Shaft &shaft) {
         shaft.shear = model::ShearFormula::hutchinson;
     } else if (entry->is_number()) {
         shaft.shear = model::ShearFormula::given;
-        shaft.shear_coefficient = table.number("shear", Quantity::dimensionless, Range::positive());
+        shaft.shear_coefficient = table.number("shear", Quantity::number, Range::positive());
     } else {
         table.fail("shear", "expected \"cowper\", \"hutchinson\" or a shear coefficient greater "
                             "than 0, got " +
@@ -221,18 +219,17 @@ model::Shaft read_shaft(CheckedTable &root, const Materials &materials) {
     table->text("name");
     read_order(*table, shaft);
     read_shear(*table, shaft);
-    shaft.tolerance = table->number_or("tolerance", shaft.tolerance, Quantity::dimensionless,
-                                       Range::inside(0, 1));
+    shaft.tolerance =
+        table->number_or("tolerance", shaft.tolerance, Quantity::number, Range::inside(0, 1));
     shaft.rigid = table->flag_or("rigid", false);
     shaft.rotary_inertia = table->flag_or("rotary_inertia", true);
     shaft.internal_damping =
         table->number_or("internal_damping", 0, Quantity::time, Range::not_negative());
     shaft.alpha = table->number_or("alpha", 0, Quantity::rate, Range::not_negative());
     shaft.beta = table->number_or("beta", 0, Quantity::time, Range::not_negative());
-    shaft.modal_damping =
-        table->numbers("modal_damping", Quantity::dimensionless, {0, 1, false, true});
+    shaft.modal_damping = table->numbers("modal_damping", Quantity::number, {0, 1, false, true});
     shaft.axial_force = table->number_or("axial_force", 0, Quantity::force);
-    shaft.axial_torque = table->number_or("axial_torque", 0, Quantity::torque);
+    shaft.axial_torque = table->number_or("axial_torque", 0, Quantity::moment);
     shaft.torque_kind = static_cast<model::TorqueKind>(
         table->choice("torque_kind", {"axial", "semitangential", "tangential"}, 0));
     const int elements = table->whole_or("elements", 1, 1, largest_count);

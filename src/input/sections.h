@@ -58,7 +58,7 @@ void read_outside(CheckedTable &simulate, model::Case &scene);
 /// Numbers of a case that a path speaks of in the words of --set: one, or those of several items.
 struct NumericEntries {
     std::vector<std::string> paths; ///< with the index of every item
-    Quantity quantity = Quantity::dimensionless;
+    Quantity quantity = Quantity::number;
 };
 
 /// What the entry `path` of a table of [map] or [samples] names: all that --set can set to a

@@ -9,10 +9,6 @@
 namespace whirl::input {
 namespace {
 
-struct Replacement {
-    std::string_view from, to;
-};
-
 /// In place of ASCII. Superscripts become exponents one by one: a unit has none of two digits.
 constexpr std::array plain_signs{
     Replacement{"\u00a0", " "},    Replacement{"\u2007", " "},    Replacement{"\u2009", " "},
@@ -403,9 +399,9 @@ std::string text_of(const std::vector<UnitPart> &parts) {
 }
 
 std::string for_udunits(const std::vector<UnitPart> &parts, bool pounds_force) {
-    const bool turns = turns_a_minute(parts);
+    const bool rpm = turns_a_minute(parts);
     return joined(parts, [&](const UnitPart &part) {
-        if (turns && (part.text == "r" || part.text == "R"))
+        if (rpm && (part.text == "r" || part.text == "R"))
             return std::string("turn");
         const auto known = std::ranges::find(words, part.text, &Replacement::from);
         std::string word(known == words.end() ? part.text : known->to);
@@ -419,7 +415,7 @@ std::string for_udunits(const std::vector<UnitPart> &parts, bool pounds_force) {
 }
 
 std::string two_meanings(const std::vector<UnitPart> &parts, Quantity quantity) {
-    if (quantity == Quantity::angular_speed && turns_a_minute(parts))
+    if (turns(quantity) && turns_a_minute(parts))
         return "";
     for (const UnitPart &part : parts)
         if (const auto found = std::ranges::find(ambiguous, part.text, &Ambiguous::word);
@@ -428,9 +424,10 @@ std::string two_meanings(const std::vector<UnitPart> &parts, Quantity quantity) 
     return "";
 }
 
-std::string with_plain_signs(std::string_view text) {
+std::string replaced_signs(std::string_view text, std::span<const Replacement> table) {
     const auto in_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
     std::string out;
+    out.reserve(text.size());
     while (true) {
         const auto other = std::find_if_not(text.begin(), text.end(), in_ascii);
         out.append(text.begin(), other);
@@ -438,10 +435,12 @@ std::string with_plain_signs(std::string_view text) {
         if (text.empty())
             return out;
         const auto sign = std::ranges::find_if(
-            plain_signs, [&](const Replacement &at) { return text.starts_with(at.from); });
-        out += sign == plain_signs.end() ? text.substr(0, 1) : sign->to;
-        text.remove_prefix(sign == plain_signs.end() ? 1 : sign->from.size());
+            table, [&](const Replacement &at) { return text.starts_with(at.from); });
+        out += sign == table.end() ? text.substr(0, 1) : sign->to;
+        text.remove_prefix(sign == table.end() ? 1 : sign->from.size());
     }
 }
+
+std::string with_plain_signs(std::string_view text) { return replaced_signs(text, plain_signs); }
 
 } // namespace whirl::input

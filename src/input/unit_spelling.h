@@ -3,6 +3,7 @@
 #include "input/units.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,13 @@ struct UnitPart {
 /// Why a word is not taken, though UDUNITS-2 may know it: it has two meanings in workshops, as
 /// "gr", or another one than most who write it mean, as "Mm". Empty: it is.
 [[nodiscard]] std::string two_meanings(const std::vector<UnitPart> &parts, Quantity quantity);
+
+/// A sign, and what stands for it in ASCII.
+struct Replacement {
+    std::string_view from, to;
+};
+/// The text with each sign beyond ASCII that the table has replaced, from its beginning on.
+[[nodiscard]] std::string replaced_signs(std::string_view text, std::span<const Replacement> table);
 
 /// Signs that typesetting and spreadsheets put in place of ASCII: blanks of all widths, products,
 /// minus signs, superscripts, micro, units in one character ("㎜").

@@ -23,36 +23,42 @@ enum class AngleRule { never, allowed, required };
 
 struct QuantityInfo {
     const char *name;
-    const char *unit;
     AngleRule angle = AngleRule::never;
 };
 
 /// In the order of the enumeration.
-constexpr std::array quantities{
-    QuantityInfo{"a number", "1"},
-    QuantityInfo{"a length", "m"},
-    QuantityInfo{"a mass", "kg"},
-    QuantityInfo{"an inertia", "kg m2"},
-    QuantityInfo{"a stiffness", "N/m"},
-    QuantityInfo{"a damping", "N s/m"},
-    QuantityInfo{"a tilt stiffness", "N m/rad", AngleRule::allowed},
-    QuantityInfo{"a tilt damping", "N m s/rad", AngleRule::allowed},
-    QuantityInfo{"a pressure", "Pa"},
-    QuantityInfo{"a density", "kg/m3"},
-    QuantityInfo{"an angle", "rad", AngleRule::required},
-    QuantityInfo{"an angular speed", "rad/s", AngleRule::required},
-    QuantityInfo{"a time", "s"},
-    QuantityInfo{"a force", "N"},
-    QuantityInfo{"an imbalance", "kg m"},
-    QuantityInfo{"a torque", "N m"},
-    QuantityInfo{"an acceleration", "m/s2"},
-    QuantityInfo{"a rate", "1/s"},
+constexpr std::array infos{
+    QuantityInfo{"a number"},
+    QuantityInfo{"an angular speed", AngleRule::required},
+    QuantityInfo{"a frequency", AngleRule::required},
+    QuantityInfo{"a rate"},
+    QuantityInfo{"a length"},
+    QuantityInfo{"an amplitude"},
+    QuantityInfo{"a deflection"},
+    QuantityInfo{"a force"},
+    QuantityInfo{"a stiffness"},
+    QuantityInfo{"a damping"},
+    QuantityInfo{"a mass"},
+    QuantityInfo{"an inertia"},
+    QuantityInfo{"an imbalance"},
+    QuantityInfo{"a torque"},
+    QuantityInfo{"a coupling stiffness", AngleRule::allowed},
+    QuantityInfo{"a tilt stiffness", AngleRule::allowed},
+    QuantityInfo{"a tilt damping", AngleRule::allowed},
+    QuantityInfo{"an angular momentum", AngleRule::allowed},
+    QuantityInfo{"an energy"},
+    QuantityInfo{"a power"},
+    QuantityInfo{"a time"},
+    QuantityInfo{"an angle", AngleRule::required},
+    QuantityInfo{"a slope", AngleRule::allowed},
+    QuantityInfo{"an acceleration"},
+    QuantityInfo{"a pressure"},
+    QuantityInfo{"a density"},
+    QuantityInfo{"an inverse mass"},
 };
-static_assert(quantities.size() == static_cast<std::size_t>(Quantity::rate) + 1);
+static_assert(infos.size() == model::quantities);
 
-const QuantityInfo &info(Quantity quantity) {
-    return quantities.at(static_cast<std::size_t>(quantity));
-}
+const QuantityInfo &info(Quantity quantity) { return infos.at(static_cast<std::size_t>(quantity)); }
 
 /// Owns what a function of the library releases.
 template <auto release> struct Release {
@@ -106,54 +112,8 @@ bool contains_angle(const ut_unit *unit) {
 } // namespace
 
 std::string describe(Quantity quantity) {
-    const std::string unit = unit_of(quantity);
+    const std::string unit = model::names_of(quantity).si;
     return info(quantity).name + (unit.empty() ? "" : " in " + unit);
-}
-
-model::Quantity in_results(Quantity quantity) {
-    switch (quantity) {
-    case Quantity::dimensionless:
-        return model::Quantity::number;
-    case Quantity::length:
-        return model::Quantity::length;
-    case Quantity::mass:
-        return model::Quantity::mass;
-    case Quantity::inertia:
-        return model::Quantity::inertia;
-    case Quantity::stiffness:
-        return model::Quantity::stiffness;
-    case Quantity::damping:
-        return model::Quantity::damping;
-    case Quantity::tilt_stiffness:
-        return model::Quantity::tilt_stiffness;
-    case Quantity::tilt_damping:
-        return model::Quantity::tilt_damping;
-    case Quantity::pressure:
-        return model::Quantity::pressure;
-    case Quantity::density:
-        return model::Quantity::density;
-    case Quantity::angle:
-        return model::Quantity::angle;
-    case Quantity::angular_speed:
-        return model::Quantity::speed;
-    case Quantity::time:
-        return model::Quantity::time;
-    case Quantity::force:
-        return model::Quantity::force;
-    case Quantity::imbalance:
-        return model::Quantity::imbalance;
-    case Quantity::torque:
-        return model::Quantity::moment;
-    case Quantity::acceleration:
-        return model::Quantity::acceleration;
-    case Quantity::rate:
-        return model::Quantity::rate;
-    }
-    return model::Quantity::number;
-}
-
-std::string unit_of(Quantity quantity) {
-    return quantity == Quantity::dimensionless ? "" : info(quantity).unit;
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -185,8 +145,8 @@ struct CommonUnit {
     double factor;
 };
 constexpr std::array common_units{
-    CommonUnit{"rpm", Quantity::angular_speed, std::numbers::pi / 30},
-    CommonUnit{"rad/s", Quantity::angular_speed, 1},
+    CommonUnit{"rpm", Quantity::speed, std::numbers::pi / 30},
+    CommonUnit{"rad/s", Quantity::speed, 1},
     CommonUnit{"deg", Quantity::angle, std::numbers::pi / 180},
     CommonUnit{"m", Quantity::length, 1},
     CommonUnit{"cm", Quantity::length, 0.01},
@@ -208,20 +168,20 @@ std::optional<double> unit_factor(std::string_view text, Quantity quantity) {
     if (!parts || !two_meanings(*parts, quantity).empty())
         return std::nullopt;
     std::string spelled = for_udunits(*parts, false);
-    if (quantity == Quantity::angular_speed && (spelled == "1/min" || spelled == "min^-1"))
+    if (turns(quantity) && (spelled == "1/min" || spelled == "min^-1"))
         spelled = "rpm"; // what data sheets of machines mean by it
     if (quantity == Quantity::acceleration && (name == "g" || name == "G" || name == "g0"))
         spelled = "standard_free_fall"; // no gram is meant
-    const QuantityInfo &entry = info(quantity);
-    const Unit wanted = parse_unit(unit_system(), entry.unit);
+    const AngleRule rule = info(quantity).angle;
+    const std::string_view si = model::names_of(quantity).si;
+    const Unit wanted = parse_unit(unit_system(), si.empty() ? "1" : si);
     Unit unit = parse_unit(unit_system(), spelled);
     if (wanted && !(unit && ut_are_convertible(unit.get(), wanted.get())))
         unit = parse_unit(unit_system(), for_udunits(*parts, true));
     if (!unit || !wanted || !ut_are_convertible(unit.get(), wanted.get()))
         return std::nullopt;
     const bool angle = contains_angle(unit.get());
-    if ((angle && entry.angle == AngleRule::never) ||
-        (!angle && entry.angle == AngleRule::required))
+    if ((angle && rule == AngleRule::never) || (!angle && rule == AngleRule::required))
         return std::nullopt;
     const Converter converter(ut_get_converter(unit.get(), wanted.get()));
     if (!converter || cv_convert_double(converter.get(), 0.0) != 0.0)

@@ -8,36 +8,15 @@
 
 namespace whirl::input {
 
-/// What a number of a case means. Inside the program every quantity is in its SI unit.
-enum class Quantity {
-    dimensionless,
-    length,         ///< m
-    mass,           ///< kg
-    inertia,        ///< kg m2
-    stiffness,      ///< N/m
-    damping,        ///< N s/m
-    tilt_stiffness, ///< N m/rad
-    tilt_damping,   ///< N m s/rad
-    pressure,       ///< Pa
-    density,        ///< kg/m3
-    angle,          ///< rad
-    angular_speed,  ///< rad/s
-    time,           ///< s
-    force,          ///< N
-    imbalance,      ///< kg m, mass times radius
-    torque,         ///< N m
-    acceleration,   ///< m/s2
-    rate            ///< 1/s
-};
+using model::Quantity;
 
 /// The quantity with its article and SI unit, for messages: "a stiffness in N/m".
 [[nodiscard]] std::string describe(Quantity quantity);
 
-/// What such a number is in results.
-[[nodiscard]] model::Quantity in_results(Quantity quantity);
-
-/// Its SI unit alone, "N/m"; nothing for a pure number.
-[[nodiscard]] std::string unit_of(Quantity quantity);
+/// Whether it counts turns as radians: spins and whirls.
+[[nodiscard]] inline bool turns(Quantity quantity) {
+    return quantity == Quantity::speed || quantity == Quantity::frequency;
+}
 
 /// Multiplier that turns a value in `unit` ("mm", "lbf/in", "rpm") into the SI unit.
 ///

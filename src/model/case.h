@@ -6,6 +6,7 @@
 #include "model/quantity.h"
 #include "model/rotor.h"
 #include "model/samples.h"
+#include "model/sentence.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -131,8 +132,8 @@ struct Case {
     BalanceSettings balance;
     std::optional<MapSettings> map;
     std::optional<SamplesSettings> samples;
-    OutputUnits units;                ///< of what is written
-    std::vector<std::string> remarks; ///< what of it is no mistake and looks like one
+    OutputUnits units;             ///< of what is written
+    std::vector<Sentence> remarks; ///< what of it is no mistake and looks like one
 };
 
 /// The spin speeds of a case.

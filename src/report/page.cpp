@@ -40,7 +40,7 @@ std::string form_formula(results::Form form) {
 }
 
 /// "planar form, in the fixed frame: why", the equations and the mesh.
-std::string formulation(const results::ModelSummary &model) {
+std::string formulation(const results::ModelSummary &model, const Units &readers) {
     const results::Form form = model.formulation.form;
     const std::string axes =
         results::in_rotating_axes(form) ? "axes that turn with the rotor" : "the fixed frame";
@@ -48,10 +48,11 @@ std::string formulation(const results::ModelSummary &model) {
            element("p", fmt::format("{} form, in {}: {}.", results::form_name(form), axes,
                                     model.formulation.why)) +
            "<div class=\"formula\">" + form_formula(form) + "</div>\n" +
-           element("p", fmt::format("Shaft elements of order {}{}, {} of them, {} unknowns; "
-                                    "computed in {} s.",
-                                    model.order, model.order == 1 ? " (classical)" : "",
-                                    model.elements, model.unknowns, readable(model.seconds, 3)));
+           element("p",
+                   fmt::format("Shaft elements of order {}{}, {} of them, {} unknowns; "
+                               "computed in {}.",
+                               model.order, model.order == 1 ? " (classical)" : "", model.elements,
+                               model.unknowns, readers.text(Quantity::time, model.seconds, 3)));
 }
 
 std::string escaped_attribute(const std::string &text) {
@@ -131,7 +132,7 @@ std::string to_html(const Report &report, const std::string &still, const std::s
          {"page_script", embedded("page.js")},
          {"plot", plot},
          {"sections", sections_of(report, pictures)},
-         {"model", formulation(*report.model)},
+         {"model", formulation(*report.model, readers)},
          {"date", report.provenance.date},
          {"case_text", escaped_lines(report.provenance.case_text)},
          {"json", json_for_script(to_page_json(report))},

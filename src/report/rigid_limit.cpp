@@ -36,7 +36,10 @@ std::optional<double> last_difference(const RigidLimitRow &row) {
 }
 
 std::string label(const RigidLimitRow &row, const Units &units) {
-    return units.label(row.quantity, row.of);
+    return units.label(units.text(row.quantity), row.of);
+}
+std::string quantity_name(const RigidLimitRow &row, const Units &units) {
+    return units.text(row.quantity);
 }
 std::string unit_name_of(const RigidLimitRow &row, const Units &units) {
     return units.name(row.of);
@@ -46,7 +49,7 @@ std::string unit_name_of(const RigidLimitRow &row, const Units &units) {
 const Columns<RigidLimitRow> stiffness_columns{
     {OnPage("Quantity"), label},
     {InText("quantity"), label},
-    {"quantity", &RigidLimitRow::quantity},
+    {"quantity", quantity_name},
     {"unit", unit_name_of},
     {"closed_form", OnPage("closed form", "{:.10g}"), InText("closed form", precise), of_row,
      &RigidLimitRow::closed_form},
@@ -69,7 +72,7 @@ const Columns<RigidLimitRow> stiffness_columns{
 const Columns<RigidLimitRow> mesh_columns{
     {OnPage("Quantity"), label},
     {InText("quantity"), label},
-    {"quantity", &RigidLimitRow::quantity},
+    {"quantity", quantity_name},
     {"unit", unit_name_of},
     {OnPage("elements of"),
      [](const RigidLimitRow &row) {
@@ -115,7 +118,8 @@ struct Point {
 const OfEach of_point{[](const Point &at) { return at.row.of; }};
 
 const Columns<Point> point_columns{
-    {InCsv("quantity"), [](const Point &at) { return at.row.quantity; }},
+    {InCsv("quantity"),
+     [](const Point &at, const Units &units) { return quantity_name(at.row, units); }},
     {InCsv("unit"), [](const Point &at, const Units &units) { return units.name(at.row.of); }},
     {InCsv("order"), [](const Point &at) { return at.row.order; }},
     {InCsv("elements"), &Point::elements},
@@ -146,7 +150,7 @@ Json shaft_json(const std::optional<results::RigidShaft> &shaft, const Units &un
             {"stiffness", written(units, Quantity::stiffness, shaft->stiffness)},
             {"over_bearings", shaft->over_bearings},
             {"relative_difference", shaft->largest},
-            {"quantity", shaft->quantity}};
+            {"quantity", units.text(shaft->quantity)}};
 }
 
 Json json_of(const RigidLimitResult &result, const Units &units) {
@@ -175,7 +179,7 @@ std::string sweep_table(const RigidLimitResult &result, const Units &units) {
     for (const RigidLimitRow &row : result.rows) {
         if (of_mesh(row))
             continue;
-        table[0].push_back(row.quantity);
+        table[0].push_back(quantity_name(row, units));
         table.resize(1 + row.fe.size());
         for (std::size_t k = 0; k < row.fe.size(); ++k) {
             if (table[1 + k].empty())

@@ -292,9 +292,10 @@ std::string quality_text(const SimulateResult &result, const Units &units) {
                        "by it {:.1e} in response, {:.1e} in whirl speeds\n",
                        result.shapes, modes, result.model.order, result.model.elements,
                        result.response_error, result.frequency_error) +
-           fmt::format("       {}, {} steps, {:.3g} s; energy missing {} of {}, angular momentum "
+           fmt::format("       {}, {} steps, {}; energy missing {} of {}, angular momentum "
                        "{} of {}\n",
-                       result.integrator, result.steps, result.model.seconds,
+                       result.integrator, result.steps,
+                       units.text(Quantity::time, result.model.seconds, 3),
                        units.text(Quantity::energy, audit.energy_error, 2),
                        units.text(Quantity::energy, audit.energy_scale, 3),
                        units.text(Quantity::angular_momentum, audit.momentum_error, 2),

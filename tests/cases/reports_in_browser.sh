@@ -71,6 +71,10 @@ look gravity response "$cases/keyway_gravity" --set speeds.count=11
 look balance balance "$cases/pendulum_planar" --set speeds.count=11 --set balance.balanced_position=false
 look rigid-limit rigid-limit "$cases/rigid_limit"
 look simulate simulate "$jeffcott" --set speeds.count=1 --set simulate.time=13
+look balls simulate "$cases/rodrigues_two_plane" --set simulate.time=0.5
+ask balls "amplitudes at the balancers stand above the angles of the balls" '
+    const layout = document.getElementById("plot").layout;
+    document.body.setAttribute("data-found", layout.yaxis.domain[0] >= layout.yaxis2.domain[1]);'
 look samples samples "$cases/uncertain_jeffcott" --set samples.count=12
 look modes modes "$cases/friswell_5_9_2"
 ask modes "a zoom of one mode's diagram is one of all" '

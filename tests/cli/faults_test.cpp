@@ -3,6 +3,7 @@
 // same case.
 
 #include "cases/program_run.h"
+#include "support/own_folder.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -56,22 +57,8 @@ std::map<std::string, std::string> contents(const fs::path &folder) {
 }
 
 /// Runs the program by a shell, in an empty folder of its own.
-class Faults : public testing::Test {
+class Faults : public whirl::tests::InOwnFolder {
   protected:
-    fs::path folder =
-        fs::temp_directory_path() / ("whirl_faults_" + std::to_string(getpid()) + "_" +
-                                     testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::path before = fs::current_path();
-
-    void SetUp() override {
-        fs::remove_all(folder);
-        fs::create_directories(folder / "here");
-        fs::current_path(folder / "here");
-    }
-    void TearDown() override {
-        fs::current_path(before);
-        fs::remove_all(folder);
-    }
     /// @param command  of the shell; $WHIRL is the program. What hangs ends with status 124.
     [[nodiscard]] ProgramRun shell(const std::string &command) const {
         return whirl::tests::run_program(

@@ -1,6 +1,7 @@
 // The program from outside: exit status, what goes to which stream, which files appear.
 
 #include "cases/program_run.h"
+#include "support/own_folder.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -21,23 +22,8 @@ using whirl::tests::ProgramRun;
 const std::string rotor = std::string(WHIRL_ROOT) + "/cases/friswell_5_9_1";
 
 /// Runs the program inside an empty folder of its own.
-class Program : public testing::Test {
+class Program : public whirl::tests::InOwnFolder {
   protected:
-    fs::path folder =
-        fs::temp_directory_path() / ("whirl_cli_" + std::to_string(getpid()) + "_" +
-                                     testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::path before = fs::current_path();
-
-    void SetUp() override {
-        fs::remove_all(folder);
-        fs::create_directories(folder / "here");
-        fs::current_path(folder / "here");
-    }
-    void TearDown() override {
-        fs::current_path(before);
-        fs::permissions(folder / "here", fs::perms::owner_all);
-        fs::remove_all(folder);
-    }
     [[nodiscard]] ProgramRun run(const std::vector<std::string> &arguments) const {
         return whirl::tests::run_program(WHIRL_PROGRAM, arguments, (folder / "errors").string());
     }
@@ -262,7 +248,7 @@ TEST_F(Program, RigidLimitAnswersOrSaysWhyNot) {
     // What looks like a slip in the case is said with the failure.
     const ProgramRun light = run({"rigid-limit", anisotropic, "--set", "material.steel.rho=7.81"});
     EXPECT_EQ(light.status, 1);
-    EXPECT_TRUE(contains(light.errors, "\nnote: a density of 7.81 kg/m3")) << light.errors;
+    EXPECT_TRUE(contains(light.errors, "\nnote: a density of 7.81 kg/m³")) << light.errors;
     EXPECT_EQ(lines(light.errors), 2) << light.errors;
     EXPECT_FALSE(fs::exists("out/friswell_5_9_2"));
 }
@@ -418,6 +404,34 @@ TEST_F(Program, SamplesOfNoRotorAreStatusOneOnEveryNumberOfProcesses) {
         EXPECT_EQ(run_on("2", arguments).status, 1);
     }
     EXPECT_TRUE(nothing_written());
+}
+
+// What is converted into what is compared by tests/cases/units_of_results_test.cpp.
+TEST_F(Program, UnitsAreThoseOfTextAndFilesAndOfJsonWhereThatIsAskedFor) {
+    const std::string scene = std::string(WHIRL_ROOT) + "/cases/lalanne_three_discs";
+    const auto json_with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"response", scene, "--json", "--set", "speeds.count=3"});
+        const ProgramRun done = run(more);
+        EXPECT_EQ(done.status, 0) << done.errors;
+        auto json = nlohmann::json::parse(done.output, nullptr, false);
+        json.erase("seconds");
+        json.erase("provenance");
+        return json;
+    };
+    const nlohmann::json si = json_with({});
+    EXPECT_EQ(json_with({"--units", "us", "--peak-to-peak"}), si);
+    const nlohmann::json us = json_with({"--units", "us", "--peak-to-peak", "--json-units"});
+    EXPECT_EQ(us.at("units").at("amplitude"), "mil pk-pk");
+    constexpr double mil = 25.4e-6;
+    EXPECT_NEAR(us["peaks"][0]["value"].get<double>() / si["peaks"][0]["value"].get<double>(),
+                2 / mil, 1e-14 * 2 / mil);
+    const ProgramRun text =
+        run({"response", scene, "--set", "speeds.count=3", "--units", "us", "--peak-to-peak"});
+    EXPECT_TRUE(contains(text.output, "pk-pk mil")) << text.output;
+    std::ifstream table("out/lalanne_three_discs/response/response.csv");
+    std::string head;
+    std::getline(table, head);
+    EXPECT_TRUE(contains(head, "pk-pk [mil]")) << head;
 }
 
 } // namespace program_test

@@ -348,7 +348,7 @@ TEST(HeldBalancers, BecomePartsOfTheRotor) {
     ASSERT_EQ(one.rotor.imbalances.size(), free.rotor.imbalances.size() + 1);
     EXPECT_NEAR(one.rotor.imbalances.back().mr,
                 std::hypot(0.02 + 0.01 * std::cos(1), 0.01 * std::sin(1)), 1e-15);
-    EXPECT_TRUE(std::ranges::any_of(one.remarks, [](const std::string &remark) {
+    EXPECT_TRUE(std::ranges::any_of(one.remarks, [](const model::Sentence &remark) {
         return remark.find("balancer[0]: its balls are held off balance") == 0;
     }));
     EXPECT_EQ(one.rotor.with_held_among_balancers().imbalances.size(),

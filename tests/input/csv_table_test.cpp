@@ -10,7 +10,7 @@ namespace {
 using input::Quantity;
 
 const std::vector<input::CsvRule> rules{
-    {"speed", Quantity::angular_speed}, {"k", Quantity::stiffness}, {"label", {}}};
+    {"speed", Quantity::speed}, {"k", Quantity::stiffness}, {"label", {}}};
 
 /// A table of that text; its mistakes go to `problems`.
 input::CsvTable read(const std::string &text, input::Problems &problems) {
@@ -37,9 +37,9 @@ TEST(CsvTable, UnitsOfHeaderAndCell) {
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows[1].text("label"), "b");
     EXPECT_EQ(rows[0].number("k", Quantity::stiffness), 2e6);
-    EXPECT_DOUBLE_EQ(rows[0].number("speed", Quantity::angular_speed), 2 * M_PI);
+    EXPECT_DOUBLE_EQ(rows[0].number("speed", Quantity::speed), 2 * M_PI);
     EXPECT_EQ(rows[1].number("k", Quantity::stiffness), 3);
-    EXPECT_EQ(rows[1].number("speed", Quantity::angular_speed), 2);
+    EXPECT_EQ(rows[1].number("speed", Quantity::speed), 2);
     EXPECT_TRUE(problems.empty());
     rows[1].fail("label", "wrong");
     EXPECT_NE(message(problems).find("t.csv:5: label: wrong"), std::string::npos)

@@ -9,8 +9,8 @@ const std::string base = sound_case + "[[bearing]]\nz = 0\nk = 1e6\n";
 std::string remarks_of(const std::string &text, const std::vector<std::string> &overrides = {},
                        std::vector<std::pair<std::string, std::string>> files = {}) {
     std::string out;
-    for (const std::string &remark : load_text(text, overrides, std::move(files)).remarks)
-        out += remark + "\n";
+    for (const model::Sentence &remark : load_text(text, overrides, std::move(files)).remarks)
+        out += remark.text() + "\n";
     return out;
 }
 

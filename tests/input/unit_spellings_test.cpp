@@ -183,36 +183,36 @@ const std::vector<Understood> understood{
     {Quantity::angle, "30'", 0.5 * deg},
     {Quantity::angle, "0.5 rev", turn / 2},
     // --- angular speeds
-    {Quantity::angular_speed, "3000 rpm", 3000 * rpm},
-    {Quantity::angular_speed, "3000 RPM", 3000 * rpm},
-    {Quantity::angular_speed, "3000 r.p.m.", 3000 * rpm},
-    {Quantity::angular_speed, "3 krpm", 3000 * rpm},
-    {Quantity::angular_speed, "3000 rev/min", 3000 * rpm},
-    {Quantity::angular_speed, "3000 r/min", 3000 * rpm},
-    {Quantity::angular_speed, "3000 tr/min", 3000 * rpm},
-    {Quantity::angular_speed, "3000 tours/mn", 3000 * rpm},
-    {Quantity::angular_speed, "3000 U/min", 3000 * rpm},
-    {Quantity::angular_speed, "3000 Umdr./min", 3000 * rpm},
-    {Quantity::angular_speed, "3000 Upm", 3000 * rpm},
-    {Quantity::angular_speed, "3000 min⁻¹", 3000 * rpm},
-    {Quantity::angular_speed, "3000 min-1", 3000 * rpm},
-    {Quantity::angular_speed, "3000 1/min", 3000 * rpm},
-    {Quantity::angular_speed, "3000 об/мин", 3000 * rpm},
-    {Quantity::angular_speed, "3000 мин⁻¹", 3000 * rpm},
-    {Quantity::angular_speed, "3000 回転/分", 3000 * rpm},
-    {Quantity::angular_speed, "3000 cpm", 3000 * rpm},
-    {Quantity::angular_speed, "50 tr/s", 50 * turn},
-    {Quantity::angular_speed, "50 rev/sec", 50 * turn},
-    {Quantity::angular_speed, "50 об/с", 50 * turn},
-    {Quantity::angular_speed, "50 rps", 50 * turn},
-    {Quantity::angular_speed, "50 cps", 50 * turn},
-    {Quantity::angular_speed, "50 Hz", 50 * turn},
-    {Quantity::angular_speed, "50 Гц", 50 * turn},
-    {Quantity::angular_speed, "314 rad/s", 314},
-    {Quantity::angular_speed, "314 rad/sec", 314},
-    {Quantity::angular_speed, "314 rad·s⁻¹", 314},
-    {Quantity::angular_speed, "314 рад/с", 314},
-    {Quantity::angular_speed, "180 °/s", 180 * deg},
+    {Quantity::speed, "3000 rpm", 3000 * rpm},
+    {Quantity::speed, "3000 RPM", 3000 * rpm},
+    {Quantity::speed, "3000 r.p.m.", 3000 * rpm},
+    {Quantity::speed, "3 krpm", 3000 * rpm},
+    {Quantity::speed, "3000 rev/min", 3000 * rpm},
+    {Quantity::speed, "3000 r/min", 3000 * rpm},
+    {Quantity::speed, "3000 tr/min", 3000 * rpm},
+    {Quantity::speed, "3000 tours/mn", 3000 * rpm},
+    {Quantity::speed, "3000 U/min", 3000 * rpm},
+    {Quantity::speed, "3000 Umdr./min", 3000 * rpm},
+    {Quantity::speed, "3000 Upm", 3000 * rpm},
+    {Quantity::speed, "3000 min⁻¹", 3000 * rpm},
+    {Quantity::speed, "3000 min-1", 3000 * rpm},
+    {Quantity::speed, "3000 1/min", 3000 * rpm},
+    {Quantity::speed, "3000 об/мин", 3000 * rpm},
+    {Quantity::speed, "3000 мин⁻¹", 3000 * rpm},
+    {Quantity::speed, "3000 回転/分", 3000 * rpm},
+    {Quantity::speed, "3000 cpm", 3000 * rpm},
+    {Quantity::speed, "50 tr/s", 50 * turn},
+    {Quantity::speed, "50 rev/sec", 50 * turn},
+    {Quantity::speed, "50 об/с", 50 * turn},
+    {Quantity::speed, "50 rps", 50 * turn},
+    {Quantity::speed, "50 cps", 50 * turn},
+    {Quantity::speed, "50 Hz", 50 * turn},
+    {Quantity::speed, "50 Гц", 50 * turn},
+    {Quantity::speed, "314 rad/s", 314},
+    {Quantity::speed, "314 rad/sec", 314},
+    {Quantity::speed, "314 rad·s⁻¹", 314},
+    {Quantity::speed, "314 рад/с", 314},
+    {Quantity::speed, "180 °/s", 180 * deg},
     // --- times, forces, torques, accelerations, rates
     {Quantity::time, "5 ms", 0.005},
     {Quantity::time, "5 msec", 0.005},
@@ -224,12 +224,12 @@ const std::vector<Understood> understood{
     {Quantity::force, "6 кгс", 6 * kgf},
     {Quantity::force, "6 daN", 60},
     {Quantity::force, "6 kips", 6e3 * lbf},
-    {Quantity::torque, "6 Nm", 6},
-    {Quantity::torque, "6 N-m", 6},
-    {Quantity::torque, "6 ft-lb", 6 * lbf *foot},
-    {Quantity::torque, "6 in-lbs", 6 * lbf *inch},
-    {Quantity::torque, "6 oz-in", 6 * ounce *g_n *inch},
-    {Quantity::torque, "6 kgf-m", 6 * kgf},
+    {Quantity::moment, "6 Nm", 6},
+    {Quantity::moment, "6 N-m", 6},
+    {Quantity::moment, "6 ft-lb", 6 * lbf *foot},
+    {Quantity::moment, "6 in-lbs", 6 * lbf *inch},
+    {Quantity::moment, "6 oz-in", 6 * ounce *g_n *inch},
+    {Quantity::moment, "6 kgf-m", 6 * kgf},
     {Quantity::acceleration, "9.81 m/s²", 9.81},
     {Quantity::acceleration, "9.81 м/с²", 9.81},
     {Quantity::acceleration, "386 in/sec^2", 386 * inch},
@@ -255,10 +255,10 @@ TEST(UnitSpellings, AreWorthWhatTheirUnitsAreByDefinition) {
     // UDUNITS-2 has the grain to seven digits; the others are exact but for some roundings.
     for (const auto &[quantity, text, value] : understood) {
         const auto read = input::parse_quantity(text, quantity);
-        ASSERT_TRUE(read) << text << " as " << describe(quantity);
+        ASSERT_TRUE(read) << text << " as " << input::describe(quantity);
         const double tolerance =
             std::string_view(text).find("grain") != std::string_view::npos ? 1e-7 : 4e-15;
-        EXPECT_NEAR(*read / value, 1, tolerance) << text << " as " << describe(quantity);
+        EXPECT_NEAR(*read / value, 1, tolerance) << text << " as " << input::describe(quantity);
     }
 }
 
@@ -293,19 +293,19 @@ const std::vector<Answered> answered{
     {Quantity::stiffness, "5D6 N/m", "did you mean \"5e6 N/m\"?"},
     // --- signs of decimals and thousands
     {Quantity::length, "12,5 mm", "write the decimal point as \".\""},
-    {Quantity::angular_speed, "12,000 rpm", "write \"12000 rpm\", or \"12.000 rpm\" if the comma"},
-    {Quantity::angular_speed, "12 000 rpm", "write \"12000 rpm\""},
-    {Quantity::angular_speed, "12'000 rpm", "write \"12000 rpm\""},
-    {Quantity::angular_speed, "1.200,5 rpm", "write \"1200.5 rpm\""},
-    {Quantity::angular_speed, "1,200.5 rpm", "write \"1200.5 rpm\""},
+    {Quantity::speed, "12,000 rpm", "write \"12000 rpm\", or \"12.000 rpm\" if the comma"},
+    {Quantity::speed, "12 000 rpm", "write \"12000 rpm\""},
+    {Quantity::speed, "12'000 rpm", "write \"12000 rpm\""},
+    {Quantity::speed, "1.200,5 rpm", "write \"1200.5 rpm\""},
+    {Quantity::speed, "1,200.5 rpm", "write \"1200.5 rpm\""},
     // --- words of two meanings
     {Quantity::imbalance, "50 gr mm", "\"gr\" may be a gram or a grain"},
     {Quantity::density, "7.85 gr/cm3", "\"gr\" may be a gram or a grain"},
     {Quantity::mass, "2 ton", "\"ton\" may be 1000 kg, 2000 lb or 2240 lb"},
     {Quantity::angle, "30 grad", "write \"deg\" or \"gon\""},
-    {Quantity::angular_speed, "50 r/s", "write \"rad\" or \"rev\""},
-    {Quantity::angular_speed, "50 1/s", "write \"rad/s\" or \"rev/s\""},
-    {Quantity::angular_speed, "50 s⁻¹", "write \"rad/s\" or \"rev/s\""},
+    {Quantity::speed, "50 r/s", "write \"rad\" or \"rev\""},
+    {Quantity::speed, "50 1/s", "write \"rad/s\" or \"rev/s\""},
+    {Quantity::speed, "50 s⁻¹", "write \"rad/s\" or \"rev/s\""},
     {Quantity::rate, "5 Hz", "write \"1/s\""},
     {Quantity::length, "50 Mm", "write \"mm\""},
     {Quantity::length, "50 µ", "write \"um\""},
@@ -320,22 +320,23 @@ const std::vector<Answered> answered{
     {Quantity::pressure, "210 GPA", "did you mean \"210 GPa\"?"},
     {Quantity::pressure, "210 Mpa", "did you mean \"210 MPa\"?"},
     {Quantity::stiffness, "3 kn/m", "did you mean \"3 kN/m\"?"},
-    {Quantity::torque, "6 nm", "did you mean \"6 Nm\"?"},
+    {Quantity::moment, "6 nm", "did you mean \"6 Nm\"?"},
     {Quantity::mass, "5 KG", "did you mean \"5 kg\"?"},
     {Quantity::imbalance, "50 gmm", "did you mean \"50 g mm\"?"},
     {Quantity::imbalance, "50 kgm", "did you mean \"50 kg m\"?"},
     {Quantity::imbalance, "3 ozin", "did you mean \"3 oz in\"?"},
     {Quantity::inertia, "2 kgm2", "did you mean \"2 kg m2\"?"},
-    {Quantity::torque, "6 Ncm", "did you mean \"6 N cm\"?"},
+    {Quantity::moment, "6 Ncm", "did you mean \"6 N cm\"?"},
     {Quantity::length, "5'", "did you mean \"5 ft\"?"},
     {Quantity::length, "5\"", "did you mean \"5 in\"?"},
     {Quantity::angle, "0.5 pi", "did you mean \"0.5 pi rad\"?"},
-    {Quantity::angular_speed, "3000 rmp", "did you mean \"rpm\"?"},
+    {Quantity::speed, "3000 rmp", "did you mean \"rpm\"?"},
 };
 
 TEST(UnitSpellings, OthersAreAnsweredWithWhatIsMeant) {
     for (const auto &[quantity, text, hint] : answered) {
-        EXPECT_FALSE(input::parse_quantity(text, quantity)) << text << " as " << describe(quantity);
+        EXPECT_FALSE(input::parse_quantity(text, quantity))
+            << text << " as " << input::describe(quantity);
         const std::string said = input::quantity_hint(text, quantity);
         EXPECT_NE(said.find(hint), std::string::npos) << text << ": " << said;
     }

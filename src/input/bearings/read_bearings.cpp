@@ -109,14 +109,14 @@ bool refuse_negative(const Eigen::Matrix2d &m, bool isotropic, const Table &tabl
 }
 
 std::vector<CsvRule> table_columns() {
-    std::vector<CsvRule> rules{{"speed", Quantity::angular_speed}};
+    std::vector<CsvRule> rules{{"speed", Quantity::speed}};
     for (const Coefficient &entry : coefficients)
         rules.push_back({entry.name, entry.quantity});
     return rules;
 }
 
 void read_table_row(const CsvTable &table, const CsvRow &row, model::Bearing &bearing) {
-    const double speed = row.number("speed", Quantity::angular_speed);
+    const double speed = row.number("speed", Quantity::speed);
     if (!bearing.speeds.empty() && speed <= bearing.speeds.back())
         row.fail("speed", fmt::format("expected speeds that ascend, got {:.6g} rad/s after {:.6g}",
                                       speed, bearing.speeds.back()));
@@ -147,10 +147,10 @@ void read_bearing_table(const std::string &path, bool spline, model::Bearing &be
         return;
     }
     if (!table.has_unit("speed"))
-        context.remarks.push_back(
-            fmt::format("the speeds of {} have no unit and are taken in rad/s; a header such as "
-                        "\"speed [rpm]\" says which",
-                        path));
+        context.remarks.emplace_back(
+            "the speeds of {} have no unit and are taken in rad/s; a header "
+            "such as \"speed [rpm]\" says which",
+            path);
     refuse_mixed(table, bearing.seal);
     const std::size_t before = context.problems.count();
     for (const CsvRow &row : table.rows())

@@ -23,8 +23,7 @@ void read_harmonic(CheckedTable &table, Quantity quantity, model::StationForce &
     force.y = table.number_or("y", 0, quantity);
     if (!table.has("x") && !table.has("y"))
         table.fail("x", "missing, expected " + describe(quantity) + " in x or in y, or both");
-    force.frequency =
-        table.number_or("frequency", 0, Quantity::angular_speed, Range::not_negative());
+    force.frequency = table.number_or("frequency", 0, Quantity::speed, Range::not_negative());
     force.phase = table.number_or("phase", 0, Quantity::angle);
     force.phase_y = table.number_or("phase_y", force.phase, Quantity::angle);
     force.from = table.number_or("from", 0, Quantity::time, Range::not_negative());

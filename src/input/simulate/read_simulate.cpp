@@ -9,8 +9,8 @@ namespace {
 
 /// {from, to, duration} of a run-up or run-down, which may begin later.
 std::vector<std::pair<double, double>> read_ramp(CheckedTable ramp) {
-    const double from = ramp.number_or("from", 0, Quantity::angular_speed);
-    const double to = ramp.number("to", Quantity::angular_speed);
+    const double from = ramp.number_or("from", 0, Quantity::speed);
+    const double to = ramp.number("to", Quantity::speed);
     const double duration = ramp.number("duration", Quantity::time, Range::positive());
     const double start = ramp.number_or("start", 0, Quantity::time, Range::not_negative());
     ramp.refuse_unknown();
@@ -35,7 +35,7 @@ std::vector<std::pair<double, double>> read_run_up(CheckedTable &table) {
             continue;
         }
         const double time = numbers[0].number(Quantity::time, Range::not_negative());
-        const double speed = numbers[1].number(Quantity::angular_speed);
+        const double speed = numbers[1].number(Quantity::speed);
         if (!points.empty() && time <= points.back().first)
             pair.fail(fmt::format("expected times that ascend, got {} s after {} s", time,
                                   points.back().first));
@@ -75,7 +75,7 @@ void read_starts(CheckedTable &table, model::SimulateSettings &simulate) {
 
 /// The motor that drives the rotor, where its speed is not prescribed.
 void read_motor(CheckedTable &table, const model::Rotor &rotor, model::SimulateSettings &simulate) {
-    simulate.torque = table.optional_number("torque", Quantity::torque);
+    simulate.torque = table.optional_number("torque", Quantity::moment);
     simulate.torque_slope =
         table.number_or("torque_slope", 0, Quantity::tilt_damping, Range::not_negative());
     simulate.inertia = table.number_or("inertia", 0, Quantity::inertia, Range::not_negative());
@@ -98,9 +98,8 @@ void read_simulate_options(CheckedTable &table, model::Case &scene) {
     simulate.output_points =
         table.whole_or("output_points", simulate.output_points, 400, largest_count);
     simulate.modes = table.whole_or("modes", 0, 0, 10000);
-    simulate.reduction_tolerance =
-        table.number_or("reduction_tolerance", simulate.reduction_tolerance,
-                        Quantity::dimensionless, Range::inside(0, 1));
+    simulate.reduction_tolerance = table.number_or(
+        "reduction_tolerance", simulate.reduction_tolerance, Quantity::number, Range::inside(0, 1));
     if (std::ranges::all_of(scene.rotor.balancers, &model::Balancer::held) &&
         !table.has("reduction_tolerance"))
         simulate.reduction_tolerance = 1e-4; // without balls it is the largest error there is
@@ -115,8 +114,8 @@ void read_simulate(CheckedTable &table, model::Case &scene) {
     simulate.time = table.number("time", Quantity::time, Range::positive());
     simulate.run_up = read_run_up(table);
     read_starts(table, simulate);
-    simulate.tolerance = table.number_or("tolerance", simulate.tolerance, Quantity::dimensionless,
-                                         Range::inside(0, 1));
+    simulate.tolerance =
+        table.number_or("tolerance", simulate.tolerance, Quantity::number, Range::inside(0, 1));
     read_motor(table, scene.rotor, simulate);
     read_outside(table, scene);
     read_simulate_options(table, scene);

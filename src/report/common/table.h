@@ -84,7 +84,9 @@ template <class Row>
         const std::string text = shown(value, as, missing);
         const std::string unit = units.name(column.of(row));
         const bool number = value.is_number() && std::isfinite(value.template get<double>());
-        lines.push_back({*as.heading, number && !unit.empty() ? text + " " + unit : text});
+        // Texts of a quantity are numbers in its unit: "3 … 4".
+        const bool numbers = number || (value.is_string() && text != missing && !text.empty());
+        lines.push_back({*as.heading, numbers && !unit.empty() ? text + " " + unit : text});
     }
     return lines;
 }

@@ -23,8 +23,8 @@ class Units {
     Units() = default;
     /// Of files: those that were asked for, all others SI.
     [[nodiscard]] static Units of_files(const model::OutputUnits &asked);
-    /// Of texts, pages and pictures: those that were asked for, else the usual ones: rpm, Hz, µm
-    /// and degrees.
+    /// Of texts, pages and pictures: those that were asked for, else the usual ones: rpm, Hz, µm,
+    /// g mm and degrees.
     [[nodiscard]] static Units of_readers(const model::OutputUnits &asked);
     /// Of JSON: as files where that is asked for, else SI.
     [[nodiscard]] static Units of_json(const model::OutputUnits &asked);

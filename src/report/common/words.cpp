@@ -67,9 +67,10 @@ std::string heading(const model::Case &scene, const std::string &what) {
 std::string model_text(const results::ModelSummary &model, const Units &units) {
     const std::string kind =
         model.order == 1 ? "the classical kind" : fmt::format("order {}", model.order);
-    return fmt::format("\nmodel: {} form ({})\n       {} elements of {}, {} unknowns, {:.3g} s\n",
+    return fmt::format("\nmodel: {} form ({})\n       {} elements of {}, {} unknowns, {}\n",
                        results::form_name(model.formulation.form), model.formulation.why,
-                       model.elements, kind, model.unknowns, model.seconds) +
+                       model.elements, kind, model.unknowns,
+                       units.text(Quantity::time, model.seconds, 3)) +
            notes_text(model, units);
 }
 

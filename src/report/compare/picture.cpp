@@ -182,7 +182,7 @@ std::string upper_panel(const Units &units, const Comparison &comparison, double
            fmt::format(
                "set xlabel {}\n{}set key at screen 0.525,{} center center vertical maxrows 4 "
                "samplen 4 font ',10'\n",
-               command == "simulate" ? plot_text("Time (s)")
+               command == "simulate" ? axis_text(units, "Time", Quantity::time)
                                      : axis_text(units, "Spin speed", Quantity::speed),
                grid, 1 - 112 * pixel) +
            drawn.script() + "unset logscale\nset format\nset ytics\nset autoscale\nunset label\n";

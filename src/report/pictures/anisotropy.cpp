@@ -26,8 +26,9 @@ std::string speed_axes(const Units &units, const AnisotropyChart &chart) {
                        "set y2range [0:{}]\nset y2tics\nset y2label {}\n"
                        "set grid lc rgb '#E4E4E4' lt 1\nset key bottom right opaque\n",
                        chart.speed.back(),
-                       asked ? "unset ytics\n"
-                             : "set ytics nomirror\nset ylabel 'Spin speed (rad/s)'\n",
+                       asked ? std::string("unset ytics\n")
+                             : "set ytics nomirror\nset ylabel " +
+                                   axis_text({}, "Spin speed", Quantity::speed) + "\n",
                        units(Quantity::speed, chart.speed.back()),
                        asked ? axis_text(units, "Spin speed", Quantity::speed)
                              : plot_text(units.name(Quantity::speed)));

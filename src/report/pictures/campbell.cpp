@@ -242,9 +242,9 @@ std::string axes(const Panel &panel, bool first, bool last) {
                    : "unset xlabel\n";
     // Second axes in the units of theory, where no others were asked for.
     if (first && !units.asked(Quantity::speed))
-        script += fmt::format("set x2range [{}:{}]\nset x2tics\nset x2label 'Spin speed (rad/s)' "
-                              "offset 0,-0.4\n",
-                              panel.x.low / panel.speed(1), panel.x.high / panel.speed(1));
+        script += fmt::format("set x2range [{}:{}]\nset x2tics\nset x2label {} offset 0,-0.4\n",
+                              panel.x.low / panel.speed(1), panel.x.high / panel.speed(1),
+                              axis_text({}, "Spin speed", Quantity::speed));
     else
         script += "unset x2tics\nunset x2label\n";
     // Long numbers would push the name of the axis out, which is then not drawn at all.

@@ -238,9 +238,9 @@ Figure gravity_figure(const model::Case &scene, const ResponseResult &result, co
              dense(units, of.curves, i, result.speeds, station.twice, Quantity::amplitude)});
         still.push_back({"", over_speed(units, result.speeds, station.sag, Quantity::deflection)});
     }
-    const std::string subtitle =
-        fmt::format("gravity {} m/s² towards −y, {} stations drawn of {}",
-                    drawn_number(of.gravity, 5), drawn.size(), of.stations.size());
+    const std::string subtitle = fmt::format("gravity {} towards −y, {} stations drawn of {}",
+                                             drawn_value(units, Quantity::acceleration, of.gravity),
+                                             drawn.size(), of.stations.size());
     const bool moves = std::ranges::any_of(of.stations, [](const auto &station) {
         return std::ranges::any_of(station.twice, [](double value) { return value != 0; });
     });

@@ -117,7 +117,7 @@ std::string mesh_panel(const Units &units, const RigidLimitResult &result, Style
             orders.push_back(row.order);
         const bool main = row.order == result.model.order;
         if (!row.inertia)
-            panel.add(main ? row.quantity : "", style_of(row.quantity, styles), main,
+            panel.add(main ? units.text(row.quantity) : "", style_of(row.quantity, styles), main,
                       points_of(units, row));
     }
     for (const int order : orders) {

@@ -113,12 +113,6 @@ std::string stiffness_text(const Units &units, const model::Bearing &bearing) {
                               : drawn_number(units(Quantity::stiffness, k(0, 0)), 3) + " | " + both;
 }
 
-/// As balancing machines say it: in g mm.
-std::string imbalance_text(const Units &units, double mr) {
-    return units.asked(Quantity::imbalance) ? drawn_value(units, Quantity::imbalance, mr, 4)
-                                            : drawn_number(1e6 * mr, 4) + " g mm";
-}
-
 /// A callout for each of a kind: its place and its name, or its number among them.
 /// @param height  of the end of its line
 void add_callouts(std::vector<Callout> &callouts, const Sheet &sheet, const auto &parts,
@@ -158,7 +152,7 @@ std::vector<Callout> upper_callouts(const Units &units, const model::Rotor &roto
                 {sheet.across(imbalance.z),
                  std::min(sheet.axis, imbalance_place(sheet, rotor.shaft, imbalance).y) - 5,
                  name_or(imbalance.name, "imbalance", i, rotor.imbalances.size()) + ": " +
-                     imbalance_text(units, std::abs(imbalance.mr))});
+                     drawn_value(units, Quantity::imbalance, std::abs(imbalance.mr), 4)});
     }
     add_callouts(callouts, sheet, rotor.probes, "probe", above);
     return callouts;

@@ -126,12 +126,13 @@ Figure simulate_figure(const model::Case &scene, const SimulateResult &result, c
         room.panel(430, 715) +
         axes_beside_legend(lagging ? "Ball speed / rotor speed"
                                    : units.label("Angle in the rotor", Quantity::angle),
-                           constant ? "Time (s)" : "") +
+                           constant ? units.label("Time", Quantity::time) : "") +
         draw(angles, most_curves);
     if (!constant)
         panels += operation_band(scene, units, speed_range(units, speed), SpeedAxis::y) +
                   "set yrange [*:*]\nset ytics auto\n" + room.panel(745, 895) +
-                  axes_beside_legend(units.label("Speed", Quantity::speed), "Time (s)") +
+                  axes_beside_legend(units.label("Speed", Quantity::speed),
+                                     units.label("Time", Quantity::time)) +
                   draw({{"rotor",
                          points_over(result.series.time, 1, speed, units.factor(Quantity::speed))}},
                        1);

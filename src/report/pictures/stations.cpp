@@ -80,7 +80,8 @@ std::string amplitude_over_time(const Units &units, const SimulateResult &result
         lines.add({{station.peak.time, units(Quantity::amplitude, station.peak.value)}},
                   peak_look(i));
     }
-    return axes_beside_legend(units.label("Amplitude", Quantity::amplitude), "Time (s)") +
+    return axes_beside_legend(units.label("Amplitude", Quantity::amplitude),
+                              units.label("Time", Quantity::time)) +
            fmt::format("set xrange [0:{}]\nset yrange [0:*]\n", result.time) + lines.script();
 }
 
@@ -145,7 +146,8 @@ std::string deflection_over_time(const Units &units, const SimulateResult &resul
     lines.add(points_over(result.series.time, 1, result.series.y[largest],
                           units.factor(Quantity::deflection)),
               station_look(1, "1", 1), plot_text("y" + of));
-    return axes_beside_legend(units.label("Deflection", Quantity::deflection), "Time (s)") +
+    return axes_beside_legend(units.label("Deflection", Quantity::deflection),
+                              units.label("Time", Quantity::time)) +
            fmt::format("set xrange [0:{}]\nset yrange [*:*]\n", result.time) + lines.script();
 }
 
@@ -154,7 +156,8 @@ std::string speed_over_time(const Units &units, const SimulateResult &result) {
     lines.add(
         points_over(result.series.time, 1, result.series.speed, units.factor(Quantity::speed)),
         station_look(0, "1", 1.4), plot_text("rotor"));
-    return axes_beside_legend(units.label("Speed", Quantity::speed), "Time (s)") +
+    return axes_beside_legend(units.label("Speed", Quantity::speed),
+                              units.label("Time", Quantity::time)) +
            fmt::format("set xrange [0:{}]\nset yrange [*:*]\n", result.time) + lines.script();
 }
 
@@ -174,8 +177,8 @@ Figure stations_figure(const model::Case &scene, const SimulateResult &result, c
                             speed_over_time(units, result)
                       : room.panel(445, 700) + deflection_over_time(units, result);
     return figure_of(room.width, room.height, "Motion in time: " + title_of(scene),
-                     fmt::format("{} after {} s at {}", results::outcome_name(result.outcome),
-                                 drawn_number(result.time),
+                     fmt::format("{} after {} at {}", results::outcome_name(result.outcome),
+                                 drawn_value(units, Quantity::time, result.time),
                                  drawn_value(units, Quantity::speed, result.speed)),
                      panels);
 }

@@ -55,16 +55,7 @@ std::string drawn_speed(const Units &units, double speed) {
 }
 
 std::string place_text(const Units &units, const std::string &name, double z) {
-    std::vector<std::string> parts;
-    for (std::size_t from = 0; from < name.size();) {
-        const std::size_t to = std::min(name.find(", ", from), name.size());
-        const std::string part = name.substr(from, to - from);
-        if (std::find(parts.begin(), parts.end(), part) == parts.end())
-            parts.push_back(part);
-        from = to + 2;
-    }
-    parts.push_back("z = " + drawn_value(units, Quantity::length, z, 4));
-    return joined(parts, ", ");
+    return (name.empty() ? "" : name + ", ") + "z = " + drawn_value(units, Quantity::length, z, 4);
 }
 
 std::string axis_text(const Units &units, const std::string &what, Quantity quantity) {

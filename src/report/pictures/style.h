@@ -36,8 +36,7 @@ inline constexpr const char *heavy_colour = "#A0A0A0";
 [[nodiscard]] std::string degrees_text(double angle);
 /// A speed beside a mark, in rpm or whatever it is read in: "17", "3.77", "12346", "1.614·10⁸".
 [[nodiscard]] std::string drawn_speed(const Units &units, double speed);
-/// A place of the rotor in a legend, each part of its name once ("race, race" of two items there is
-/// "race"): "race, z = 0.5 m".
+/// A place of the rotor in a legend: "race, z = 0.5 m".
 [[nodiscard]] std::string place_text(const Units &units, const std::string &name, double z);
 /// Name of an axis: for `set xlabel`.
 [[nodiscard]] std::string axis_text(const Units &units, const std::string &what, Quantity quantity);

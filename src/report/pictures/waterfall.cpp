@@ -129,12 +129,12 @@ Figure waterfall_figure(const model::Case &scene, const Waterfall &waterfall, co
     const LegendedFigure room = beside_legend(907, 1080, 760, names);
     return figure_of(
         room.width, room.height, "Waterfall: " + title_of(scene),
-        fmt::format("{}, windows of {} s; the highest line is {}", place,
-                    drawn_number(waterfall.window, 3),
+        fmt::format("{}, windows of {}; the highest line is {}", place,
+                    drawn_value(units, Quantity::time, waterfall.window, 3),
                     drawn_value(units, Quantity::amplitude, layout.largest(), 4)),
         panel_margins(room.left, room.right, 0.09, 0.885) +
             axes_beside_legend(layout.over_speed() ? units.label("Spin speed", Quantity::speed)
-                                                   : "Time (s)",
+                                                   : units.label("Time", Quantity::time),
                                units.label("Frequency", Quantity::frequency)) +
             axes_over({0, layout.right()}, {layout.lowest(), layout.top()}) + lines_of(layout));
 }

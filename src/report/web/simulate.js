@@ -13,8 +13,9 @@ result.other_starts.forEach((s, i) => traces.push({x: time.slice(1), y: s.amplit
 result.drawn.angles.forEach((curve, k) => traces.push({x: curve.points.map(p => p[0]), y: curve.points.map(p => p[1]), yaxis: "y2", mode: "lines", name: plain(curve.name),
   line: {color: colours[k % 8], dash: dashes[Math.floor(k / 8) % 4], width: 1.5}}));
 const changing = Math.max(...result.series.speed) - Math.min(...result.series.speed) > 1e-9 * Math.max(...result.series.speed.map(Math.abs));
-// Without balancers: the stations, over time and beside the steady response over speed.
-result.stations.forEach((s, k) => {
+// Without balancers: the stations, over time and beside the steady response over speed. With them the curves are those of the balancers.
+const stations = result.balancers.length > 0 ? [] : result.stations;
+stations.forEach((s, k) => {
   const name = placed(s.name, s.z), line = {color: colours[k % 8], width: 1.5};
   const common = {mode: "lines", legendgroup: "s" + k};
   traces.push({...common, x: time, y: result.series.amplitude[k], name, line, hovertemplate: over("time", ".5g", "amplitude")});
@@ -27,9 +28,9 @@ result.stations.forEach((s, k) => {
     traces.push({...common, x: result.steady.speeds, y: result.steady.amplitude[k], name, showlegend: false,
       line: {color: line.color, dash: "dot", width: 1}, xaxis: "x2", yaxis: "y2", hovertemplate: over("speed", ".5g", "amplitude", "steady, ")});
 });
-if (result.stations.length > 0 && !changing)
+if (stations.length > 0 && !changing)
   draw(traces, {height: 480, xaxis: axis(label("Time", "time")), yaxis: axis(label("Amplitude", "amplitude"), {rangemode: "tozero"})});
-else if (result.stations.length > 0)
+else if (stations.length > 0)
   draw(traces, {height: 820, grid: {rows: 2, columns: 1, pattern: "independent"}, xaxis: axis(label("Time", "time")), yaxis: axis(label("Amplitude", "amplitude"), {rangemode: "tozero"}),
     xaxis2: axis(label("Spin speed", "speed")), yaxis2: axis(label("Amplitude, steady dotted", "amplitude"), {rangemode: "tozero"})});
 else
