@@ -33,6 +33,8 @@ class DefinitePair {
     struct Factors;
     std::unique_ptr<Factors> _factors;
 
+    /// The `wanted` smallest, by Krylov-Schur.
+    [[nodiscard]] std::vector<RealPair> iterated(int wanted) const;
     [[nodiscard]] bool confirmed(const std::vector<RealPair> &pairs, std::size_t count) const;
 };
 

@@ -250,8 +250,9 @@ std::vector<std::complex<double>> synchronous_eigenvalues(const DenseRotor &roto
         state(n + column, column) = 1;
     }
     std::vector<std::complex<double>> out;
-    for (const std::complex<double> &mu :
-         Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(state, false).eigenvalues())
+    const Eigen::VectorXcd all =
+        Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(state, false).eigenvalues();
+    for (const std::complex<double> &mu : all)
         if (-mu.imag() > std::abs(mu.real()))
             out.push_back(scale / mu);
     std::sort(out.begin(), out.end(),

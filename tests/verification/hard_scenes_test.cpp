@@ -1,9 +1,12 @@
 // Scenes on which eigensolvers stumble: huge springs, tiny elements, systems of which a large part
 // is wanted, overdamped bearings, great slenderness.
 
+#include "analyses/critical.h"
 #include "closed_form/beam_frequencies.h"
 #include "elements/section.h"
+#include "results/critical.h"
 #include "results/formulation.h"
+#include "support/random.h"
 #include "support/test_rotors.h"
 #include "verification/spectrum_of.h"
 
@@ -55,6 +58,51 @@ TEST(StiffSprings, AreThePinsOfTheClosedForm) {
                     << k << " " << results::form_name(form) << " " << i;
         }
     }
+}
+
+// Rigid in shear, (rho A + rho I k^2 -+ 2 rho I k^2) w^2 = E I k^4 with k = n pi/L, forward and
+// backward; pins 1e4 to 1e9 times as stiff as an element, beside which counts of inertia drown.
+void expect_critical_of_pins(double E, double diameter, double spring, double other, int elements) {
+    const double length = 0.9;
+    const double rho = 7800;
+    model::Case scene;
+    scene.rotor = tests::uniform_shaft(length, diameter, elements);
+    scene.rotor.shaft.order = 1;
+    scene.rotor.shaft.shear_coefficient = 1e9;
+    scene.rotor.shaft.segments[0].material = {"soft", E, E / 2.6, rho};
+    scene.rotor.bearings = {tests::bearing(0, spring, spring),
+                            tests::bearing(length, other, other)};
+    scene.campbell.modes = 6;
+    const auto found = analyses::critical_speeds(scene).critical_speeds;
+    const double r = diameter / 4; // of gyration
+    std::vector<double> exact;
+    for (int n = 1; n <= 4; ++n)
+        for (const double sign : {1.0, -1.0}) {
+            const double k = n * std::numbers::pi / length;
+            exact.push_back(std::sqrt(E / rho) * r * k * k /
+                            std::sqrt(1 + r * r * k * k * (1 - 2 * sign)));
+        }
+    std::sort(exact.begin(), exact.end());
+    ASSERT_GE(found.size(), 6U);
+    for (std::size_t i = 0; i < 6; ++i) {
+        // Two-node elements are off by (k h)^4/720, h their length; half of that the speed.
+        const double kh = std::ceil((static_cast<double>(i) + 1) / 2) * std::numbers::pi / elements;
+        EXPECT_NEAR(found[i].speed / exact[i], 1, std::pow(kh, 4) / 720 + 1e-6) << i;
+        EXPECT_LT(found[i].error, 1e-2) << i; // it is known
+        EXPECT_LT(std::abs(found[i].speed / exact[i] - 1), found[i].error + 1e-6) << i;
+    }
+}
+
+TEST(StiffSprings, critical_speeds_of_soft_shafts_between_pins) {
+    tests::Random random(3217);
+    for (int i = 0; i < 20; ++i) {
+        SCOPED_TRACE(i);
+        const double diameter = random(0.02, 0.06);
+        const double E = std::pow(10, random(8.5, 10));
+        expect_critical_of_pins(E, diameter, std::pow(10, random(12, 15)),
+                                std::pow(10, random(12, 15)), 12 + static_cast<int>(random(0, 20)));
+    }
+    expect_critical_of_pins(1e9, 0.05, 1e14, 1e13, 96);
 }
 
 TEST(TinyElements, FiveThousandAreRightWithinTheirOwnRoundingEstimate) {
