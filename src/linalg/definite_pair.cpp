@@ -1,6 +1,5 @@
 #include "linalg/definite_pair.h"
 
-#include "linalg/check.h"
 #include "linalg/symmetric_eigen.h"
 
 #include <Eigen/Dense>
@@ -114,8 +113,9 @@ std::vector<RealPair> DefinitePair::smallest(int wanted) const {
     }
     std::size_t keep = lowest();
     if (failed || (keep > 0 && !confirmed(pairs, keep))) {
-        // Beside supports many orders stiffer than an element the count is rounding, and so is what
-        // the iteration waits for. The dense solver has all eigenvalues: none can be missing.
+        // Beside supports (or shear) many orders stiffer than an element bends the count is
+        // rounding, and so is what the iteration waits for. The dense solver has all eigenvalues:
+        // none can be missing.
         constexpr int largest_dense = 1200; // some seconds
         constexpr double resolved = 1e-6;
         if (n > largest_dense)
@@ -124,7 +124,7 @@ std::vector<RealPair> DefinitePair::smallest(int wanted) const {
         keep = lowest();
         for (std::size_t i = 0; i < keep; ++i)
             if (!(pairs[i].residual + pairs[i].rounding < resolved))
-                throw SolverError("critical speeds are not resolved beside the stiffest support");
+                throw Unresolved("critical speeds are not resolved beside what is so stiff");
     }
     pairs.resize(keep);
     return pairs;

@@ -25,6 +25,7 @@
 #include <complex>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,8 +45,10 @@ std::filesystem::path file_of_test(const std::string &ending) {
 oracles::CaseRotor read_by_oracle() { return oracles::read_case(file_of_test(".toml"), {}); }
 
 /// Two cylinders of two-node elements, as the oracles have them, with a disc between.
+/// @param thick  factor of their diameters
 /// @returns text, and where the shaft ends, m
-std::pair<std::string, double> shaft_text(tests::Random &random, const std::string &keys) {
+std::pair<std::string, double> shaft_text(tests::Random &random, const std::string &keys,
+                                          double thick = 1) {
     const double first = random(0.3, 0.6);
     const double second = random(0.3, 0.6);
     const double Id = random(0.05, 0.3);
@@ -53,8 +56,8 @@ std::pair<std::string, double> shaft_text(tests::Random &random, const std::stri
         fmt::format("[shaft]\norder = 1\nelements = 2\n{}segments = [{{length = {}, outer = {}, "
                     "material = \"s\"}}, {{length = {}, outer = {}, material = \"s\"}}]\n"
                     "[[disc]]\nz = {}\nmass = {}\nId = {}\nIp = {}\n",
-                    keys, first, random(0.03, 0.06), second, random(0.03, 0.06), first,
-                    random(10, 40), Id, Id * random(1.2, 1.9)),
+                    keys, first, thick * random(0.03, 0.06), second, thick * random(0.03, 0.06),
+                    first, random(10, 40), Id, Id * random(1.2, 1.9)),
         first + second};
 }
 
@@ -196,7 +199,11 @@ TEST(MaterialDamping, critical_speeds_of_a_stout_rotor_and_their_errors) {
 
 /// The rotor as a rigid body: x, slope in x, y, slope in y about its centre of mass.
 oracles::DenseRotor as_rigid_body(const oracles::CaseRotor &rotor) {
-    const oracles::RigidRotor body = oracles::bare_rotor(rotor);
+    oracles::CaseRotor free = rotor; // its mass alone; the oracle takes isotropic supports
+    free.supports.clear();
+    free.tables.clear();
+    free.mounts.clear();
+    const oracles::RigidRotor body = oracles::bare_rotor(free);
     oracles::DenseRotor out;
     for (Eigen::MatrixXd *matrix : {&out.M, &out.C, &out.G, &out.K, &out.Kc})
         *matrix = Eigen::MatrixXd::Zero(4, 4);
@@ -310,14 +317,14 @@ TEST(OverdampedBetweenSpeeds, lines_go_no_further_than_their_motions) {
         const double top = random(300, 800);
         const double step = top / steps;
         const double from = step * (static_cast<int>(random(2, 6)) + random(0.05, 0.2));
-        const double to = from + step * random(0.5, 0.7); // within the step
-        auto [text, length] = shaft_text(random, "");
+        const double to = from + step * random(0.5, 0.7);  // within the step
+        auto [text, length] = shaft_text(random, "", 2.5); // damped by its bearings, not bent
         const std::filesystem::path table = file_of_test(".csv");
-        const double k = random(3e6, 1e7);
+        const double k = random(5e5, 3e6);
         const double ratio = random(0.4, 0.9);
         std::ofstream out(table);
         out << "speed [rad/s],kxx,kyy,cxx,cyy\n";
-        const double heavy = random(6e4, 3e5);
+        const double heavy = random(4e4, 2e5);
         const double ramp = 0.1 * (to - from);
         for (const auto &[speed, c] :
              {std::pair(0.0, 300.0), std::pair(from, 300.0), std::pair(from + ramp, heavy),
@@ -424,12 +431,18 @@ TEST(AsymmetricShaft, internal_damping_leaves_whirl_and_its_crossings) {
         SCOPED_TRACE(text);
         const results::CampbellResult result = analyses::campbell(tests::written_case(text));
         const oracles::RotatingRotor rotor = oracles::rotating_shaft(read_by_oracle());
-        const auto seen = [&rotor](double speed) { // from the rotor, upper half
+        const auto seen = [&rotor, top](double speed) { // from the rotor, upper half
             std::vector<Complex> out;
-            for (const oracles::Complex l : rotor.eigenvalues(speed))
-                if (l.imag() >= 0)
-                    out.emplace_back(static_cast<double>(l.real()), static_cast<double>(l.imag()));
-            return out;
+            for (const double shift : {0.0, 1e-9, -3e-9}) // where its QR steps do not converge
+                try {
+                    for (const oracles::Complex l : rotor.eigenvalues(speed + shift * top))
+                        if (l.imag() >= 0)
+                            out.emplace_back(static_cast<double>(l.real()),
+                                             static_cast<double>(l.imag()));
+                    return out;
+                } catch (const std::runtime_error &) {
+                }
+            throw std::runtime_error("the oracle has no eigenvalues");
         };
         for (std::size_t k = 0; k < result.speeds.size(); ++k) {
             const double speed = result.speeds[k];
