@@ -67,6 +67,7 @@ model::Case between_pins(double E, double diameter, double shear, double spring,
     model::Case scene;
     scene.rotor = tests::uniform_shaft(0.9, diameter, elements);
     scene.rotor.shaft.order = 1;
+    scene.rotor.shaft.shear = model::ShearFormula::given;
     scene.rotor.shaft.shear_coefficient = shear;
     scene.rotor.shaft.segments[0].material = {"soft", E, E / 2.6, 7800};
     scene.rotor.bearings = {tests::bearing(0, spring, spring), tests::bearing(0.9, other, other)};
