@@ -275,8 +275,6 @@ TEST(SoftBearings, critical_speeds_are_those_of_the_rigid_body_each_once) {
 struct Path {
     Complex end;        ///< where it was seen last
     bool whole = false; ///< through all steps
-    /// It stopped on its way to the real axis, where it whirls no more.
-    [[nodiscard]] bool turned_real() const { return !whole && end.imag() < 0.4 * std::abs(end); }
 };
 
 /// All whirl at a speed.
@@ -315,12 +313,11 @@ Path followed(const std::vector<std::vector<Complex>> &steps, Complex from) {
     return out;
 }
 
-// Bearings that damp heavily within one step of the grid: lines that end in it, and others that
-// begin there. What goes through the step on one line is one motion.
-TEST(OverdampedBetweenSpeeds, lines_go_no_further_than_their_motions) {
+// Bearings that damp heavily within one step of the grid: there some motions cease to whirl and
+// begin again, others go through, and these on one line. Crossings beside the step are listed.
+TEST(OverdampedBetweenSpeeds, motions_that_whirl_throughout_stay_on_one_line) {
     tests::Random random(3214);
     constexpr int steps = 8;
-    int ended = 0;
     int whole = 0;
     for (int i = 0; i < 20; ++i) {
         const double top = random(300, 800);
@@ -374,9 +371,6 @@ TEST(OverdampedBetweenSpeeds, lines_go_no_further_than_their_motions) {
                 ++whole;
                 EXPECT_LT(std::abs(path.end - value(first + 1)), 1e-5 * std::abs(path.end))
                     << line.label << " at " << b;
-            } else if (path.turned_real()) {
-                ++ended;
-                EXPECT_FALSE(line.frequency[first + 1]) << line.label << " goes on at " << b;
             }
         }
         // Crossings with 1x outside that step: Im l passes the speed.
@@ -411,7 +405,6 @@ TEST(OverdampedBetweenSpeeds, lines_go_no_further_than_their_motions) {
                 EXPECT_NEAR(listed[n], right[n], 1e-3 * right[n]);
         }
     }
-    EXPECT_GE(ended, 20);
     EXPECT_GE(whole, 20);
 }
 

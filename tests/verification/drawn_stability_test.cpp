@@ -351,20 +351,23 @@ Real most_growth(const oracles::CaseRotor &rotor) {
     };
     constexpr int steps = 150;
     const double step = (rotor.speed_to - rotor.speed_from) / steps;
-    double best = rotor.speed_from;
-    Real most = growth(best);
-    for (int k = 1; k <= steps; ++k)
-        if (const Real here = growth(rotor.speed_from + k * step); here > most) {
-            most = here;
-            best = rotor.speed_from + k * step;
-        }
-    for (double wide = step; wide > 1e-3; wide /= 2) // a hump, by halving
-        for (const double speed : {best - wide / 2, best + wide / 2})
-            if (const Real here = growth(speed);
-                speed >= rotor.speed_from && speed <= rotor.speed_to && here > most) {
-                most = here;
-                best = speed;
-            }
+    std::vector<Real> all;
+    for (int k = 0; k <= steps; ++k)
+        all.push_back(growth(rotor.speed_from + k * step));
+    Real most = *std::max_element(all.begin(), all.end());
+    for (std::size_t k = 1; k + 1 < all.size(); ++k) {
+        if (all[k] < all[k - 1] || all[k] < all[k + 1])
+            continue;
+        double best = rotor.speed_from + static_cast<double>(k) * step; // a hump, by halving
+        Real top = all[k];
+        for (double wide = step; wide > 1e-2; wide /= 2)
+            for (const double speed : {best - wide / 2, best + wide / 2})
+                if (const Real here = growth(speed); here > top) {
+                    top = here;
+                    best = speed;
+                }
+        most = std::max(most, top);
+    }
     return most;
 }
 
