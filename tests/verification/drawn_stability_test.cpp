@@ -5,7 +5,6 @@
 #include "analyses/stability.h"
 #include "input/case_file.h"
 #include "oracles/dense_rotor.h"
-#include "oracles/floquet.h"
 #include "oracles/rotating_state.h"
 #include "properties/draw.h"
 #include "properties/transforms.h"
@@ -321,72 +320,6 @@ TEST(DrawnRotors, LevelOneIsTheFirstOfAllMotionsToGrow) {
         ++first;
     }
     EXPECT_GE(first, 20);
-}
-
-/// A rigid rotor with an anisotropic disc on bearings that differ between their directions, damped
-/// by a few per cent.
-std::string on_unequal_bearings(Draw &draw, double dI) {
-    const double Id = draw.between(0.6, 1.2);
-    std::string out = fmt::format(
-        "format = 1\n[material.m]\nE = 2e11\nnu = 0.3\nrho = 1e-9\n[shaft]\nrigid = true\n"
-        "segments = [{{length = 1, outer = 0.05, material = \"m\"}}]\n[[disc]]\nz = 0.5\nmass = "
-        "20\nId = {}\n"
-        "Ip = {}\n[[anisotropy]]\nz = 0.5\ndI = {:.17g}\n",
-        Id, Id * draw.between(0.3, 0.6), dI);
-    for (const double z : {0.0, 1.0}) {
-        const double k = draw.between(3e5, 8e5);
-        const double ratio = draw.between(0.6, 0.9);
-        const double c = k * draw.between(2e-5, 8e-5);
-        out += fmt::format("[[bearing]]\nz = {}\nkxx = {}\nkyy = {}\ncxx = {}\ncyy = {}\n", z, k,
-                           ratio * k, c, c);
-    }
-    return out + "[speeds]\nfrom = 250\nto = 1500\ncount = 31\n";
-}
-
-/// Largest growth over the speeds, 1/s; less than zero where all dies out.
-Real most_growth(const oracles::CaseRotor &rotor) {
-    const auto growth = [&rotor](double speed) {
-        return oracles::floquet_growth(oracles::rigid_periodic(rotor, static_cast<Real>(speed)),
-                                       12);
-    };
-    constexpr int steps = 150;
-    const double step = (rotor.speed_to - rotor.speed_from) / steps;
-    std::vector<Real> all;
-    for (int k = 0; k <= steps; ++k)
-        all.push_back(growth(rotor.speed_from + k * step));
-    Real most = *std::max_element(all.begin(), all.end());
-    for (std::size_t k = 1; k + 1 < all.size(); ++k) {
-        if (all[k] < all[k - 1] || all[k] < all[k + 1])
-            continue;
-        double best = rotor.speed_from + static_cast<double>(k) * step; // a hump, by halving
-        Real top = all[k];
-        for (double wide = step; wide > 1e-2; wide /= 2)
-            for (const double speed : {best - wide / 2, best + wide / 2})
-                if (const Real here = growth(speed); here > top) {
-                    top = here;
-                    best = speed;
-                }
-        most = std::max(most, top);
-    }
-    return most;
-}
-
-// Against multipliers of the fixed frame: just below it nothing grows, just above something does.
-TEST(DrawnRotors, PermissibleAnisotropyOnUnequalBearingsIsWhereGrowthBegins) {
-    int compared = 0;
-    for (int seed = 1; seed <= 6; ++seed) {
-        const auto scene = [seed](double dI) {
-            Draw draw(static_cast<std::uint64_t>(seed));
-            return scene_of(on_unequal_bearings(draw, dI));
-        };
-        const auto found = analyses::stability(scene(0.01).scene, {}).permissible.at(0);
-        if (!found.dI || *found.dI == 0)
-            continue;
-        ++compared;
-        EXPECT_LT(most_growth(scene(0.99 * *found.dI).own), 0) << seed;
-        EXPECT_GT(most_growth(scene(1.01 * *found.dI).own), 0) << seed;
-    }
-    EXPECT_GE(compared, 4);
 }
 
 model::Case stored(const std::string &name) {
