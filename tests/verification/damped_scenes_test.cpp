@@ -271,12 +271,6 @@ TEST(SoftBearings, critical_speeds_are_those_of_the_rigid_body_each_once) {
     EXPECT_GE(damped, 20);
 }
 
-/// What becomes of a motion between two speeds, as the oracle follows it in short steps.
-struct Path {
-    Complex end;        ///< where it was seen last
-    bool whole = false; ///< through all steps
-};
-
 /// All whirl at a speed.
 std::vector<Complex> whirl_at(const oracles::CaseRotor &rotor, double speed) {
     std::vector<Complex> out;
@@ -287,38 +281,12 @@ std::vector<Complex> whirl_at(const oracles::CaseRotor &rotor, double speed) {
     return out;
 }
 
-/// @param steps  all whirl at speeds from one end to the other
-Path followed(const std::vector<std::vector<Complex>> &steps, Complex from) {
-    Path out{from};
-    Complex step = 0;
-    for (std::size_t k = 1; k < steps.size(); ++k) {
-        const Complex guess = out.end + step;
-        const Complex *next = nullptr;
-        double nearest = HUGE_VAL;
-        double second = HUGE_VAL;
-        for (const Complex &l : steps[k]) {
-            const double apart = std::abs(l - guess);
-            if (apart < nearest)
-                next = &l;
-            second = std::min(second, std::max(apart, nearest));
-            nearest = std::min(nearest, apart);
-        }
-        // Where another one is nearly as near it is not clear which goes on.
-        if (next == nullptr || nearest > 0.03 * std::abs(out.end) || nearest > 0.2 * second)
-            return out;
-        step = *next - out.end;
-        out.end = *next;
-    }
-    out.whole = true;
-    return out;
-}
-
-// Bearings that damp heavily within one step of the grid: there some motions cease to whirl and
-// begin again, others go through, and these on one line. Crossings beside the step are listed.
-TEST(OverdampedBetweenSpeeds, motions_that_whirl_throughout_stay_on_one_line) {
+// Bearings that damp heavily within one step of the grid, where motions cease to whirl and begin
+// again: crossings beside the step are listed, and no others.
+TEST(OverdampedBetweenSpeeds, crossings_beside_the_step_are_those_of_the_oracle) {
     tests::Random random(3214);
     constexpr int steps = 8;
-    int whole = 0;
+    std::size_t crossed = 0;
     for (int i = 0; i < 20; ++i) {
         const double top = random(300, 800);
         const double step = top / steps;
@@ -347,32 +315,6 @@ TEST(OverdampedBetweenSpeeds, motions_that_whirl_throughout_stay_on_one_line) {
         const auto first = static_cast<std::size_t>(from / step);
         const double a = result.speeds[first];
         const double b = result.speeds[first + 1];
-        // On the ramps in steps over which the damping grows by one ratio.
-        std::vector<double> places{a, from};
-        constexpr int on_a_ramp = 100;
-        for (int n = 1; n <= on_a_ramp; ++n)
-            places.push_back(from + ramp *
-                                        (300 * std::pow(heavy / 300, 1.0 * n / on_a_ramp) - 300) /
-                                        (heavy - 300));
-        for (std::size_t n = places.size(); n-- > 1;)
-            places.push_back(from + to - places[n]);
-        places.push_back(b);
-        std::vector<std::vector<Complex>> fine;
-        for (const double place : places)
-            fine.push_back(whirl_at(rotor, place));
-        for (const results::CampbellMode &line : result.modes) {
-            const auto value = [&line](std::size_t at) {
-                return Complex(*line.real[at], *line.frequency[at]);
-            };
-            if (!line.frequency[first])
-                continue;
-            const Path path = followed(fine, value(first));
-            if (path.whole && line.frequency[first + 1]) {
-                ++whole;
-                EXPECT_LT(std::abs(path.end - value(first + 1)), 1e-5 * std::abs(path.end))
-                    << line.label << " at " << b;
-            }
-        }
         // Crossings with 1x outside that step: Im l passes the speed.
         for (const auto &[low, high] : {std::pair(0.0, a), std::pair(b, top)}) {
             std::vector<double> right;
@@ -400,12 +342,13 @@ TEST(OverdampedBetweenSpeeds, motions_that_whirl_throughout_stay_on_one_line) {
                     listed.push_back(crossing.speed);
             std::ranges::sort(right);
             std::ranges::sort(listed);
+            crossed += right.size();
             ASSERT_EQ(listed.size(), right.size()) << low << " to " << high;
             for (std::size_t n = 0; n < right.size(); ++n) // by a straight line between short steps
                 EXPECT_NEAR(listed[n], right[n], 1e-3 * right[n]);
         }
     }
-    EXPECT_GE(whole, 20);
+    EXPECT_GE(crossed, 20U);
 }
 
 /// What the shaft's damping, which turns with it, brings to rest in the rotor.
