@@ -3,6 +3,8 @@
 #include "periodic/neutral.h"
 #include "stability/periodic_motions.h"
 
+#include <algorithm>
+#include <array>
 #include <memory>
 
 namespace whirl::stability {
@@ -37,21 +39,25 @@ std::optional<double> closing_anisotropy(const std::function<StabilityModel(doub
         return {own, &own->rotor};
     };
     constexpr double margin = 1e-9; // bands that are just closed are still seen by rounding
-    constexpr double above = 1e-6;  // far enough that something is seen to grow
+    // Far enough that something is seen to grow: where motions hardly decay, the last.
+    constexpr std::array above{1e-6, 1e-5, 1e-4};
     constexpr int most_steps = 8;
     double from = given;
     std::unique_ptr<BandFinder> finder;
     for (int step = 0; step < most_steps; ++step) {
         const auto closing = periodic::last_to_close(family, from, open_bands(*motions, bands));
-        if (!closing || closing->speed < speeds.front() || closing->speed > speeds.back())
+        if (!closing || closing->speed < speeds.front() || closing->speed > speeds.back() ||
+            closing->noise > above.back() * closing->number)
             return std::nullopt;
-        from = closing->number * (1 - margin);
+        from = closing->number - std::max(margin * closing->number, closing->noise);
         finder = std::make_unique<BandFinder>(with(from), arrangement);
         bands = finder->find(speeds).bands;
         if (bands.empty()) {
-            const MotionSolver beyond(with(closing->number * (1 + above)), arrangement);
-            return growth_of(beyond.at(closing->speed)) > 0 ? std::optional(closing->number)
-                                                            : std::nullopt;
+            const bool grows_above = std::ranges::any_of(above, [&](double share) {
+                const MotionSolver beyond(with(closing->number * (1 + share)), arrangement);
+                return growth_of(beyond.at(closing->speed)) > 0;
+            });
+            return grows_above ? std::optional(closing->number) : std::nullopt;
         }
         motions = finder->solver().by_monodromy();
     }
