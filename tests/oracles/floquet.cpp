@@ -51,14 +51,15 @@ struct GaussMethod {
     }
 };
 
-/// y' = S(t) y of y = (q, q').
+/// y' = S(t) y of y = (q, T q'), T the period: entries of one size, without which the eigenvalues
+/// of the monodromy matrix drown in the rounding of its largest entries.
 RealMatrix state(const PeriodicSystem &system, Real t) {
-    const RealMatrix K = system.K(t);
+    const RealMatrix K = system.period * system.K(t);
     const Eigen::Index n = K.rows();
     RealMatrix both(n, 2 * n);
     both << K, system.D(t);
     RealMatrix out = RealMatrix::Zero(2 * n, 2 * n);
-    out.topRightCorner(n, n).setIdentity();
+    out.topRightCorner(n, n) = RealMatrix::Identity(n, n) / system.period;
     out.bottomRows(n) = -solve(system.M(t), both);
     return out;
 }

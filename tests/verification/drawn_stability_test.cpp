@@ -5,6 +5,7 @@
 #include "analyses/stability.h"
 #include "input/case_file.h"
 #include "oracles/dense_rotor.h"
+#include "oracles/floquet.h"
 #include "oracles/rotating_state.h"
 #include "properties/draw.h"
 #include "properties/transforms.h"
@@ -198,7 +199,7 @@ void expect_ends(const Counted &counted, const std::vector<results::StabilityEnd
 
 // Nothing depends on the units that the numbers are in.
 TEST(DrawnRotors, EndsAreTheSameInOtherUnits) {
-    for (int seed = 1; seed <= 6; ++seed) {
+    for (int seed = 1; seed <= 20; ++seed) {
         const Scene scene = anisotropic(seed);
         const auto here = analyses::stability(scene.scene, {}).ends;
         for (const properties::Units &units :
@@ -320,6 +321,122 @@ TEST(DrawnRotors, LevelOneIsTheFirstOfAllMotionsToGrow) {
         ++first;
     }
     EXPECT_GE(first, 20);
+}
+
+/// A rigid rotor with an anisotropic disc on bearings that differ between their directions, damped
+/// by a few per cent.
+std::string on_unequal_bearings(Draw &draw, double dI) {
+    const double Id = draw.between(0.6, 1.2);
+    std::string out = fmt::format(
+        "format = 1\n[material.m]\nE = 2e11\nnu = 0.3\nrho = 1e-9\n[shaft]\nrigid = true\n"
+        "segments = [{{length = 1, outer = 0.05, material = \"m\"}}]\n[[disc]]\nz = 0.5\nmass = "
+        "20\nId = {}\n"
+        "Ip = {}\n[[anisotropy]]\nz = 0.5\ndI = {:.17g}\n",
+        Id, Id * draw.between(0.3, 0.6), dI);
+    for (const double z : {0.0, 1.0}) {
+        const double k = draw.between(3e5, 8e5);
+        const double ratio = draw.between(0.6, 0.9);
+        const double c = k * draw.between(2e-5, 8e-5);
+        out += fmt::format("[[bearing]]\nz = {}\nkxx = {}\nkyy = {}\ncxx = {}\ncyy = {}\n", z, k,
+                           ratio * k, c, c);
+    }
+    return out + "[speeds]\nfrom = 250\nto = 1500\ncount = 31\n";
+}
+
+/// A speed next to which a turning anisotropy can make something grow, and how wide that is.
+struct Resonance {
+    double speed = 0; ///< rad/s
+    double width = 0; ///< rad/s
+};
+
+/// The anisotropy turns at twice the spin speed when seen from the fixed frame: of the rotor
+/// without it two whirl frequencies, or one twice, add up to that. Where growth begins, the
+/// coupling is as strong as the damping and so the resonance about as wide as the motions decay.
+std::vector<Resonance> resonances(oracles::CaseRotor rotor) {
+    rotor.anisotropies.clear();
+    const auto motions = [&rotor](double speed) {
+        const auto at = static_cast<Real>(speed);
+        const oracles::PeriodicSystem steady = oracles::rigid_periodic(rotor, at);
+        std::vector<Complex> out;
+        for (const Complex &value :
+             oracles::state_eigenvalues(steady.M(0), steady.D(0), steady.K(0), at))
+            if (value.imag() > 0)
+                out.push_back(value);
+        std::ranges::sort(out, {}, [](const Complex &value) { return value.imag(); });
+        return out;
+    };
+    constexpr int steps = 200;
+    const double step = (rotor.speed_to - rotor.speed_from) / steps;
+    std::vector<Resonance> out;
+    double speed = rotor.speed_from;
+    std::vector<Complex> here = motions(speed);
+    for (int k = 0; k < steps; ++k, speed += step) {
+        const std::vector<Complex> next = motions(speed + step);
+        for (std::size_t i = 0; i < std::min(here.size(), next.size()); ++i)
+            for (std::size_t j = 0; j <= i; ++j) {
+                const Real before = (here[i] + here[j]).imag() - 2 * static_cast<Real>(speed);
+                const Real after = (next[i] + next[j]).imag() - 2 * static_cast<Real>(speed + step);
+                if (before > 0 && after <= 0)
+                    out.push_back({speed + step * static_cast<double>(before / (before - after)),
+                                   static_cast<double>(-(here[i] + here[j]).real() / 2)});
+            }
+        here = next;
+    }
+    return out;
+}
+
+/// Largest growth over the speeds, 1/s; less than zero where all dies out. At a resonance known to
+/// 1e-6 of what its motions decay with.
+Real most_growth(const oracles::CaseRotor &rotor) {
+    const auto growth = [&rotor](double speed) {
+        constexpr int enough = 8; // steps of order 8 over half a turn
+        return oracles::floquet_growth(oracles::rigid_periodic(rotor, static_cast<Real>(speed)),
+                                       enough);
+    };
+    Real most = growth(rotor.speed_from);
+    constexpr int steps = 40;
+    for (int k = 1; k <= steps; ++k)
+        most = std::max(most,
+                        growth(rotor.speed_from + k * (rotor.speed_to - rotor.speed_from) / steps));
+    for (const Resonance &resonance : resonances(rotor)) {
+        const auto within = [&rotor](double speed) {
+            return std::clamp(speed, rotor.speed_from, rotor.speed_to);
+        };
+        double best = resonance.speed;
+        Real top = growth(best);
+        const auto look = [&](double speed) {
+            if (const Real here = growth(speed); here > top) {
+                top = here;
+                best = speed;
+            }
+        };
+        for (int k = -8; k <= 8; ++k) // an anisotropy of some per cent moves it by less
+            look(within(resonance.speed + k * resonance.width / 2));
+        for (double wide = resonance.width / 4; wide > 1e-3 * resonance.width; wide /= 2)
+            for (const double speed : {best - wide, best + wide})
+                look(within(speed));
+        most = std::max(most, top);
+    }
+    return most;
+}
+
+// Against multipliers of the fixed frame: just below it nothing grows, just above something does.
+TEST(DrawnRotors, PermissibleAnisotropyOnUnequalBearingsIsWhereGrowthBegins) {
+    constexpr double just = 1e-5; // ten times what the largest growth is known to
+    int compared = 0;
+    for (int seed = 1; seed <= 20; ++seed) {
+        const auto scene = [seed](double dI) {
+            Draw draw(static_cast<std::uint64_t>(seed));
+            return scene_of(on_unequal_bearings(draw, dI));
+        };
+        const auto found = analyses::stability(scene(0.01).scene, {}).permissible.at(0);
+        if (!found.dI || *found.dI == 0)
+            continue;
+        ++compared;
+        EXPECT_LT(most_growth(scene((1 - just) * *found.dI).own), 0) << seed;
+        EXPECT_GT(most_growth(scene((1 + just) * *found.dI).own), 0) << seed;
+    }
+    EXPECT_GE(compared, 18);
 }
 
 model::Case stored(const std::string &name) {
