@@ -149,6 +149,17 @@ class Varied {
         return bands(dI, speeds).empty();
     }
 
+    /// The dI at which the last band of an unstable one closes, where bands can be followed.
+    [[nodiscard]] std::optional<double> closing(double unstable,
+                                                const std::vector<double> &speeds) const {
+        BandFinder finder(model_with(unstable), _arrangement);
+        if (!bands_can_be_followed(finder))
+            return std::nullopt;
+        std::vector<results::Interval> open = finder.find(speeds).bands;
+        return closing_anisotropy([this](double dI) { return model_with(dI); }, unstable, finder,
+                                  std::move(open), speeds);
+    }
+
   private:
     const StabilityModel &_model;
     const balancers::Arrangement &_arrangement;
@@ -362,7 +373,8 @@ std::optional<double> permissible(Varied &varied, double largest, bool undamped,
     const Descent found = descent(varied, largest, coarse);
     if (!found.dI || *found.dI == 0)
         return found.dI;
-    return verified(varied, found, speeds);
+    const std::optional<double> closing = varied.closing(found.unstable, speeds);
+    return closing ? *closing : verified(varied, found, speeds);
 }
 
 } // namespace
