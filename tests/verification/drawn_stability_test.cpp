@@ -509,6 +509,14 @@ model::Case stored(const std::string &name) {
     return input::load_case(WHIRL_ROOT "/tests/verification/scenes/" + name + ".toml");
 }
 
+// Elements of order 3, which the oracle does not have; its tolerance is what rounding leaves of the
+// growth, some 1e-9 1/s, over the derivative of it.
+TEST(Permissible, OfAHardlyDampedShaftIsWhereItsMultipliersBeginToGrow) {
+    const auto found = analyses::stability(stored("small_shaft_unequal_bearings"), {});
+    ASSERT_TRUE(found.permissible.at(0).dI);
+    EXPECT_NEAR(*found.permissible[0].dI, 7.116052e-9, 4e-15);
+}
+
 // Where the matrix of what stands still is singular; by elements of order 12 the same digits.
 TEST(Ends, OfAnUndampedRotorAreThoseOfTheWholeOne) {
     const model::Case scene = stored("ends_asymmetric_undamped");
