@@ -105,10 +105,13 @@ bool RotatingSpectrum::held(const Eigen::VectorXcd &vector) const {
     return along > 0.5 * vector.segment(_parts, _system.M.size() - _parts).squaredNorm();
 }
 
-linalg::QuadraticResult RotatingSpectrum::solve_hill(double speed, int wanted, double shift) const {
+linalg::QuadraticResult RotatingSpectrum::solve_hill(double speed, int wanted, double radius,
+                                                     double shift) const {
     linalg::QuadraticOptions options;
     options.shift = shift;
     options.fewest = 1;
+    options.method = _method;
+    options.enough = radius + shift;
     if (speed != 0) {
         const assembly::SystemAtSpeed hill = hill_system(speed);
         options.wanted = std::min(wanted, hill.M.size());
@@ -162,8 +165,8 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
         found = linalg::solve_quadratic(
             _M, _C + speed * _Cs, linalg::sum(1, _K, speed, _Ks, speed * speed, _Kss), options);
     } else {
-        found =
-            solve_hill(speed, keep == Keep::best ? wanted * (2 * _harmonics + 1) : wanted, shift);
+        found = solve_hill(speed, keep == Keep::best ? wanted * (2 * _harmonics + 1) : wanted,
+                           radius, shift);
     }
     Eigenvalues out;
     out.shift = shift;
@@ -350,7 +353,10 @@ RotatingSpectrum::Lowest RotatingSpectrum::lowest(double speed, int wanted) cons
     bool any = false;
     for (int attempt = 0; attempt <= 12; ++attempt) {
         try {
-            out.found = up_to(speed, radius, wanted, Keep::best, Reach::farthest);
+            // Of the series each motion has many copies: a second decomposition of so large a
+            // matrix is for what is asked alone.
+            out.found = up_to(speed, radius, wanted, Keep::best,
+                              _harmonics > 0 ? Reach::asked : Reach::farthest);
         } catch (const linalg::SolverError &) {
             if (!any)
                 throw;

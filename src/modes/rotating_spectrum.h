@@ -130,7 +130,9 @@ class RotatingSpectrum {
     /// @param radius  needed, as far as double precision goes
     [[nodiscard]] Eigenvalues solve(double speed, int wanted, double radius, double shift,
                                     Keep keep) const;
-    [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double shift) const;
+    /// @param radius  as of solve()
+    [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double radius,
+                                                     double shift) const;
     static void take_standing_copy(double speed, std::vector<linalg::ComplexPair> &all,
                                    linalg::ComplexPair &pair);
     [[nodiscard]] bool cut_off(const Eigen::VectorXcd &series) const;

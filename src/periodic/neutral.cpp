@@ -14,6 +14,7 @@ using Complex = std::complex<double>;
 struct Point {
     double number = 0, speed = 0;
     Complex value, by_speed, by_number;
+    double noise = 0; ///< of the value by rounding, 1/s
 
     [[nodiscard]] double growth() const { return value.real(); }
 };
@@ -26,8 +27,12 @@ std::optional<Point> point_at(const Family &family, double number, double speed,
         return std::nullopt;
     const double step = 1e-3 * number; // the terms with it are proportional to it
     const auto other = family(number + step);
-    return Point{number, speed, root->value, rotor->slope(*root, speed),
-                 rotor->change(*root, speed, *other, speed) / step};
+    return Point{number,
+                 speed,
+                 root->value,
+                 rotor->slope(*root, speed),
+                 rotor->change(*root, speed, *other, speed) / step,
+                 root->noise};
 }
 
 /// A step in the speed and in the number.
@@ -99,11 +104,13 @@ std::optional<Closing> followed(const Family &family, const Point &start, const 
         if (!at || !(at->number < 1.5 * first) || !(at->number > 1e-9 * first))
             return std::nullopt;
         curvature.learn(before, *at);
-        const double scale = std::abs(at->by_number.real()) * at->number;
-        if (std::abs(by) <= enough * at->number && std::abs(at->growth()) <= 10 * enough * scale &&
-            curvature.beside(aside) <= enough * scale)
+        const double slope = std::abs(at->by_number.real());
+        // Where motions hardly decay, rounding is the larger part of what is left of the growth.
+        const double left = std::max(enough * slope * at->number, at->noise);
+        if (std::abs(by) * slope <= left && std::abs(at->growth()) <= 10 * left &&
+            curvature.beside(aside) <= left)
             return curvature.concave() && at->number < first
-                       ? std::optional(Closing{at->number, at->speed, at->value})
+                       ? std::optional(Closing{at->number, at->speed, at->value, at->noise / slope})
                        : std::nullopt;
     }
     return std::nullopt;

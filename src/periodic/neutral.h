@@ -37,6 +37,7 @@ struct Closing {
     double number = 0;
     double speed = 0;           ///< rad/s
     std::complex<double> value; ///< l, 1/s
+    double noise = 0;           ///< of the number by rounding
 };
 
 /// A band of the rotor with some number: its middle, and what grows there.

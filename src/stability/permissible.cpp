@@ -149,6 +149,17 @@ class Varied {
         return bands(dI, speeds).empty();
     }
 
+    /// The dI at which the last band of an unstable one closes, where bands can be followed.
+    [[nodiscard]] std::optional<double> closing(double unstable,
+                                                const std::vector<double> &speeds) const {
+        BandFinder finder(model_with(unstable), _arrangement);
+        if (!bands_can_be_followed(finder))
+            return std::nullopt;
+        std::vector<results::Interval> open = finder.find(speeds).bands;
+        return closing_anisotropy([this](double dI) { return model_with(dI); }, unstable, finder,
+                                  std::move(open), speeds);
+    }
+
   private:
     const StabilityModel &_model;
     const balancers::Arrangement &_arrangement;
@@ -281,24 +292,32 @@ std::vector<double> around(double speed, const std::vector<double> &speeds) {
 double verified(const Varied &varied, const Descent &found, const std::vector<double> &speeds) {
     constexpr double margin = 1e-9; // of dI: bands that are just closed are still seen by rounding
     constexpr double above = 1e-6;  // far enough that a band is seen
+    // Between a dI without bands among these speeds and one with.
+    const auto halved = [&varied](double stable, double unstable, const std::vector<double> &at) {
+        while (unstable - stable > above * unstable) {
+            const double middle = (stable + unstable) / 2;
+            (varied.stable(middle, at) ? stable : unstable) = middle;
+        }
+        return stable;
+    };
     double stable = *found.dI * (1 - margin);
     double unstable = found.unstable;
     if (!varied.stable(stable, speeds)) {
         unstable = stable;
         for (stable *= 1 - above; stable > 0 && !varied.stable(stable, speeds); stable *= 0.5)
             unstable = stable;
-    } else if (const double next = *found.dI * (1 + above);
-               next >= unstable || !varied.stable(next, around(found.speed, speeds)) ||
-               !varied.stable(next, speeds)) {
+        return halved(stable, unstable, speeds);
+    }
+    stable = *found.dI * (1 + above);
+    const std::vector<double> near = around(found.speed, speeds);
+    if (stable >= unstable || !varied.stable(stable, near))
         return *found.dI;
-    } else {
-        stable = next;
-    }
-    while (unstable - stable > above * unstable) {
-        const double middle = (stable + unstable) / 2;
-        (varied.stable(middle, speeds) ? stable : unstable) = middle;
-    }
-    return stable;
+    // Where the shaft hardly takes part, growth just above drowns in rounding. It is seen first
+    // where it was found to begin, most likely; that it is nowhere else before is looked at once.
+    const double seen = halved(stable, unstable, near);
+    if (varied.stable(seen, speeds))
+        return seen;
+    return varied.stable(stable, speeds) ? halved(stable, seen, speeds) : *found.dI;
 }
 
 /// Fewer of many: the search for bands looks between them by itself.
@@ -354,7 +373,8 @@ std::optional<double> permissible(Varied &varied, double largest, bool undamped,
     const Descent found = descent(varied, largest, coarse);
     if (!found.dI || *found.dI == 0)
         return found.dI;
-    return verified(varied, found, speeds);
+    const std::optional<double> closing = varied.closing(found.unstable, speeds);
+    return closing ? *closing : verified(varied, found, speeds);
 }
 
 } // namespace

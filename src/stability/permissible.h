@@ -18,9 +18,10 @@ namespace whirl::stability {
 /// of a gyroscopic rotor) where its supports are isotropic, symmetric about the centre of mass and
 /// there is no balancer.
 ///
-/// Where the equations stay periodic in time and the rotor as it is has bands, these are followed
-/// to the dI at which the last of them closes (periodic/neutral.h), and so are bands that the
-/// search then still finds, until it finds none.
+/// Where the equations of an elastic rotor stay periodic in time, the bands of the rotor as it is,
+/// or of the last unstable one of the descent, are followed to the dI at which the last of them
+/// closes (periodic/neutral.h), and so are bands that the search then still finds, until it finds
+/// none.
 /// @param finder  with which the bands of the rotor as it is were found
 [[nodiscard]] std::vector<results::PermissibleAnisotropy>
 permissible_anisotropies(const BandFinder &finder, const std::vector<double> &speeds,

@@ -5,6 +5,8 @@
 #include "modes/orbits.h"
 #include "results/formulation.h"
 #include "results/sentence.h"
+#include "synchronous/branch.h"
+#include "synchronous/general.h"
 
 #include <fmt/format.h>
 
@@ -91,6 +93,41 @@ Partners by_shape(const assembly::Discretization &coarse, const SynchronousModes
     return partners;
 }
 
+/// Relative error of a mode against the same one of a finer model.
+/// @param other  its eigenvalue there, with a residual and rounding of `noise`
+results::ErrorParts error_against(const modes::WhirlMode &mode, std::complex<double> other,
+                                  double noise) {
+    const double apart = std::abs(mode.eigenvalue - other) / other.imag();
+    return {mesh_error::estimate_safety * apart + noise, 0, mode.residual + mode.rounding};
+}
+
+/// Each eigenvalue of a rotor with constant coefficients found again on a finer model, next to
+/// where it is, by inverse iteration: where that has too many unknowns to find all that come to
+/// rest beside them. None where the nearest one may be another one's.
+std::vector<std::optional<results::ErrorParts>>
+errors_one_by_one(const SynchronousModes &list, const assembly::Discretization &finer,
+                  results::Form form) {
+    const ComplexQuadratic Q = GeneralSynchronous(finer, form).problem(0);
+    const LinearSynchronous constant(Q, Q, 0, 1);
+    Eigen::VectorXcd start(Q.K.rows());
+    for (Eigen::Index i = 0; i < start.size(); ++i) // without symmetry between planes, as for TOAR
+        start(i) = {1 + 0.5 * std::sin(1 + 1.7 * static_cast<double>(i)),
+                    std::cos(2.3 * static_cast<double>(i))};
+    std::vector<std::optional<results::ErrorParts>> errors;
+    for (const modes::WhirlMode &mode : list.modes) {
+        double room = std::abs(mode.eigenvalue);
+        for (const modes::WhirlMode &other : list.modes)
+            if (&other != &mode)
+                room = std::min(room, std::abs(other.eigenvalue - mode.eigenvalue));
+        errors.emplace_back();
+        const auto found = constant.point(0, mode.eigenvalue, start);
+        if (found && std::abs(found->eigenvalue - mode.eigenvalue) < room / 4)
+            errors.back() =
+                error_against(mode, found->eigenvalue, found->residual + found->rounding);
+    }
+    return errors;
+}
+
 } // namespace
 
 std::vector<std::optional<results::ErrorParts>>
@@ -106,13 +143,9 @@ critical_errors(const assembly::Discretization &coarse, results::Form form,
         errors.emplace_back();
         if (!partners[i])
             continue;
-        const modes::WhirlMode &mode = modes.modes[i];
         const modes::WhirlMode &other = finer_modes.modes[*partners[i]];
-        const double by_mesh = mesh_error::estimate_safety *
-                                   std::abs(mode.eigenvalue - other.eigenvalue) /
-                                   other.eigenvalue.imag() +
-                               other.residual + other.rounding;
-        errors.back() = {by_mesh, 0, mode.residual + mode.rounding};
+        errors.back() =
+            error_against(modes.modes[i], other.eigenvalue, other.residual + other.rounding);
     }
     return errors;
 }
@@ -132,10 +165,17 @@ std::vector<results::ErrorParts> errors_by_finer_model(const assembly::Discretiz
     }
     try {
         const assembly::Discretization finer(rotor.rotor(), mesh_error::finer_order(rotor.order()));
-        const SynchronousModes of_finer =
-            all_synchronous_modes(finer, form, static_cast<int>(list.modes.size()) + 2,
-                                  list.modes.back().eigenvalue.imag(), symmetric);
-        const auto found = critical_errors(rotor, form, list, finer, of_finer);
+        std::vector<std::optional<results::ErrorParts>> found;
+        try {
+            found = critical_errors(
+                rotor, form, list, finer,
+                all_synchronous_modes(finer, form, static_cast<int>(list.modes.size()) + 2,
+                                      list.modes.back().eigenvalue.imag(), symmetric));
+        } catch (const linalg::SolverError &) {
+            if (form != results::Form::general || !table_speeds(rotor.rotor()).empty())
+                throw;
+            found = errors_one_by_one(list, finer, form);
+        }
         for (std::size_t i = 0; i < errors.size(); ++i) {
             errors[i] = found[i].value_or(unknown);
             if (!found[i])

@@ -143,6 +143,8 @@ SymmetricSynchronous::Passages SymmetricSynchronous::constant(double bearing_spe
             if (pair.value > 0)
                 out.list.push_back({pair, true});
         return out;
+    } catch (const linalg::Unresolved &) {
+        throw;
     } catch (const linalg::SolverError &) {
         return about_a_shift(K, wanted, zeros);
     }

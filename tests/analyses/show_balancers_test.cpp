@@ -2,6 +2,7 @@
 #include "closed_form/composite_rotor_scales.h"
 #include "results/show.h"
 #include "support/balancer_parts.h"
+#include "support/random.h"
 #include "support/scenes.h"
 
 #include <gtest/gtest.h>
@@ -108,6 +109,55 @@ TEST(ShowBalancers, composite_rotor_is_the_body_of_its_points) {
     EXPECT_NEAR(result.dI.value(), (values[1] - values[0]) / 2, rounding);
     const Eigen::Vector2d axis(std::cos(*result.dI_angle), std::sin(*result.dI_angle));
     EXPECT_NEAR(std::abs(axis.dot(principal.eigenvectors().col(0))), 1, rounding);
+}
+
+TEST(ShowBalancers, drawn_composite_rotors_are_the_bodies_of_their_points) {
+    tests::Random random(3216);
+    for (int drawn = 0; drawn < 24;) {
+        model::Case scene = base_set();
+        const int n = 2 + static_cast<int>(random(0, 5));
+        const double E = random(1.05, 2.5);
+        const double imbalance = random(0.1, 0.6);
+        const double z = random(0.2, 0.8);
+        const double ball = E * imbalance / (n * 0.2);
+        scene.rotor.discs = {tests::disc_at(0.4, random(30, 80), random(0.3, 1), random(0.1, 0.5))};
+        scene.rotor.balancers = {balls(z, n, ball, imbalance)};
+        // All but two stand anywhere, these close the sum -n/E.
+        std::vector<double> position;
+        std::complex<double> rest = -n / E;
+        for (int k = 0; k < n - 2; ++k) {
+            position.push_back(random(-pi, pi));
+            rest -= std::polar(1.0, position.back());
+        }
+        if (std::abs(rest) > 2)
+            continue;
+        ++drawn;
+        const double opening = std::acos(std::abs(rest) / 2);
+        position.push_back(std::arg(rest) + opening);
+        position.push_back(std::arg(rest) - opening);
+        scene.rotor.balancers[0].position = position;
+        Body body;
+        body.add_disc(scene.rotor.discs[0]);
+        body.add_point(imbalance / 0.2, 0.2, 0, z);
+        std::complex<double> D = 0;
+        for (const double angle : position) {
+            body.add_point(ball, 0.2, angle, z);
+            D += std::polar(1.0 / n, 2 * angle);
+        }
+        const results::ShowResult result = analyses::show(scene);
+        const Eigen::Matrix3d inertia = body.about_center();
+        EXPECT_NEAR(result.mass / body.mass(), 1, rounding);
+        EXPECT_NEAR(result.center_of_mass / body.center().z(), 1, rounding);
+        EXPECT_NEAR(result.Ip / inertia(2, 2), 1, rounding);
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> principal(
+            Eigen::MatrixXd(inertia.topLeftCorner<2, 2>()));
+        const Eigen::Vector2d values = principal.eigenvalues();
+        EXPECT_NEAR(result.Id / values.mean(), 1, rounding);
+        EXPECT_NEAR(result.dI.value(), (values[1] - values[0]) / 2, rounding);
+        ASSERT_TRUE(result.balancers.at(0).D);
+        EXPECT_LT(std::abs(*result.balancers[0].D - D), 1e-12); // angles of a sum that closes
+        EXPECT_NEAR(result.balancers[0].E, E, 1e-12);
+    }
 }
 
 TEST(ShowBalancers, paper_numbers_of_the_base_set) {

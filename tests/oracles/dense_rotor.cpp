@@ -230,6 +230,36 @@ std::vector<std::complex<double>> whirl_eigenvalues(const DenseRotor &rotor, dou
     return out;
 }
 
+std::vector<std::complex<double>> synchronous_eigenvalues(const DenseRotor &rotor) {
+    // As above; the spin speed -i l goes with G and Kc.
+    const std::complex<double> i(0, 1);
+    const Eigen::Index n = rotor.M.rows();
+    const Eigen::PartialPivLU<Eigen::MatrixXd> stiffness(rotor.K);
+    const Eigen::MatrixXd still = stiffness.solve(rotor.M);
+    const Eigen::MatrixXd turning = stiffness.solve(rotor.G);
+    const Eigen::MatrixXd damping = stiffness.solve(rotor.C);
+    const Eigen::MatrixXd inner = stiffness.solve(rotor.Kc);
+    const double scale = 1 / std::sqrt(still.norm());
+    Eigen::MatrixXcd state = Eigen::MatrixXcd::Zero(2 * n, 2 * n);
+    for (Eigen::Index column = 0; column < n; ++column) {
+        for (Eigen::Index row = 0; row < n; ++row) {
+            state(row, column) = -scale * (damping(row, column) - i * inner(row, column));
+            state(row, n + column) =
+                -scale * scale * (still(row, column) - i * turning(row, column));
+        }
+        state(n + column, column) = 1;
+    }
+    std::vector<std::complex<double>> out;
+    const Eigen::VectorXcd all =
+        Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(state, false).eigenvalues();
+    for (const std::complex<double> &mu : all)
+        if (-mu.imag() > std::abs(mu.real()))
+            out.push_back(scale / mu);
+    std::sort(out.begin(), out.end(),
+              [](const auto &a, const auto &b) { return a.imag() < b.imag(); });
+    return out;
+}
+
 std::vector<Crossing> crossings(const DenseRotor &rotor, double multiple) {
     const std::complex<double> i(0, 1);
     const Eigen::MatrixXcd inertia = rotor.M.cast<std::complex<double>>() -

@@ -44,6 +44,10 @@ struct DenseRotor {
 [[nodiscard]] std::vector<std::complex<double>> whirl_eigenvalues(const DenseRotor &rotor,
                                                                   double speed);
 
+/// Eigenvalues l (1/s) of motions that turn with the rotor's own speed l/i, damping ratio below
+/// 1/sqrt(2): l^2 (M - i G) + l (C - i Kc) + K = 0 with Im l > |Re l|, by ascending imaginary part.
+[[nodiscard]] std::vector<std::complex<double>> synchronous_eigenvalues(const DenseRotor &rotor);
+
 /// A speed (rad/s) at which a whirl frequency is `multiple` times the speed.
 struct Crossing {
     double speed = 0;

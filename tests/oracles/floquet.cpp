@@ -1,5 +1,6 @@
 #include "oracles/floquet.h"
 
+#include "oracles/dense_rotor.h"
 #include "oracles/rigid_rotor.h"
 
 #include <algorithm>
@@ -84,6 +85,44 @@ RealMatrix step(const PeriodicSystem &system, const GaussMethod &gauss, Real t, 
     return out;
 }
 
+/// Of M q'' + D q' + K q = 0, its unknowns in x, then the same in y.
+struct Steady {
+    RealMatrix M, D, K;
+};
+
+/// Inertial anisotropy a in rotating axes on a slope, by its row in x.
+struct Turning {
+    Eigen::Index slope = 0;
+    Complex a;
+};
+
+/// The anisotropies added.
+PeriodicSystem with_anisotropies(const Steady &steady, const std::vector<Turning> &turning,
+                                 Real speed) {
+    // Complex factor e of conj(phi): Re and Im of e conj(phi) on (phi_x, phi_y)
+    const auto with = [turning](RealMatrix matrix, const Complex &factor) {
+        const Eigen::Index n = matrix.rows() / 2;
+        for (const auto &[i, a] : turning) {
+            const Complex e = factor * a;
+            matrix(i, i) += e.real();
+            matrix(i, n + i) += e.imag();
+            matrix(n + i, i) += e.imag();
+            matrix(n + i, n + i) -= e.real();
+        }
+        return matrix;
+    };
+    PeriodicSystem out;
+    out.period = std::numbers::pi_v<Real> / speed;
+    out.M = [M = steady.M, speed, with](Real t) {
+        return with(M, std::polar(Real(1), 2 * speed * t));
+    };
+    out.D = [D = steady.D, speed, with](Real t) {
+        return with(D, Complex(0, 2 * speed) * std::polar(Real(1), 2 * speed * t));
+    };
+    out.K = [K = steady.K](Real) { return K; };
+    return out;
+}
+
 } // namespace
 
 std::vector<Complex> multipliers(const PeriodicSystem &system, int steps) {
@@ -93,6 +132,19 @@ std::vector<Complex> multipliers(const PeriodicSystem &system, int steps) {
     const Real h = system.period / steps;
     for (int k = 0; k < steps; ++k)
         y = step(system, gauss, k * h, h, y);
+    // In units in which one of each has the same energy: else eigenvalues drown in the rounding of
+    // the largest entries.
+    const RealMatrix M = system.M(0);
+    const RealMatrix K = system.K(0);
+    std::vector<Real> units;
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Eigen::Index row = i % (n / 2);
+        const Real slow = M(row, row) / (system.period * system.period);
+        units.push_back(std::sqrt(i < n / 2 ? std::max(K(row, row), slow) : M(row, row)));
+    }
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j < n; ++j)
+            y(i, j) *= units[static_cast<std::size_t>(i)] / units[static_cast<std::size_t>(j)];
     return eigenvalues(y);
 }
 
@@ -127,27 +179,20 @@ PeriodicSystem rigid_periodic(const CaseRotor &rotor, Real speed) {
         K += product(turned, product(k, at));
         D += product(turned, product(c, at));
     }
-    PeriodicSystem out;
-    out.period = std::numbers::pi_v<Real> / speed;
-    // Complex factor e of conj(phi): Re and Im of e conj(phi) on (phi_x, phi_y)
-    const auto on_conjugate = [](RealMatrix &matrix, const Complex &e) {
-        matrix(1, 1) += e.real();
-        matrix(1, 3) += e.imag();
-        matrix(3, 1) += e.imag();
-        matrix(3, 3) -= e.real();
-    };
-    out.M = [M, body, speed, on_conjugate](Real t) {
-        RealMatrix now = M;
-        on_conjugate(now, body.a * std::polar(Real(1), 2 * speed * t));
-        return now;
-    };
-    out.D = [D, body, speed, on_conjugate](Real t) {
-        RealMatrix now = D;
-        on_conjugate(now, Complex(0, 2 * speed) * body.a * std::polar(Real(1), 2 * speed * t));
-        return now;
-    };
-    out.K = [K](Real) { return K; };
-    return out;
+    return with_anisotropies({M, D, K}, {{1, body.a}}, speed);
+}
+
+PeriodicSystem elastic_periodic(const CaseRotor &rotor, Real speed) {
+    const DenseRotor dense = dense_rotor(rotor);
+    const auto wide = [](const Eigen::MatrixXd &matrix) { return RealMatrix(matrix.cast<Real>()); };
+    std::vector<Turning> turning;
+    for (const InertialAnisotropy &item : rotor.anisotropies)
+        turning.push_back(
+            {dense.deflection(item.z) + 1,
+             std::polar(static_cast<Real>(item.dI), 2 * static_cast<Real>(item.angle))});
+    return with_anisotropies({wide(dense.M), wide(dense.C) + speed * wide(dense.G),
+                              wide(dense.K) + speed * wide(dense.Kc)},
+                             turning, speed);
 }
 
 } // namespace whirl::oracles

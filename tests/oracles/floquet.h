@@ -25,4 +25,8 @@ struct PeriodicSystem {
 /// a e^{2 i Omega t} conj(phi'' - 2 i Omega phi') here; period pi/Omega.
 [[nodiscard]] PeriodicSystem rigid_periodic(const CaseRotor &rotor, Real speed);
 
+/// The same of the shaft on two-node elements (dense_rotor()), [[anisotropy]] where there is a
+/// node.
+[[nodiscard]] PeriodicSystem elastic_periodic(const CaseRotor &rotor, Real speed);
+
 } // namespace whirl::oracles

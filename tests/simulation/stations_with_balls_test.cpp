@@ -4,6 +4,7 @@
 #include "analyses/simulate.h"
 #include "input/case_file.h"
 #include "oracles/dense_rotor.h"
+#include "support/random.h"
 
 #include <gtest/gtest.h>
 
@@ -374,6 +375,47 @@ TEST_P(SlowApproach, has_one_word_whatever_the_time) {
 INSTANTIATE_TEST_SUITE_P(Times, SlowApproach,
                          testing::Values(100.0, 300.0, 700.0, 1500.0, 3000.0, 5000.0, 6500.0,
                                          9000.0, 14000.0, 22000.0));
+
+/// Between two times the balls still move, but slowly: neither the one word nor the other is true
+/// yet, whichever of the two times the run ended at.
+class DrawnSlowApproach : public testing::TestWithParam<int> {};
+
+TEST_P(DrawnSlowApproach, is_undecided_while_the_balls_move) {
+    tests::Random draw(static_cast<unsigned>(3300 + GetParam()));
+    const double ball = draw(0.5e-4, 2e-4);
+    std::vector<std::string> set;
+    for (const int i : {0, 1}) {
+        const auto key = [i](const std::string &name) {
+            return fmt::format("balancer[{}].{}", i, name);
+        };
+        set.push_back(fmt::format("{}={}", key("mass"), ball));
+        set.push_back(fmt::format("{}={}", key("damping"), 0.01 * ball));
+        // What the balls can balance, 2 m R at most.
+        set.push_back(fmt::format("{}={}", key("imbalance"), draw(0.2, 0.8) * 2 * ball));
+        set.push_back(fmt::format("{}={}", key("imbalance_phase"), draw(-pi, pi)));
+        set.push_back(fmt::format("bearing[{}].kxx={}", i, draw(0.4, 0.8)));
+        set.push_back(fmt::format("bearing[{}].kyy={}", i, draw(1.5, 3)));
+    }
+    const double time = draw(200, 2000);
+    const auto at = [&set](double end) {
+        std::vector<std::string> all = set;
+        all.push_back(fmt::format("simulate.time={}", end));
+        return motion_of(slow, all);
+    };
+    const SimulateResult first = at(time);
+    const SimulateResult later = at(1.5 * time);
+    double moved = 0;
+    for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t j = 0; j < 2; ++j)
+            moved = std::max(
+                moved, std::abs(std::remainder(
+                           later.balancers[i].angles[j] - first.balancers[i].angles[j], 2 * pi)));
+    ASSERT_GT(moved, 1e-3);
+    for (const SimulateResult *result : {&first, &later})
+        EXPECT_EQ(results::outcome_name(result->outcome), "undecided") << result->evidence;
+}
+
+INSTANTIATE_TEST_SUITE_P(Drawn, DrawnSlowApproach, testing::Range(0, 20));
 
 TEST(SlowApproachEnd, is_an_offset) {
     const SimulateResult result = motion_of(slow, {"simulate.time=60000"});

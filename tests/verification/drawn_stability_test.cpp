@@ -5,6 +5,7 @@
 #include "analyses/stability.h"
 #include "input/case_file.h"
 #include "oracles/dense_rotor.h"
+#include "oracles/floquet.h"
 #include "oracles/rotating_state.h"
 #include "properties/draw.h"
 #include "properties/transforms.h"
@@ -13,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -22,6 +24,7 @@ namespace {
 using namespace whirl;
 using oracles::Complex;
 using oracles::Real;
+using oracles::RealMatrix;
 using properties::Draw;
 
 struct Scene {
@@ -198,7 +201,7 @@ void expect_ends(const Counted &counted, const std::vector<results::StabilityEnd
 
 // Nothing depends on the units that the numbers are in.
 TEST(DrawnRotors, EndsAreTheSameInOtherUnits) {
-    for (int seed = 1; seed <= 6; ++seed) {
+    for (int seed = 1; seed <= 20; ++seed) {
         const Scene scene = anisotropic(seed);
         const auto here = analyses::stability(scene.scene, {}).ends;
         for (const properties::Units &units :
@@ -322,8 +325,196 @@ TEST(DrawnRotors, LevelOneIsTheFirstOfAllMotionsToGrow) {
     EXPECT_GE(first, 20);
 }
 
+/// A rigid rotor with an anisotropic disc on bearings that differ between their directions, damped
+/// by a few per cent.
+std::string on_unequal_bearings(Draw &draw, double dI) {
+    const double Id = draw.between(0.6, 1.2);
+    std::string out = fmt::format(
+        "format = 1\n[material.m]\nE = 2e11\nnu = 0.3\nrho = 1e-9\n[shaft]\nrigid = true\n"
+        "segments = [{{length = 1, outer = 0.05, material = \"m\"}}]\n[[disc]]\nz = 0.5\nmass = "
+        "20\nId = {}\n"
+        "Ip = {}\n[[anisotropy]]\nz = 0.5\ndI = {:.17g}\n",
+        Id, Id * draw.between(0.3, 0.6), dI);
+    for (const double z : {0.0, 1.0}) {
+        const double k = draw.between(3e5, 8e5);
+        const double ratio = draw.between(0.6, 0.9);
+        const double c = k * draw.between(2e-5, 8e-5);
+        out += fmt::format("[[bearing]]\nz = {}\nkxx = {}\nkyy = {}\ncxx = {}\ncyy = {}\n", z, k,
+                           ratio * k, c, c);
+    }
+    return out + "[speeds]\nfrom = 250\nto = 1500\ncount = 31\n";
+}
+
+using Periodic = oracles::PeriodicSystem (*)(const oracles::CaseRotor &, Real);
+
+/// A speed next to which a turning anisotropy can make something grow, and how wide that is.
+struct Resonance {
+    double speed = 0; ///< rad/s
+    double width = 0; ///< rad/s
+    double least = 0; ///< of both motions' decays, 1/s
+};
+
+/// The anisotropy turns at twice the spin speed when seen from the fixed frame: of the rotor
+/// without it two whirl frequencies, or one twice, add up to that. Where growth begins, the
+/// coupling is as strong as the damping and so the resonance about as wide as the motions decay.
+std::vector<Resonance> resonances(Periodic periodic, oracles::CaseRotor rotor) {
+    rotor.anisotropies.clear();
+    const auto motions = [&](double speed) {
+        const auto at = static_cast<Real>(speed);
+        const oracles::PeriodicSystem steady = periodic(rotor, at);
+        const RealMatrix M = steady.M(0);
+        const RealMatrix K = steady.K(0);
+        Real fastest = at * at;
+        for (Eigen::Index i = 0; i < M.rows(); ++i)
+            fastest = std::max(fastest, K(i, i) / M(i, i));
+        std::vector<Complex> out;
+        for (const Complex &value :
+             oracles::state_eigenvalues(M, steady.D(0), K, std::sqrt(fastest)))
+            if (value.imag() > 0)
+                out.push_back(value);
+        std::ranges::sort(out, {}, [](const Complex &value) { return value.imag(); });
+        return out;
+    };
+    const auto past = [](const Complex &a, const Complex &b, double speed) {
+        return static_cast<double>((a + b).imag() - 2 * static_cast<Real>(speed));
+    };
+    constexpr int steps = 100;
+    const double step = (rotor.speed_to - rotor.speed_from) / steps;
+    std::vector<Resonance> out;
+    double speed = rotor.speed_from;
+    std::vector<Complex> here = motions(speed);
+    for (int k = 0; k < steps; ++k, speed += step) {
+        const std::vector<Complex> next = motions(speed + step);
+        for (std::size_t i = 0; i < std::min(here.size(), next.size()); ++i)
+            for (std::size_t j = 0; j <= i; ++j) {
+                double low = speed;
+                double high = speed + step;
+                double before = past(here[i], here[j], low);
+                double after = past(next[i], next[j], high);
+                if (before <= 0 || after > 0)
+                    continue;
+                double at = low;
+                for (int turn = 0; turn < 3; ++turn) { // frequencies are smooth over the speed
+                    at = low + (high - low) * before / (before - after);
+                    const std::vector<Complex> there = motions(at);
+                    const double value = past(there.at(i), there.at(j), at);
+                    (value > 0 ? low : high) = at;
+                    (value > 0 ? before : after) = value;
+                }
+                const std::array decays{-here[i].real(), -here[j].real()};
+                out.push_back({at, static_cast<double>(decays[0] + decays[1]) / 2,
+                               static_cast<double>(std::min(decays[0], decays[1]))});
+            }
+        here = next;
+    }
+    return out;
+}
+
+/// Largest growth over the speeds, 1/s; less than zero where all dies out. At a resonance known to
+/// 1e-6 of what its motions decay with.
+Real most_growth(Periodic periodic, const oracles::CaseRotor &rotor) {
+    const auto growth = [&](double speed) {
+        constexpr int enough = 6; // steps of order 8 over half a turn, one whirl period at most
+        return oracles::floquet_growth(
+            periodic(rotor, static_cast<Real>(std::clamp(speed, rotor.speed_from, rotor.speed_to))),
+            enough);
+    };
+    Real most = growth(rotor.speed_from);
+    constexpr int steps = 20;
+    for (int k = 1; k <= steps; ++k)
+        most = std::max(most,
+                        growth(rotor.speed_from + k * (rotor.speed_to - rotor.speed_from) / steps));
+    for (const auto &[speed, width, least] : resonances(periodic, rotor)) {
+        double best = speed;
+        Real top = growth(best);
+        const auto look = [&](double at) {
+            if (const Real here = growth(at); here > top) {
+                top = here;
+                best = at;
+            }
+        };
+        for (const int k : {-3, -2, -1, 1, 2, 3})
+            look(speed + k * width / 2);
+        if (top < -least / 10) // at a hump that begins to grow it is least/32 below zero at most
+            continue;
+        for (double wide = width / 4; wide > 1e-3 * width; wide /= 2)
+            for (const double at : {best - wide, best + wide})
+                look(at);
+        most = std::max(most, top);
+    }
+    return most;
+}
+
+/// Against multipliers of the fixed frame: just below it nothing grows, just above something does.
+/// @param given  dI of the rotor as it is
+/// @param scene  a drawn one with some dI
+/// @returns whether there is something to compare
+template <class Drawing>
+bool is_where_growth_begins(Periodic periodic, double given, const Drawing &scene) {
+    const auto found = analyses::stability(scene(given).scene, {}).permissible.at(0);
+    if (!found.dI || *found.dI == 0)
+        return false;
+    constexpr double just = 1e-5; // ten times what the largest growth is known to
+    EXPECT_LT(most_growth(periodic, scene((1 - just) * *found.dI).own), 0) << *found.dI;
+    EXPECT_GT(most_growth(periodic, scene((1 + just) * *found.dI).own), 0) << *found.dI;
+    return true;
+}
+
+TEST(DrawnRotors, PermissibleAnisotropyOnUnequalBearingsIsWhereGrowthBegins) {
+    int compared = 0;
+    for (int seed = 1; seed <= 20; ++seed) {
+        SCOPED_TRACE(seed);
+        compared += is_where_growth_begins(oracles::rigid_periodic, 0.01, [seed](double dI) {
+            Draw draw(static_cast<std::uint64_t>(seed));
+            return scene_of(on_unequal_bearings(draw, dI));
+        });
+    }
+    EXPECT_GE(compared, 18);
+}
+
+/// A slender shaft with an anisotropic disc between bearings that differ between their directions,
+/// damped so little that growth begins within millionths of the inertia.
+std::string slender_on_unequal_bearings(Draw &draw, double dI) {
+    const double Id = draw.between(2e-5, 6e-5);
+    const double z = draw.between(0.06, 0.12);
+    std::string out = fmt::format(
+        "format = 1\n[material.m]\nE = 2.05e11\nnu = 0.3\nrho = 4500\n[shaft]\norder = 1\n"
+        "segments = [{{length = 0.34, outer = {}, material = \"m\"}}]\n[[disc]]\nz = {}\n"
+        "mass = 0.07\nId = {}\nIp = {}\n[[anisotropy]]\nz = {}\ndI = {:.17g}\n",
+        draw.between(0.014, 0.02), z, Id, Id * draw.between(1.2, 1.8), z, dI);
+    for (const double end : {0.0, 0.34}) {
+        const double k = draw.between(1e8, 3e8);
+        const double ratio = draw.between(0.4, 0.9);
+        const double c = k * draw.over_decades(1e-7, 1e-6);
+        out += fmt::format("[[bearing]]\nz = {}\nkxx = {}\nkyy = {}\ncxx = {}\ncyy = {}\n", end, k,
+                           ratio * k, c, c / 2);
+    }
+    return out + "[speeds]\nfrom = 1900\nto = 11000\ncount = 31\n";
+}
+
+TEST(DrawnRotors, PermissibleAnisotropyOfHardlyDampedShaftsIsWhereGrowthBegins) {
+    int compared = 0;
+    for (int seed = 1; seed <= 2; ++seed) {
+        SCOPED_TRACE(seed);
+        const double given = seed % 2 == 0 ? 1e-10 : 4e-7; // nothing grows yet, or something does
+        compared += is_where_growth_begins(oracles::elastic_periodic, given, [seed](double dI) {
+            Draw draw(static_cast<std::uint64_t>(seed));
+            return scene_of(slender_on_unequal_bearings(draw, dI));
+        });
+    }
+    EXPECT_EQ(compared, 2);
+}
+
 model::Case stored(const std::string &name) {
     return input::load_case(WHIRL_ROOT "/tests/verification/scenes/" + name + ".toml");
+}
+
+// Elements of order 3, which the oracle does not have; its tolerance is what rounding leaves of the
+// growth, some 1e-9 1/s, over the derivative of it.
+TEST(Permissible, OfAHardlyDampedShaftIsWhereItsMultipliersBeginToGrow) {
+    const auto found = analyses::stability(stored("small_shaft_unequal_bearings"), {});
+    ASSERT_TRUE(found.permissible.at(0).dI);
+    EXPECT_NEAR(*found.permissible[0].dI, 7.116052e-9, 4e-15);
 }
 
 // Where the matrix of what stands still is singular; by elements of order 12 the same digits.

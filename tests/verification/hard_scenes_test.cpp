@@ -1,9 +1,12 @@
 // Scenes on which eigensolvers stumble: huge springs, tiny elements, systems of which a large part
 // is wanted, overdamped bearings, great slenderness.
 
+#include "analyses/critical.h"
 #include "closed_form/beam_frequencies.h"
 #include "elements/section.h"
+#include "results/critical.h"
 #include "results/formulation.h"
+#include "support/random.h"
 #include "support/test_rotors.h"
 #include "verification/spectrum_of.h"
 
@@ -55,6 +58,75 @@ TEST(StiffSprings, AreThePinsOfTheClosedForm) {
                     << k << " " << results::form_name(form) << " " << i;
         }
     }
+}
+
+/// A soft shaft, almost rigid in shear, between pins 1e4 to 1e9 times as stiff as an element,
+/// beside which counts of inertia drown.
+model::Case between_pins(double E, double diameter, double shear, double spring, double other,
+                         int elements) {
+    model::Case scene;
+    scene.rotor = tests::uniform_shaft(0.9, diameter, elements);
+    scene.rotor.shaft.order = 1;
+    scene.rotor.shaft.shear = model::ShearFormula::given;
+    scene.rotor.shaft.shear_coefficient = shear;
+    scene.rotor.shaft.segments[0].material = {"soft", E, E / 2.6, 7800};
+    scene.rotor.bearings = {tests::bearing(0, spring, spring), tests::bearing(0.9, other, other)};
+    scene.campbell.modes = 6;
+    return scene;
+}
+
+/// (rho A + rho I k^2 -+ 2 rho I k^2) w^2 = E I k^4 with k = n pi/L, forward and backward.
+void expect_critical_of_pins(const results::CriticalResult &found, double E, double diameter,
+                             int elements) {
+    const double r = diameter / 4; // of gyration
+    std::vector<double> exact;
+    for (int n = 1; n <= 4; ++n)
+        for (const double sign : {1.0, -1.0}) {
+            const double k = n * std::numbers::pi / 0.9;
+            exact.push_back(std::sqrt(E / 7800) * r * k * k /
+                            std::sqrt(1 + r * r * k * k * (1 - 2 * sign)));
+        }
+    std::sort(exact.begin(), exact.end());
+    ASSERT_GE(found.critical_speeds.size(), 6U);
+    for (std::size_t i = 0; i < 6; ++i) {
+        const results::CriticalSpeed &one = found.critical_speeds[i];
+        const double off = std::abs(one.speed / exact[i] - 1);
+        // Two-node elements are off by (k h)^4/720, h their length, of which half is the speed's.
+        const double kh = std::ceil((static_cast<double>(i) + 1) / 2) * std::numbers::pi / elements;
+        EXPECT_LT(off, std::pow(kh, 4) / 720 + 1e-6) << i;
+        EXPECT_LT(off, one.error + 1e-6) << i;
+    }
+}
+
+TEST(StiffSprings, critical_speeds_of_soft_shafts_between_pins) {
+    tests::Random random(3217);
+    for (int i = 0; i < 20; ++i) {
+        SCOPED_TRACE(i);
+        const double diameter = random(0.02, 0.06);
+        const double E = std::pow(10, random(8.5, 10));
+        const double spring = std::pow(10, random(12, 15));
+        const int elements = 12 + static_cast<int>(random(0, 20));
+        // Shear takes (r k)^2 E/(shear G), 1e-6 at the most, of the stiffness.
+        const auto found = analyses::critical_speeds(
+            between_pins(E, diameter, 1e6, spring, std::pow(10, random(12, 15)), elements));
+        expect_critical_of_pins(found, E, diameter, elements);
+        for (const results::CriticalSpeed &one : found.critical_speeds)
+            EXPECT_LT(one.error, 1e-2);
+    }
+}
+
+// Elements of higher order, which tell errors, hold the shear by its stiffness, and rounding of
+// that leaves nothing of the bending: errors are not known, which is said, and soon.
+TEST(StiffSprings, errors_that_rounding_hides_are_not_known) {
+    model::Case scene = between_pins(1e9, 0.05, 1e9, 1e14, 1e13, 96);
+    scene.speeds = model::SpeedRange{0, 1e4, 3}; // fast ones too, which are lost first
+    const auto found = analyses::critical_speeds(scene);
+    expect_critical_of_pins(found, 1e9, 0.05, 96);
+    for (const results::CriticalSpeed &one : found.critical_speeds)
+        EXPECT_TRUE(std::isinf(one.error));
+    EXPECT_TRUE(std::ranges::any_of(found.model.notes, [](const auto &note) {
+        return note.find("errors of the critical speeds are not known") != std::string::npos;
+    }));
 }
 
 TEST(TinyElements, FiveThousandAreRightWithinTheirOwnRoundingEstimate) {

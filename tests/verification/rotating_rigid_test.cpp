@@ -174,6 +174,71 @@ TEST(RigidRotating, AdditionalSpeedsAreThoseWithoutDamping) {
     EXPECT_GT(larger, 1e-6);
 }
 
+// A zero root with the balls free is one of the body pinned at their plane. Along its principal
+// axes [N - A1 W^2, -h W; h W, N - A2 W^2] is singular there, with N and h of the supports and A1,
+// A2 of the body about the plane, less C; without damping W^2 = N/A1, N/A2.
+TEST(RigidRotating, AdditionalSpeedsOfDrawnDampedRotors) {
+    std::mt19937 random(15);
+    const auto drawn = [&random](double from, double to) {
+        return std::uniform_real_distribution<double>(from, to)(random);
+    };
+    int complex = 0;
+    for (int draw = 0; draw < 24; ++draw) {
+        tests::CompositeInput in;
+        in.bare = {drawn(40, 80), drawn(1.2, 2), drawn(0.3, 0.8), drawn(0.05, 0.15)};
+        in.E = drawn(1.15, 1.9);
+        in.damping = drawn(0.1, 2);
+        in.left_k = drawn(2e4, 6e4);
+        in.right_k = drawn(2e4, 6e4);
+        const double damping = std::pow(10, drawn(-4, -2.3)); // over the stiffness, s
+        in.left_c = damping * in.left_k;
+        in.right_c = damping * in.right_k;
+        const auto scene =
+            tests::composite_scene(in, closed_form::symmetric_position(2, in.E).value());
+        const auto body = closed_form::rotating_coefficients(scene.exact.physical);
+        const auto about_plane = [z = body.balancer_position](double x, double beta, double y) {
+            return beta + x * z * z - 2 * y * z;
+        };
+        const closed_form::ReducedSupports &s = body.supports;
+        const double N = about_plane(s.c_x, s.c_beta, s.c_y);
+        const double h = about_plane(s.h_x, s.h_beta, s.h_y);
+        const double mean = body.mean_inertia - body.polar_inertia +
+                            body.mass * body.balancer_position * body.balancer_position;
+        const double A1 = mean + std::abs(body.anisotropy);
+        const double A2 = mean - std::abs(body.anisotropy);
+        ASSERT_GT(A2, 0);
+        const std::vector<double> undamped{std::sqrt(N / A1), std::sqrt(N / A2)};
+        const double b = N * (A1 + A2) - h * h; // A1 A2 x^2 - b x + N^2 = 0, x = W^2
+        const std::complex<double> root =
+            std::sqrt(std::complex<double>(b * b - 4 * A1 * A2 * N * N));
+        std::vector<double> damped;
+        for (const double sign : {-1.0, 1.0})
+            damped.push_back(std::sqrt((b + sign * root) / (2 * A1 * A2)).real());
+        complex += root.imag() != 0 ? 1 : 0;
+        const auto found = stability_of(tests::scene_of(scene.rotor, 0, 1.5 * undamped.back(), 31));
+        ASSERT_EQ(found.additional_speeds.size(), 2U) << draw;
+        for (std::size_t i = 0; i < 2; ++i)
+            EXPECT_NEAR(found.additional_speeds[i], undamped[i], 1e-9 * undamped[i]) << draw;
+        ASSERT_FALSE(found.additional_speeds_damped.empty()) << draw;
+        // One of a conjugate pair, or both.
+        for (const double expected : damped) {
+            const bool seen =
+                std::ranges::any_of(found.additional_speeds_damped, [expected](double speed) {
+                    return std::abs(speed - expected) < 1e-8 * expected;
+                });
+            EXPECT_TRUE(seen) << draw << ": " << expected;
+        }
+        for (const double speed : found.additional_speeds_damped) {
+            const bool right = std::ranges::any_of(damped, [speed](double expected) {
+                return std::abs(speed - expected) < 1e-8 * expected;
+            });
+            EXPECT_TRUE(right) << draw << ": " << speed;
+        }
+    }
+    EXPECT_GE(complex, 6);
+    EXPECT_LE(complex, 18);
+}
+
 TEST(RigidRotating, TwoBallsOfCapacityTwoLeaveNoAnisotropy) {
     const auto frozen_growth = [](double E) {
         tests::CompositeInput in;

@@ -3,6 +3,8 @@
 #include "periodic/neutral.h"
 #include "stability/periodic_motions.h"
 
+#include <algorithm>
+#include <array>
 #include <memory>
 
 namespace whirl::stability {
@@ -23,37 +25,45 @@ std::vector<periodic::OpenBand> open_bands(const PeriodicMotions &motions,
 
 } // namespace
 
+bool bands_can_be_followed(const BandFinder &finder) {
+    const PeriodicMotions *motions = finder.solver().by_monodromy();
+    return motions != nullptr && motions->whole() != nullptr && finder.model().rotor.damped();
+}
+
 std::optional<double> closing_anisotropy(const std::function<StabilityModel(double dI)> &with,
-                                         double given, const BandFinder &as_it_is,
+                                         double given, const BandFinder &finder,
                                          std::vector<results::Interval> bands,
                                          const std::vector<double> &speeds) {
-    const balancers::Arrangement &arrangement = as_it_is.arrangement();
-    const PeriodicMotions *motions = as_it_is.solver().by_monodromy();
-    if (motions == nullptr || motions->whole() == nullptr || bands.empty() || given <= 0 ||
-        !as_it_is.model().rotor.damped())
+    if (!bands_can_be_followed(finder) || bands.empty() || given <= 0)
         return std::nullopt;
+    const balancers::Arrangement &arrangement = finder.arrangement();
+    const PeriodicMotions *motions = finder.solver().by_monodromy();
     const periodic::Family family = [&](double dI) -> std::shared_ptr<const periodic::WholeRotor> {
         const auto own = std::make_shared<const OwnWholeRotor>(with(dI), arrangement);
         return {own, &own->rotor};
     };
     constexpr double margin = 1e-9; // bands that are just closed are still seen by rounding
-    constexpr double above = 1e-6;  // far enough that something is seen to grow
+    // Far enough that something is seen to grow: where motions hardly decay, the last.
+    constexpr std::array above{1e-6, 1e-5, 1e-4};
     constexpr int most_steps = 8;
     double from = given;
-    std::unique_ptr<BandFinder> finder;
+    std::unique_ptr<BandFinder> closed;
     for (int step = 0; step < most_steps; ++step) {
         const auto closing = periodic::last_to_close(family, from, open_bands(*motions, bands));
-        if (!closing || closing->speed < speeds.front() || closing->speed > speeds.back())
+        if (!closing || closing->speed < speeds.front() || closing->speed > speeds.back() ||
+            closing->noise > above.back() * closing->number)
             return std::nullopt;
-        from = closing->number * (1 - margin);
-        finder = std::make_unique<BandFinder>(with(from), arrangement);
-        bands = finder->find(speeds).bands;
+        from = closing->number - std::max(margin * closing->number, closing->noise);
+        closed = std::make_unique<BandFinder>(with(from), arrangement);
+        bands = closed->find(speeds).bands;
         if (bands.empty()) {
-            const MotionSolver beyond(with(closing->number * (1 + above)), arrangement);
-            return growth_of(beyond.at(closing->speed)) > 0 ? std::optional(closing->number)
-                                                            : std::nullopt;
+            const bool grows_above = std::ranges::any_of(above, [&](double share) {
+                const MotionSolver beyond(with(closing->number * (1 + share)), arrangement);
+                return growth_of(beyond.at(closing->speed)) > 0;
+            });
+            return grows_above ? std::optional(closing->number) : std::nullopt;
         }
-        motions = finder->solver().by_monodromy();
+        motions = closed->solver().by_monodromy();
     }
     return std::nullopt;
 }

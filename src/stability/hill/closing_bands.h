@@ -10,14 +10,17 @@
 
 namespace whirl::stability {
 
-/// The dI at which the last band closes, of an elastic rotor with damping whose equations stay
-/// periodic in time, from the bands of the rotor as it is. They are followed (periodic/neutral.h),
-/// and so are bands that the search at what was found still sees, until it finds none; just above
-/// something grows.
-/// @param with      the model with another dI
-/// @param given     dI of the rotor as it is
-/// @param as_it_is  with which its bands were found
-/// @param speeds    ascending, at which the search looks
+/// Whether bands can be followed: of an elastic rotor with damping whose equations stay periodic in
+/// time.
+[[nodiscard]] bool bands_can_be_followed(const BandFinder &finder);
+
+/// The dI at which the last band closes, where bands_can_be_followed, from the bands of the rotor
+/// with some dI. They are followed (periodic/neutral.h), and so are bands that the search at what
+/// was found still sees, until it finds none; just above something grows.
+/// @param with     the model with another dI
+/// @param given    some dI
+/// @param finder   with which the bands with it were found
+/// @param speeds   ascending, at which the search looks
 /// @returns nothing where there are no bands, or they cannot be followed
 [[nodiscard]] std::optional<double>
 closing_anisotropy(const std::function<StabilityModel(double dI)> &with, double given,
