@@ -109,12 +109,13 @@ Run::Run(const model::Case &scene, const MotionScene &motion)
     : _scene(scene), _prepared(motion), _motion(moving(motion)),
       _recorder(_motion, recorded_rows(motion), scene.simulate.time, scene.simulate.output_points),
       _scales(scales_of(motion)),
-      _stiff(fastest_decay(motion.parts.rotor, motion.fastest) > stiff_from * motion.fastest),
-      _axes(axes()), _stations(_motion, motion.stations.rows, scene.simulate.time, motion.fastest,
-                               method() != OdeMethod::exponential && !_motion.dry().any()),
-      _solver(ode_solver(problem(), method())) {
+      _method(fastest_decay(motion.parts.rotor, motion.fastest) > stiff_from * motion.fastest
+                  ? OdeMethod::implicit_stiff
+                  : OdeMethod::explicit_high_order),
+      _stations(_motion, motion.stations.rows, scene.simulate.time, motion.fastest),
+      _solver(problem(), _method) {
     if (_motion.dry().any())
-        _dry.emplace(_motion, motion.fastest, ode_solver(problem(), method()));
+        _dry.emplace(_motion, motion.fastest, std::make_unique<OdeSolver>(problem(), _method));
 }
 
 Run::Scales Run::scales_of(const MotionScene &motion) {
@@ -128,9 +129,9 @@ Run::Scales Run::scales_of(const MotionScene &motion) {
 
 /// The error allowed in each unknown: the tolerance times the size of its kind.
 void Run::allowed_error(const double *state, double *allowed) const {
-    // Fast shapes gather the errors of the methods in which their speed does not shorten the steps.
-    const bool strides = method() != OdeMethod::explicit_high_order;
-    const double tolerance = _scene.simulate.tolerance * (strides ? 0.01 : 1);
+    // Fast shapes gather the errors of the method in which their speed does not shorten the steps.
+    const double tolerance =
+        _scene.simulate.tolerance * (_method == OdeMethod::implicit_stiff ? 0.01 : 1);
     const int n = _motion.coordinates();
     const int shapes = _motion.first_angle();
     // Of all shapes the same energy may be wrong: that of a fast one moves the balls as much as
@@ -151,33 +152,15 @@ void Run::allowed_error(const double *state, double *allowed) const {
     }
     double *books = allowed + _motion.books();
     const double *values = state + _motion.books();
-    // Nothing gathers in the books: they follow from the motion and do not act back on it. Adams'
-    // formulas integrate them far more closely than asked; implicit steps do not.
-    const double asked = method() == OdeMethod::exponential ? _scene.simulate.tolerance : tolerance;
-    books[0] = asked * std::max(std::abs(values[0]), _scales.energy);
-    books[1] = asked * std::max(std::abs(values[1]), _scales.energy);
-    books[2] = asked * std::max(std::abs(values[2]), _scales.energy / _scales.speed);
+    books[0] = tolerance * std::max(std::abs(values[0]), _scales.energy);
+    books[1] = tolerance * std::max(std::abs(values[1]), _scales.energy);
+    books[2] = tolerance * std::max(std::abs(values[2]), _scales.energy / _scales.speed);
 }
 
 OdeProblem Run::problem() {
     return {_motion.size(),
             [this](double t, const double *y, double *rates) { _motion.rates(t, y, rates); },
-            [this](const double *y, double *allowed) { allowed_error(y, allowed); }, _axes};
-}
-
-/// Those of the rotor, where all that acts goes round with it: imbalances, and balls that rest in
-/// it. What stands still (weight, forces from outside) or is pushed back across its path by
-/// bearings that differ would go round in them.
-TurningAxes Run::axes() const {
-    const MovingParts &parts = _motion.parts();
-    if (_stiff || parts.motor || !parts.spin.constant() || !parts.excitation.none() ||
-        _scene.simulate.gravity != 0 || !_scene.rotor.bearings_isotropic())
-        return {};
-    const double speed = parts.spin.at(0, 0).speed;
-    TurningAxes axes{speed, parts.rotor.size(), {0, _motion.coordinates()}};
-    if (!_motion.dry().any() && !parts.free.empty())
-        axes.linear = rotor_alone(parts.rotor, speed).value_or(LinearMotion{});
-    return axes;
+            [this](const double *y, double *allowed) { allowed_error(y, allowed); }};
 }
 
 /// All at rest in the rotor, the free masses at their angles; or the rotor in its steady motion.
@@ -219,12 +202,12 @@ void Run::begin(const model::Restart *from) {
     _stations.begin(_t, state.data());
     if (_dry)
         _dry->begin(_t, state);
-    _solver->start(_t, state.data(), from ? from->step : 0);
+    _solver.start(_t, state.data(), from ? from->step : 0);
 }
 
 /// What begins to turn with the rotor, or leaves it, brings or takes energy of its own.
 void Run::pass_jump(double time) {
-    Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(_solver->state(), _motion.size());
+    Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(_solver.state(), _motion.size());
     const RotorMotion::Totals less = _motion.totals(time, state.data());
     _motion.enter_piece(std::nextafter(time, HUGE_VAL));
     const RotorMotion::Totals more = _motion.totals(time, state.data());
@@ -234,40 +217,26 @@ void Run::pass_jump(double time) {
     if (_dry)
         _dry->begin(time, state);
     // The integrator's own guess would follow a torque that jumps from nothing: too short to start.
-    _solver->start(time, state.data(), 1e-3 / _scales.speed);
+    _solver.start(time, state.data(), 1e-3 / _scales.speed);
 }
 
 /// One step of the integrator, or as much of it as there is until an event.
 void Run::step(double stop) {
     if (!_dry) {
-        _t = _solver->step(stop);
+        _t = _solver.step(stop);
         return;
     }
     const Eigen::VectorXd before =
-        Eigen::Map<const Eigen::VectorXd>(_solver->state(), _motion.size());
+        Eigen::Map<const Eigen::VectorXd>(_solver.state(), _motion.size());
     const double from = _t;
-    _t = _solver->step(stop);
+    _t = _solver.step(stop);
     const double length = _t - from;
-    if (auto event = _dry->within(from, before, _t, _solver->state())) {
+    if (auto event = _dry->within(from, before, _t, _solver.state())) {
         _t = event->time;
         _stations.step(_t, event->state.data());
         _dry->pass(*event);
         _stations.begin(_t, event->state.data()); // velocities may have jumped
-        _solver->start(_t, event->state.data(), length);
-    }
-}
-
-/// What is recorded after every step, where a step may last longer than half a radian of a turn.
-void Run::look_within(double from) {
-    if (method() != OdeMethod::exponential)
-        return;
-    const int parts = static_cast<int>(std::ceil(2 * _scales.speed * (_t - from)));
-    for (int i = 1; i < parts; ++i) {
-        const double share = static_cast<double>(i) / parts;
-        const double time = from + share * (_t - from);
-        const double *state = _solver->within(share);
-        _recorder.step(time, state);
-        _stations.step(time, state);
+        _solver.start(_t, event->state.data(), length);
     }
 }
 
@@ -275,11 +244,9 @@ bool Run::reach(double stop) {
     while (_t < stop) {
         if (process::take_interruption())
             return false;
-        const double from = _t;
         step(stop);
-        look_within(from);
-        _recorder.step(_t, _solver->state());
-        _stations.step(_t, _solver->state());
+        _recorder.step(_t, _solver.state());
+        _stations.step(_t, _solver.state());
         process::report_progress(_t / _scene.simulate.time);
     }
     return true;
@@ -295,7 +262,7 @@ bool Run::integrate(const model::Restart *from) {
         if (!reach(stop))
             return false;
         if (std::ranges::binary_search(outputs, stop))
-            _recorder.output(_t, _solver->state());
+            _recorder.output(_t, _solver.state());
         if (std::ranges::binary_search(jumps, stop))
             pass_jump(stop);
     }
@@ -304,12 +271,12 @@ bool Run::integrate(const model::Restart *from) {
 
 model::Restart Run::restart() const {
     model::Restart restart =
-        restart_of(_scene.rotor, _motion, _solver->state(), _recorder.series());
+        restart_of(_scene.rotor, _motion, _solver.state(), _recorder.series());
     _recorder.save(restart);
     _stations.save(restart);
     restart.case_name = _scene.name;
     restart.time = _t;
-    restart.step = _solver->next_step();
+    restart.step = _solver.next_step();
     restart.energy = _before.energy;
     restart.momentum = _before.momentum;
     return restart;
@@ -328,7 +295,7 @@ double Run::speed_at(double t) const {
 }
 
 void Run::fill_audit(results::SimulateResult &result) const {
-    const double *state = _solver->state();
+    const double *state = _solver.state();
     const double *books = state + _motion.books();
     const RotorMotion::Totals now = _motion.totals(_t, state);
     const double energy = now.energy - _before.energy;
@@ -344,18 +311,17 @@ void Run::fill_audit(results::SimulateResult &result) const {
 }
 
 void Run::fill(results::SimulateResult &result) {
-    const double *state = _solver->state();
+    const double *state = _solver.state();
     fill_audit(result);
     result.time = _t;
     result.speed = _motion.spin(_t, state).speed;
     const double turned =
         _motion.parts().motor ? state[2 * _motion.coordinates()] : _motion.parts().spin.turned(_t);
     result.revolutions = turned / (2 * std::numbers::pi);
-    result.integrator =
-        method() == OdeMethod::implicit_stiff ? "diagonally implicit Runge-Kutta, order 5 (stiff)"
-        : method() == OdeMethod::exponential  ? "Adams over the rotor's own motions, order up to 13"
-                                              : "explicit Runge-Kutta, order 8";
-    const OdeCounts counts = _solver->counts();
+    result.integrator = _method == OdeMethod::implicit_stiff
+                            ? "diagonally implicit Runge-Kutta, order 5 (stiff)"
+                            : "explicit Runge-Kutta, order 8";
+    const OdeCounts counts = _solver.counts();
     result.steps = counts.steps;
     result.rate_evaluations = counts.rates;
     fill_stations(result);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "simulation/motion.h"
-#include "simulation/ode/ode_solver.h"
+#include "simulation/ode_solver.h"
 
 #include <functional>
 #include <memory>

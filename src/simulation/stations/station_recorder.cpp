@@ -33,22 +33,18 @@ template <class Polynomial> Eigen::Vector2d slope_at(const Polynomial &w, double
 } // namespace
 
 StationRecorder::StationRecorder(const RotorMotion &motion, std::vector<reduction::Row> rows,
-                                 double end, double fastest, bool accelerations)
+                                 double end, double fastest)
     : _motion(motion), _rows(std::move(rows)), _final_from(end * (1 - final_share)),
-      _accelerations(accelerations), _rates(static_cast<std::size_t>(motion.size())),
+      _rates(static_cast<std::size_t>(motion.size())),
       _peaks(_rows.size()), _final(_rows.size(), 0.0), _samples(_rows.size(), end, fastest) {}
 
 std::vector<StationRecorder::End> StationRecorder::ends_at(double t, const double *state) {
-    if (_accelerations)
-        _motion.rates(t, state, _rates.data());
+    _motion.rates(t, state, _rates.data());
     std::vector<End> ends;
-    for (const reduction::Row &row : _rows) {
-        ends.push_back({_motion.deflection(row, state),
-                        _motion.deflection(row, state + _motion.coordinates()),
-                        Eigen::Vector2d::Zero()});
-        if (_accelerations)
-            ends.back().a = _motion.deflection(row, _rates.data() + _motion.coordinates());
-    }
+    const int n = _motion.coordinates();
+    for (const reduction::Row &row : _rows)
+        ends.push_back({_motion.deflection(row, state), _motion.deflection(row, state + n),
+                        _motion.deflection(row, _rates.data() + n)});
     return ends;
 }
 
@@ -61,14 +57,8 @@ void StationRecorder::begin(double t, const double *state) {
 double StationRecorder::last(std::size_t station) const { return _ends[station].w.norm(); }
 
 StationRecorder::Polynomial StationRecorder::polynomial(const End &from, const End &to,
-                                                        double length) const {
+                                                        double length) {
     const Eigen::Vector2d c1 = length * from.v;
-    if (!_accelerations) {
-        const Eigen::Vector2d rest = to.w - from.w - c1;
-        const Eigen::Vector2d slope = length * to.v - c1;
-        const Eigen::Vector2d none = Eigen::Vector2d::Zero();
-        return {from.w, c1, 3 * rest - slope, slope - 2 * rest, none, none};
-    }
     const Eigen::Vector2d c2 = length * length / 2 * from.a;
     const Eigen::Vector2d rest = to.w - from.w - c1 - c2;
     const Eigen::Vector2d slope = length * to.v - c1 - 2 * c2;

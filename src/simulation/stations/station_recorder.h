@@ -21,15 +21,13 @@ struct PeakCandidate {
 
 /// Deflections of stations between the ends of the steps of an integration: polynomials of degree
 /// five through deflections, velocities and accelerations at both ends (error 2e-5 of the amplitude
-/// where a step is one radian of the motion); or, where accelerations would cost as much as the
-/// steps themselves, of degree three without them (2e-4 where a step is half a radian).
+/// where a step is one radian of the motion).
 class StationRecorder {
   public:
-    /// @param end            of the motion, s
-    /// @param fastest        rad/s: spectra reach beyond a few times this
-    /// @param accelerations  whether polynomials take them in
+    /// @param end      of the motion, s
+    /// @param fastest  rad/s: spectra reach beyond a few times this
     StationRecorder(const RotorMotion &motion, std::vector<reduction::Row> rows, double end,
-                    double fastest, bool accelerations);
+                    double fastest);
 
     /// At the start, and wherever the rates have jumped.
     void begin(double t, const double *state);
@@ -65,7 +63,6 @@ class StationRecorder {
     const RotorMotion &_motion;
     std::vector<reduction::Row> _rows;
     double _final_from; ///< s
-    bool _accelerations;
     double _time = 0;
     Eigen::VectorXd _state;
     std::vector<double> _rates;
@@ -76,7 +73,7 @@ class StationRecorder {
     WindowSamples _samples;
 
     [[nodiscard]] std::vector<End> ends_at(double t, const double *state);
-    [[nodiscard]] Polynomial polynomial(const End &from, const End &to, double length) const;
+    [[nodiscard]] static Polynomial polynomial(const End &from, const End &to, double length);
     void look_for_peaks(std::size_t station, const Polynomial &w, double to);
     void offer(std::size_t station, PeakCandidate candidate);
 };
