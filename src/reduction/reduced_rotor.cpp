@@ -227,10 +227,20 @@ void refuse_massless(const assembly::Discretization &d) {
                             i));
 }
 
+/// Shapes that are slowed die out by this share of the critical damping.
+constexpr double damping_of_slowed = 0.1;
+
 /// The rotor with so much more inertia on its fast shapes that none is faster than `fastest`: they
-/// carry deflections under forces, and their own motion is none of the shaft's.
-ReducedRotor slowed(const ReducedRotor &rotor, double fastest) {
-    const Eigen::VectorXd s = (fastest * rotor.frequencies.cwiseInverse()).cwiseMin(1);
+/// carry deflections under forces, and their own motion is none of the shaft's. That inertia turns
+/// with the rotor on springs that carry it at the spin speed, and on dampers: where all goes round
+/// with the rotor the response is as before, whatever is slowed.
+/// @param speed  rad/s, of the spin, slower than `fastest`
+ReducedRotor slowed(const ReducedRotor &rotor, double fastest, double speed) {
+    const Eigen::ArrayXd squares = rotor.frequencies.array().square();
+    const double spin = speed * speed;
+    const double most = fastest * fastest;
+    const Eigen::VectorXd s =
+        (squares > most).select((most - spin) / (squares - spin).max(most - spin), 1.0).sqrt();
     Eigen::VectorXd both(2 * s.size());
     both << s, s;
     ReducedRotor out = rotor;
@@ -244,76 +254,70 @@ ReducedRotor slowed(const ReducedRotor &rotor, double fastest) {
     out.frequencies = rotor.frequencies.cwiseMin(fastest);
     for (Eigen::MatrixXd *A : {&out.elastic, &out.internal, &out.gyroscopic})
         *A = (s.asDiagonal() * *A * s.asDiagonal()).eval();
+    const Eigen::ArrayXd added = 1 - s.array().square(); // inertia
+    out.elastic.diagonal().array() += spin * added;
+    out.internal.diagonal().array() += 2 * damping_of_slowed * fastest * added;
     for (ReducedRotor::Supports &at : out.supports)
         for (Eigen::MatrixXd *A : {&at.stiffness, &at.damping})
             *A = (both.asDiagonal() * *A * both.asDiagonal()).eval();
     return out;
 }
 
-/// Of the choices that are good enough the one whose highest frequency is lowest: that frequency
-/// limits the steps of the integration.
-class SlowestGood {
-  public:
-    SlowestGood(ReductionError &error, double tolerance) : _error(error), _tolerance(tolerance) {}
+/// Times the spin speed: no shape is slowed further. What goes round twice as fast as the rotor, or
+/// faster, makes no pair with a motion of the rotor whose frequencies add up to twice the spin
+/// speed, which balls and anisotropies could drive.
+constexpr double slowest = 2;
 
-    /// @returns whether it is good enough
-    bool offer(ReducedRotor rotor) {
-        if (!good(rotor))
-            return false;
-        double high = fastest_of(rotor);
-        double low = _best ? std::min(fastest_of(*_best), high) : high;
-        std::optional<ReducedRotor> out;
-        // From what the best can do downwards; then closer to the border.
-        constexpr double step = 2;
-        constexpr double close = 1.1;
-        while (low > 0) {
-            ReducedRotor trial = slowed(rotor, low);
-            if (!good(trial))
-                break;
-            high = low;
+double fastest_of(const ReducedRotor &rotor) { return rotor.frequencies(rotor.size() - 1); }
+
+/// The highest frequency sets how many steps the integration takes, the shapes what each of them
+/// does.
+double effort_of(const ReducedRotor &rotor) { return fastest_of(rotor) * rotor.size(); }
+
+/// The rotor with its shapes as slow as they may be; nothing where it is not good enough as it is.
+std::optional<ReducedRotor> slowest_good(ReducedRotor rotor, ReductionError &error,
+                                         const ReductionGoal &goal) {
+    const double speed = std::abs(goal.speed);
+    const auto good = [&](ReducedRotor &trial) {
+        error.measure(trial);
+        return std::max(trial.response_error, trial.frequency_error) <= goal.tolerance;
+    };
+    if (!good(rotor))
+        return std::nullopt;
+    double high = fastest_of(rotor);
+    double low = std::min(high, slowest * speed);
+    if (ReducedRotor trial = slowed(rotor, low, speed); good(trial))
+        return trial;
+    ReducedRotor out = rotor;
+    constexpr double close = 1.1;
+    while (high > close * low) {
+        const double middle = std::sqrt(low * high);
+        ReducedRotor trial = slowed(rotor, middle, speed);
+        if (good(trial)) {
+            high = middle;
             out = std::move(trial);
-            low /= step;
+        } else {
+            low = middle;
         }
-        while (out && high > close * low) {
-            const double middle = std::sqrt(low * high);
-            ReducedRotor trial = slowed(rotor, middle);
-            if (good(trial)) {
-                high = middle;
-                out = std::move(trial);
-            } else {
-                low = middle;
-            }
-        }
-        if (out && (!_best || high < fastest_of(*_best)))
-            _best = std::move(out);
-        return true;
     }
-    [[nodiscard]] const std::optional<ReducedRotor> &best() const { return _best; }
+    return out;
+}
 
-  private:
-    ReductionError &_error;
-    double _tolerance;
-    std::optional<ReducedRotor> _best;
-
-    static double fastest_of(const ReducedRotor &rotor) {
-        return rotor.frequencies(rotor.size() - 1);
-    }
-    bool good(ReducedRotor &rotor) {
-        _error.measure(rotor);
-        return std::max(rotor.response_error, rotor.frequency_error) <= _tolerance;
-    }
-};
-
+/// Of the choices that are good enough the one that is integrated with the least effort.
 template <class With>
-std::optional<ReducedRotor> slowest_good(const With &with, ReductionError &error, int most,
-                                         double tolerance) {
-    SlowestGood choice(error, tolerance);
+std::optional<ReducedRotor> least_effort(const With &with, ReductionError &error, int most,
+                                         const ReductionGoal &goal) {
     constexpr int further = 3; // modes beyond those needed: what they describe the others need not
+    std::optional<ReducedRotor> best;
     for (const bool bearings : {false, true})
         for (int modes = 0, last = most; modes <= last; ++modes)
-            if (choice.offer(with(modes, bearings)))
-                last = std::min(last, modes + further);
-    return choice.best();
+            if (auto rotor = slowest_good(with(modes, bearings), error, goal)) {
+                const bool border = fastest_of(*rotor) <= slowest * std::abs(goal.speed);
+                last = std::min(last, border ? modes : modes + further);
+                if (!best || effort_of(*rotor) < effort_of(*best))
+                    best = std::move(rotor);
+            }
+    return best;
 }
 
 } // namespace
@@ -366,7 +370,7 @@ ReducedRotor reduce(const assembly::Discretization &discretization, const Reduct
             error.measure(reduced);
             return reduced;
         }
-        if (auto best = slowest_good(with, error, source.modes(), goal.tolerance))
+        if (auto best = least_effort(with, error, source.modes(), goal))
             return *best;
         throw model::AnalysisFailure(
             fmt::format("{} modes of the shaft do not describe its response to {:.1e}; ask for "

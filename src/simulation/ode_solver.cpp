@@ -1,6 +1,7 @@
 #include "simulation/ode_solver.h"
 
 #include "linalg/check.h"
+#include "simulation/runge_kutta.h"
 
 #include <arkode/arkode_arkstep.h>
 #include <nvector/nvector_serial.h>
@@ -15,6 +16,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace whirl::simulation {
 
@@ -120,12 +122,28 @@ struct OdeSolver::Arkode {
         // Never asked for; the other kind evaluates the rates at every step.
         require(ARKStepSetInterpolantType(memory, ARK_INTERP_LAGRANGE));
         if (!stiff) {
-            require(ARKStepSetTableNum(memory, ARKODE_DIRK_NONE, ARKODE_FEHLBERG_13_7_8));
+            set_explicit_table();
             return;
         }
         require(ARKStepSetTableNum(memory, ARKODE_ARK548L2SA_DIRK_8_4_5, ARKODE_ERK_NONE));
         require(ARKStepSetLinearSolver(memory, linear.get(), jacobian.get()));
         require(ARKStepSetDeduceImplicitRhs(memory, 1));
+    }
+
+    void set_explicit_table() {
+        RungeKuttaPair pair = verner_pair();
+        std::vector<double> a;
+        for (const auto &row : pair.a)
+            a.insert(a.end(), row.begin(), row.end());
+        const Handle<ARKodeButcherTable, ARKodeButcherTable_Free> table(ARKodeButcherTable_Create(
+            RungeKuttaPair::stages, pair.order, pair.embedded, pair.c.data(), a.data(),
+            pair.b.data(), pair.embedded_b.data()));
+        if (!table)
+            throw linalg::SolverError("the integrator cannot start");
+        // The estimate is the error of order 7, and the solution goes on with order 8: it is taken
+        // as it is.
+        require(ARKStepSetErrorBias(stepper.get(), 1.0));
+        require(ARKStepSetTables(stepper.get(), pair.order, pair.embedded, nullptr, table.get()));
     }
 
     static int rates(double t, N_Vector y, N_Vector out, void *stated) {

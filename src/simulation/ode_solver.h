@@ -17,7 +17,7 @@ struct OdeProblem {
 
 /// How y' = f(t, y) is integrated.
 enum class OdeMethod {
-    explicit_high_order, ///< Runge-Kutta of Fehlberg, order 8 with an estimate of order 7
+    explicit_high_order, ///< Runge-Kutta of Verner, order 8 with an estimate of order 7
     implicit_stiff       ///< diagonally implicit Runge-Kutta of Kennedy and Carpenter, order 5
 };
 

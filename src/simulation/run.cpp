@@ -270,8 +270,7 @@ bool Run::integrate(const model::Restart *from) {
 }
 
 model::Restart Run::restart() const {
-    model::Restart restart =
-        restart_of(_scene.rotor, _motion, _solver.state(), _recorder.series());
+    model::Restart restart = restart_of(_scene.rotor, _motion, _solver.state(), _recorder.series());
     _recorder.save(restart);
     _stations.save(restart);
     restart.case_name = _scene.name;

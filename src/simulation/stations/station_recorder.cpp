@@ -35,8 +35,8 @@ template <class Polynomial> Eigen::Vector2d slope_at(const Polynomial &w, double
 StationRecorder::StationRecorder(const RotorMotion &motion, std::vector<reduction::Row> rows,
                                  double end, double fastest)
     : _motion(motion), _rows(std::move(rows)), _final_from(end * (1 - final_share)),
-      _rates(static_cast<std::size_t>(motion.size())),
-      _peaks(_rows.size()), _final(_rows.size(), 0.0), _samples(_rows.size(), end, fastest) {}
+      _rates(static_cast<std::size_t>(motion.size())), _peaks(_rows.size()),
+      _final(_rows.size(), 0.0), _samples(_rows.size(), end, fastest) {}
 
 std::vector<StationRecorder::End> StationRecorder::ends_at(double t, const double *state) {
     _motion.rates(t, state, _rates.data());
