@@ -34,7 +34,7 @@ void RotorMotion::keep_energy_balance(const Spin::At &spin, double torque, const
             loss += (v.dot(_stiffness * p) - p.dot(_stiffness * v)) / 2;
     }
     if (_internal)
-        loss += _slip.cwiseProduct(_inner).sum();
+        loss += _slip.cwiseProduct(ConstPair(_inner.data(), r, 2)).sum();
     const double *rate = state + n + first_angle();
     for (const balancers::MassEquation &e : _free_equations) { // as at this state
         loss += e.friction * *rate++;

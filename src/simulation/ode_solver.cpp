@@ -93,10 +93,12 @@ struct OdeSolver::Arkode {
     Handle<SUNLinearSolver, SUNLinSolFree> linear = nullptr;
     Handle<void *, free_stepper> stepper = nullptr;
     double t = 0;
+    std::vector<double> resting;  ///< y in axes that stand still
     OdeCounts counts_before = {}; ///< of what ran before the last start
 
     Arkode(OdeProblem stated, OdeMethod method)
-        : problem(std::move(stated)), stiff(method == OdeMethod::implicit_stiff) {
+        : problem(std::move(stated)), stiff(method == OdeMethod::implicit_stiff),
+          resting(static_cast<std::size_t>(problem.size)) {
         SUNContext made = nullptr;
         if (SUNContext_Create(nullptr, &made) != 0)
             throw linalg::SolverError("SUNDIALS: cannot start");
@@ -107,6 +109,19 @@ struct OdeSolver::Arkode {
             jacobian.reset(SUNDenseMatrix(problem.size, problem.size, made));
             linear.reset(SUNLinSol_Dense(y.get(), jacobian.get(), made));
         }
+    }
+
+    /// exp(i angle) times the vectors of y.
+    void turn(double angle, double *y) const {
+        const double cosine = std::cos(angle);
+        const double sine = std::sin(angle);
+        for (const int first : problem.axes.first)
+            for (double *x = y + first; x < y + first + problem.axes.count; ++x) {
+                double &across = x[problem.axes.count];
+                const double along = *x;
+                *x = cosine * along - sine * across;
+                across = sine * along + cosine * across;
+            }
     }
 
     void create() {
@@ -149,7 +164,14 @@ struct OdeSolver::Arkode {
     static int rates(double t, N_Vector y, N_Vector out, void *stated) {
         const auto &problem = *static_cast<const OdeProblem *>(stated);
         double *values = N_VGetArrayPointer(out);
-        problem.rates(t, N_VGetArrayPointer(y), values);
+        const double *x = N_VGetArrayPointer(y);
+        const TurningAxes &axes = problem.axes;
+        problem.rates(axes.speed == 0 ? t : 0, x, values);
+        for (const int first : axes.first) // less i speed x, for these turn away
+            for (int i = first; i < first + axes.count; ++i) {
+                values[i] += axes.speed * x[i + axes.count];
+                values[i + axes.count] -= axes.speed * x[i];
+            }
         // A trial step that is far too long may overflow: it is repeated with a shorter one.
         const bool finite = std::all_of(values, values + problem.size,
                                         [](double value) { return std::isfinite(value); });
@@ -173,7 +195,9 @@ OdeSolver::~OdeSolver() = default;
 
 void OdeSolver::start(double t, const double *y, double step) {
     _arkode->counts_before = counts();
-    std::copy(y, y + _arkode->problem.size, N_VGetArrayPointer(_arkode->y.get()));
+    double *own = N_VGetArrayPointer(_arkode->y.get());
+    std::copy(y, y + _arkode->problem.size, own);
+    _arkode->turn(-_arkode->problem.axes.speed * t, own);
     _arkode->t = t;
     _arkode->create();
     if (step > 0)
@@ -193,7 +217,15 @@ double OdeSolver::step(double end) {
     return t;
 }
 
-const double *OdeSolver::state() const { return N_VGetArrayPointer(_arkode->y.get()); }
+const double *OdeSolver::state() const {
+    const double *y = N_VGetArrayPointer(_arkode->y.get());
+    const TurningAxes &axes = _arkode->problem.axes;
+    if (axes.speed == 0)
+        return y;
+    std::copy(y, y + _arkode->problem.size, _arkode->resting.begin());
+    _arkode->turn(axes.speed * _arkode->t, _arkode->resting.data());
+    return _arkode->resting.data();
+}
 
 double OdeSolver::next_step() const {
     double step = 0;

@@ -2,8 +2,19 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace whirl::simulation {
+
+/// Axes that turn, in which a motion that goes round with them stands still, so that it is followed
+/// in long steps. The rates must look the same from axes turned by any angle, and not depend on
+/// time otherwise: those at t = 0 are then the rates in the turning axes, but for the turning
+/// itself. The problem is stated and answered in axes that stand still all the same.
+struct TurningAxes {
+    double speed = 0; ///< rad/s; 0: integrated as it is
+    int count = 0;    ///< of the vectors: x of all, then y of all, from each of `first` on
+    std::vector<int> first;
+};
 
 /// An initial value problem of fixed size.
 struct OdeProblem {
@@ -13,6 +24,7 @@ struct OdeProblem {
     /// Writes the error allowed in each entry, > 0; the local error is kept below it in the mean
     /// square over the entries.
     std::function<void(const double *y, double *allowed)> allowed_error;
+    TurningAxes axes = {};
 };
 
 /// How y' = f(t, y) is integrated.

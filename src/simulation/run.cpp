@@ -160,7 +160,19 @@ void Run::allowed_error(const double *state, double *allowed) const {
 OdeProblem Run::problem() {
     return {_motion.size(),
             [this](double t, const double *y, double *rates) { _motion.rates(t, y, rates); },
-            [this](const double *y, double *allowed) { allowed_error(y, allowed); }};
+            [this](const double *y, double *allowed) { allowed_error(y, allowed); }, axes()};
+}
+
+/// Those of the rotor, where all that acts goes round with it: imbalances, and balls that rest in
+/// it. What stands still (weight, forces from outside) or is pushed back across its path by
+/// bearings that differ would go round in them.
+TurningAxes Run::axes() const {
+    const MovingParts &parts = _motion.parts();
+    if (_method == OdeMethod::implicit_stiff || parts.motor || !parts.spin.constant() ||
+        !parts.excitation.none() || _scene.simulate.gravity != 0 ||
+        !_scene.rotor.bearings_isotropic())
+        return {};
+    return {parts.spin.at(0, 0).speed, parts.rotor.size(), {0, _motion.coordinates()}};
 }
 
 /// All at rest in the rotor, the free masses at their angles; or the rotor in its steady motion.

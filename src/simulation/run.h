@@ -51,6 +51,7 @@ class Run {
     [[nodiscard]] static Scales scales_of(const MotionScene &motion);
     void allowed_error(const double *state, double *allowed) const;
     [[nodiscard]] OdeProblem problem();
+    [[nodiscard]] TurningAxes axes() const;
     [[nodiscard]] Eigen::VectorXd first_state() const;
     [[nodiscard]] std::vector<double> stops() const;
     void begin(const model::Restart *from);

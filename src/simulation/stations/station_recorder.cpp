@@ -89,6 +89,12 @@ void StationRecorder::offer(std::size_t station, PeakCandidate candidate) {
 
 void StationRecorder::look_for_peaks(std::size_t station, const Polynomial &w, double to) {
     const double length = to - _time;
+    double bound = 0;
+    for (const Eigen::Vector2d &coefficient : w)
+        bound += coefficient.norm();
+    if (to < _final_from && !_peaks[station].empty() &&
+        bound < (1 - doubt) * _peaks[station].front().value)
+        return;
     const auto growth = [&](double s) { return value_at(w, s).dot(slope_at(w, s)); };
     double before = growth(0);
     for (int i = 1; i <= step_parts; ++i) {
