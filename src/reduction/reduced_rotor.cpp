@@ -227,17 +227,21 @@ void refuse_massless(const assembly::Discretization &d) {
                             i));
 }
 
-/// Shapes that are slowed die out by this share of the critical damping.
-constexpr double damping_of_slowed = 0.1;
+/// How shapes are made slower.
+struct Slowing {
+    double fastest = 0; ///< rad/s: none is faster after it
+    double speed = 0;   ///< rad/s, of the spin, less than that
+    double damping = 0; ///< of the inertia added, over the critical damping
+};
 
-/// The rotor with so much more inertia on its fast shapes that none is faster than `fastest`: they
+/// The rotor with so much more inertia on its fast shapes that none is faster than asked: they
 /// carry deflections under forces, and their own motion is none of the shaft's. That inertia turns
 /// with the rotor on springs that carry it at the spin speed, and on dampers: where all goes round
 /// with the rotor the response is as before, whatever is slowed.
-/// @param speed  rad/s, of the spin, slower than `fastest`
-ReducedRotor slowed(const ReducedRotor &rotor, double fastest, double speed) {
+ReducedRotor slowed(const ReducedRotor &rotor, const Slowing &how) {
+    const double fastest = how.fastest;
     const Eigen::ArrayXd squares = rotor.frequencies.array().square();
-    const double spin = speed * speed;
+    const double spin = how.speed * how.speed;
     const double most = fastest * fastest;
     const Eigen::VectorXd s =
         (squares > most).select((most - spin) / (squares - spin).max(most - spin), 1.0).sqrt();
@@ -256,17 +260,22 @@ ReducedRotor slowed(const ReducedRotor &rotor, double fastest, double speed) {
         *A = (s.asDiagonal() * *A * s.asDiagonal()).eval();
     const Eigen::ArrayXd added = 1 - s.array().square(); // inertia
     out.elastic.diagonal().array() += spin * added;
-    out.internal.diagonal().array() += 2 * damping_of_slowed * fastest * added;
+    out.internal.diagonal().array() += 2 * how.damping * fastest * added;
     for (ReducedRotor::Supports &at : out.supports)
         for (Eigen::MatrixXd *A : {&at.stiffness, &at.damping})
             *A = (both.asDiagonal() * *A * both.asDiagonal()).eval();
     return out;
 }
 
-/// Times the spin speed: no shape is slowed further. What goes round twice as fast as the rotor, or
-/// faster, makes no pair with a motion of the rotor whose frequencies add up to twice the spin
-/// speed, which balls and anisotropies could drive.
-constexpr double slowest = 2;
+/// No shape becomes slower than that, rad/s. What goes round twice as fast as the rotor, or faster,
+/// makes no pair with a motion of the rotor whose frequencies add up to twice the spin speed, which
+/// balls and anisotropies could drive. Under forces that stand still, and while motions begin and
+/// end, slowed shapes lack (speed / slowest)^2 of their deflection, a few hundredths of the whole:
+/// so it goes with the tolerance.
+double slowest_of(const ReductionGoal &goal) {
+    constexpr double twice_at = 1e-3; // tolerance
+    return 2 * std::abs(goal.speed) * std::sqrt(std::max(1.0, twice_at / goal.tolerance));
+}
 
 double fastest_of(const ReducedRotor &rotor) { return rotor.frequencies(rotor.size() - 1); }
 
@@ -275,8 +284,9 @@ double fastest_of(const ReducedRotor &rotor) { return rotor.frequencies(rotor.si
 double effort_of(const ReducedRotor &rotor) { return fastest_of(rotor) * rotor.size(); }
 
 /// The rotor with its shapes as slow as they may be; nothing where it is not good enough as it is.
+/// @param damping  of what is added to slow them; none in a rotor that keeps its energy
 std::optional<ReducedRotor> slowest_good(ReducedRotor rotor, ReductionError &error,
-                                         const ReductionGoal &goal) {
+                                         const ReductionGoal &goal, double damping) {
     const double speed = std::abs(goal.speed);
     const auto good = [&](ReducedRotor &trial) {
         error.measure(trial);
@@ -285,14 +295,14 @@ std::optional<ReducedRotor> slowest_good(ReducedRotor rotor, ReductionError &err
     if (!good(rotor))
         return std::nullopt;
     double high = fastest_of(rotor);
-    double low = std::min(high, slowest * speed);
-    if (ReducedRotor trial = slowed(rotor, low, speed); good(trial))
+    double low = std::min(high, slowest_of(goal));
+    if (ReducedRotor trial = slowed(rotor, {low, speed, damping}); good(trial))
         return trial;
     ReducedRotor out = rotor;
     constexpr double close = 1.1;
     while (high > close * low) {
         const double middle = std::sqrt(low * high);
-        ReducedRotor trial = slowed(rotor, middle, speed);
+        ReducedRotor trial = slowed(rotor, {middle, speed, damping});
         if (good(trial)) {
             high = middle;
             out = std::move(trial);
@@ -306,13 +316,15 @@ std::optional<ReducedRotor> slowest_good(ReducedRotor rotor, ReductionError &err
 /// Of the choices that are good enough the one that is integrated with the least effort.
 template <class With>
 std::optional<ReducedRotor> least_effort(const With &with, ReductionError &error, int most,
-                                         const ReductionGoal &goal) {
+                                         const ReductionGoal &goal, bool keeps_energy) {
     constexpr int further = 3; // modes beyond those needed: what they describe the others need not
+    constexpr double damped = 0.1; // gone after a few turns
     std::optional<ReducedRotor> best;
     for (const bool bearings : {false, true})
         for (int modes = 0, last = most; modes <= last; ++modes)
-            if (auto rotor = slowest_good(with(modes, bearings), error, goal)) {
-                const bool border = fastest_of(*rotor) <= slowest * std::abs(goal.speed);
+            if (auto rotor =
+                    slowest_good(with(modes, bearings), error, goal, keeps_energy ? 0 : damped)) {
+                const bool border = fastest_of(*rotor) <= slowest_of(goal);
                 last = std::min(last, border ? modes : modes + further);
                 if (!best || effort_of(*rotor) < effort_of(*best))
                     best = std::move(rotor);
@@ -370,7 +382,8 @@ ReducedRotor reduce(const assembly::Discretization &discretization, const Reduct
             error.measure(reduced);
             return reduced;
         }
-        if (auto best = least_effort(with, error, source.modes(), goal))
+        if (auto best =
+                least_effort(with, error, source.modes(), goal, !discretization.rotor().damped()))
             return *best;
         throw model::AnalysisFailure(
             fmt::format("{} modes of the shaft do not describe its response to {:.1e}; ask for "

@@ -59,7 +59,7 @@ void Run::fill_stations(results::SimulateResult &result) {
         results::StationMotion station;
         station.z = _prepared.stations.z[i];
         station.name = _prepared.stations.names[i];
-        station.amplitude = _stations.final_amplitude(i);
+        station.amplitude = _stations.final_amplitude(_motion.parts().free.size() + i);
         station.peak = {first_amplitude(i), 0, speed_at(0), false};
         if (const auto [value, time] = _stations.before(i); value > station.peak.value)
             station.peak = {value, time, speed_at(time), false};

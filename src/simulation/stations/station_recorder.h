@@ -19,15 +19,19 @@ struct PeakCandidate {
     Eigen::VectorXd state;   ///< there
 };
 
-/// Deflections of stations between the ends of the steps of an integration: polynomials of degree
-/// five through deflections, velocities and accelerations at both ends (error 2e-5 of the amplitude
-/// where a step is one radian of the motion).
+/// Share of the time at the end over which amplitudes count as final.
+inline constexpr double final_share = 0.025;
+
+/// Deflections of balancers' planes and of stations between the ends of the steps of an
+/// integration: polynomials of degree five through deflections, velocities and accelerations at
+/// both ends (error 2e-5 of the amplitude where a step is one radian of the motion).
 class StationRecorder {
   public:
+    /// @param rows     of the deflections: of so many `planes`, then of the stations
     /// @param end      of the motion, s
     /// @param fastest  rad/s: spectra reach beyond a few times this
-    StationRecorder(const RotorMotion &motion, std::vector<reduction::Row> rows, double end,
-                    double fastest);
+    StationRecorder(const RotorMotion &motion, std::vector<reduction::Row> rows, std::size_t planes,
+                    double end, double fastest);
 
     /// At the start, and wherever the rates have jumped.
     void begin(double t, const double *state);
@@ -40,8 +44,12 @@ class StationRecorder {
     }
     /// |w| at the time reached, m.
     [[nodiscard]] double last(std::size_t station) const;
-    /// Largest |w| over the last 2.5 % of the time, m.
-    [[nodiscard]] double final_amplitude(std::size_t station) const { return _final[station]; }
+    /// Largest |w| of each row since this was asked for last, m.
+    [[nodiscard]] std::vector<double> take_largest() {
+        return std::exchange(_largest, std::vector<double>(_rows.size(), 0.0));
+    }
+    /// Largest |w| of a row over the last 2.5 % of the time, m.
+    [[nodiscard]] double final_amplitude(std::size_t row) const { return _final[row]; }
     [[nodiscard]] const WindowSamples &samples() const { return _samples; }
 
     /// What the restart of a run needs, and back. Spectra begin anew.
@@ -53,7 +61,7 @@ class StationRecorder {
     }
 
   private:
-    /// Of one station at an end of a step.
+    /// Of one row at an end of a step.
     struct End {
         Eigen::Vector2d w, v, a;
     };
@@ -62,19 +70,22 @@ class StationRecorder {
 
     const RotorMotion &_motion;
     std::vector<reduction::Row> _rows;
+    std::size_t _planes;
+    double _part;       ///< s: within it |w| has one maximum at most
     double _final_from; ///< s
     double _time = 0;
     Eigen::VectorXd _state;
     std::vector<double> _rates;
     std::vector<End> _ends;
     std::vector<std::vector<PeakCandidate>> _peaks;
-    std::vector<double> _final;
+    std::vector<double> _largest, _final;           ///< of each row
     std::vector<std::pair<double, double>> _before; ///< empty: from the start
     WindowSamples _samples;
 
     [[nodiscard]] std::vector<End> ends_at(double t, const double *state);
     [[nodiscard]] static Polynomial polynomial(const End &from, const End &to, double length);
-    void look_for_peaks(std::size_t station, const Polynomial &w, double to);
+    void look_for_maxima(std::size_t row, const Polynomial &w, double to);
+    void maximum(std::size_t row, double value, double time);
     void offer(std::size_t station, PeakCandidate candidate);
 };
 
