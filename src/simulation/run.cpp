@@ -209,11 +209,12 @@ void Run::begin(const model::Restart *from) {
         _stations.resume(*from);
         _before = {from->energy, from->momentum};
     } else {
-        _recorder.output(0, state.data(), _stations.take_largest());
         _before = _motion.totals(0, state.data());
     }
     _motion.enter_piece(std::nextafter(_t, HUGE_VAL));
     _stations.begin(_t, state.data());
+    if (!from)
+        _recorder.output(0, state.data(), _stations.take_largest());
     if (_dry)
         _dry->begin(_t, state);
     _solver.start(_t, state.data(), from ? from->step : 0);

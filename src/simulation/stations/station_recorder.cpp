@@ -90,6 +90,13 @@ void StationRecorder::offer(std::size_t station, PeakCandidate candidate) {
         all.pop_back();
 }
 
+std::vector<double> StationRecorder::take_largest() {
+    std::vector<double> now;
+    for (const End &end : _ends)
+        now.push_back(end.w.norm());
+    return std::exchange(_largest, now);
+}
+
 void StationRecorder::maximum(std::size_t row, double value, double time) {
     _largest[row] = std::max(_largest[row], value);
     if (time >= _final_from)

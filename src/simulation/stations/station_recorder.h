@@ -44,10 +44,8 @@ class StationRecorder {
     }
     /// |w| at the time reached, m.
     [[nodiscard]] double last(std::size_t station) const;
-    /// Largest |w| of each row since this was asked for last, m.
-    [[nodiscard]] std::vector<double> take_largest() {
-        return std::exchange(_largest, std::vector<double>(_rows.size(), 0.0));
-    }
+    /// Largest |w| of each row since this was asked for last, both ends included, m.
+    [[nodiscard]] std::vector<double> take_largest();
     /// Largest |w| of a row over the last 2.5 % of the time, m.
     [[nodiscard]] double final_amplitude(std::size_t row) const { return _final[row]; }
     [[nodiscard]] const WindowSamples &samples() const { return _samples; }
