@@ -326,6 +326,29 @@ TEST(Reduction, GivesTheMotionOfTheWholeShaft) {
     EXPECT_LT(difference(whole, reduced), 1e-3);
 }
 
+// --- Amplitudes between outputs ----------------------------------------------------------------
+
+// The largest deflection between two output times, two radians of the spin apart, is the largest of
+// fifty times as many of them. Within a step of a radian polynomials are wrong by 2e-5.
+TEST(AmplitudesBetweenOutputs, AreTheLargestThere) {
+    model::Case scene = rodrigues_rotor(4, .01, .005);
+    scene.simulate.time = 200;
+    scene.simulate.output_points = 401;
+    const results::SimulateResult coarse = analyses::simulate(scene);
+    constexpr std::size_t parts = 50;
+    scene.simulate.output_points = 400 * parts + 1;
+    const results::SimulateResult fine = analyses::simulate(scene);
+    for (std::size_t plane = 0; plane < 2; ++plane) {
+        const std::vector<double> &all = fine.series.amplitude[plane];
+        const double size = *std::ranges::max_element(all);
+        for (std::size_t i = 1; i < coarse.series.time.size(); ++i) {
+            const auto first = all.begin() + static_cast<std::ptrdiff_t>((i - 1) * parts + 1);
+            const double largest = *std::max_element(first, first + parts);
+            ASSERT_NEAR(coarse.series.amplitude[plane][i], largest, 1e-4 * size) << i;
+        }
+    }
+}
+
 // --- Interruption ------------------------------------------------------------------------------
 
 TEST(Interruption, LeavesARestartThatGivesTheSameEnd) {
