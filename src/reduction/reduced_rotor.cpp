@@ -173,22 +173,22 @@ void project_rotor(const assembly::Discretization &d, ReducedRotor &reduced) {
 
 /// Masses of pedestals and of the fluid in bearings less their mean over x and y, which the planar
 /// mass matrix has.
-void project_masses_beside(const assembly::Discretization &d, ReducedRotor &reduced) {
+void project_mass_deviation(const assembly::Discretization &d, ReducedRotor &reduced) {
     const Eigen::Index r = reduced.shapes.cols();
-    reduced.mass_beside = Eigen::MatrixXd::Zero(2 * r, 2 * r);
+    reduced.mass_deviation = Eigen::MatrixXd::Zero(2 * r, 2 * r);
     assembly::assemble_supports(d, 0, [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
         if (term != Term::mass)
             return;
-        const Eigen::Matrix2d beside = block - block.trace() / 2 * Eigen::Matrix2d::Identity();
-        add_projected(reduced.shapes, i, j, beside, reduced.mass_beside);
+        const Eigen::Matrix2d deviation = block - block.trace() / 2 * Eigen::Matrix2d::Identity();
+        add_projected(reduced.shapes, i, j, deviation, reduced.mass_deviation);
     });
     // Fluid moves with the foundation, or between shaft and pedestal: the load is the pedestals'.
-    reduced.load_beside = Row::Zero(r);
+    reduced.load_deviation = Row::Zero(r);
     for (std::size_t i = 0; i < d.rotor().bearings.size(); ++i)
         if (const auto &pedestal = d.rotor().bearings[i].pedestal) {
             const int unknown = d.pedestal_unknown(static_cast<int>(i));
-            reduced.load_beside += (pedestal->mass(0) - pedestal->mass(1)) / 2 *
-                                   reduced.shapes.row(unknown).transpose();
+            reduced.load_deviation += (pedestal->mass(0) - pedestal->mass(1)) / 2 *
+                                      reduced.shapes.row(unknown).transpose();
         }
 }
 
@@ -204,7 +204,7 @@ ReducedRotor project(const assembly::Discretization &d, const HeldPair &pair,
                 bearing.rows.front().m.trace() / 2 * reduced.row(d.deflection_at(bearing.z));
     project_rotor(d, reduced);
     if (!d.rotor().support_masses_isotropic())
-        project_masses_beside(d, reduced);
+        project_mass_deviation(d, reduced);
     std::set<double> speeds;
     for (const model::Bearing &bearing : d.rotor().bearings)
         speeds.insert(bearing.speeds.begin(), bearing.speeds.end());
@@ -251,9 +251,9 @@ ReducedRotor slowed(const ReducedRotor &rotor, const Slowing &how) {
     out.shapes = rotor.shapes * s.asDiagonal();
     out.mass_times = rotor.mass_times * s.cwiseInverse().asDiagonal();
     out.mass_load = s.asDiagonal() * rotor.mass_load;
-    if (rotor.mass_beside.size() > 0) {
-        out.mass_beside = both.asDiagonal() * rotor.mass_beside * both.asDiagonal();
-        out.load_beside = s.asDiagonal() * rotor.load_beside;
+    if (rotor.mass_deviation.size() > 0) {
+        out.mass_deviation = both.asDiagonal() * rotor.mass_deviation * both.asDiagonal();
+        out.load_deviation = s.asDiagonal() * rotor.load_deviation;
     }
     out.frequencies = rotor.frequencies.cwiseMin(fastest);
     for (Eigen::MatrixXd *A : {&out.elastic, &out.internal, &out.gyroscopic})

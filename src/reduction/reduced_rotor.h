@@ -12,21 +12,22 @@ namespace whirl::reduction {
 using Row = Eigen::VectorXd;
 
 /// A rotor on few shapes: planar unknowns q = shapes * p, p complex with r entries, the kinetic
-/// energy |p'|^2/2: shapes are orthonormal under the mass matrix, fast ones shorter, as if they had
-/// more inertia. The real form is (Re p; Im p).
+/// energy |p'|^2/2: shapes are orthonormal under the mass matrix, fast ones shorter, for inertia is
+/// added to them. The real form is (Re p; Im p).
 struct ReducedRotor {
     Eigen::MatrixXd shapes;     ///< N x r
     Eigen::MatrixXd mass_times; ///< N x r: p = mass_times^T q, for q = shapes * p
-    Eigen::MatrixXd elastic;    ///< r x r, of the shaft
-    Eigen::MatrixXd internal;   ///< r x r, damping of the shaft in rotating axes
+    Eigen::MatrixXd elastic;    ///< r x r, of the shaft; springs of the inertia added
+    Eigen::MatrixXd
+        internal; ///< r x r, damping in rotating axes, of the shaft and of the inertia added
     Eigen::MatrixXd gyroscopic; ///< r x r, symmetric
     Row mass_load;   ///< r: load under a unit acceleration of all, pedestals included, with
                      ///< fluid in bearings that accelerates alike
     double mass = 0; ///< kg, without pedestals
-    /// 2r x 2r on (Re p; Im p): what the masses of supports are beside their mean over x and y, to
+    /// 2r x 2r on (Re p; Im p): how the masses of supports deviate from their mean over x and y, to
     /// be added to the unit matrix; empty where they are the same from all sides.
-    Eigen::MatrixXd mass_beside;
-    Row load_beside; ///< r: beside mass_load, of an acceleration in x more, in y less; or empty
+    Eigen::MatrixXd mass_deviation;
+    Row load_deviation; ///< r: added to mass_load under an acceleration in x, less in y; or empty
 
     /// Bearings at one speed, on the real form (2r x 2r).
     struct Supports {
@@ -61,7 +62,8 @@ struct ReductionGoal {
 /// The rotor on its lowest undamped planar modes at rest (mean bearing stiffness) and the static
 /// deflections under forces at the places. Raises the number of modes until the steady response to
 /// forward synchronous forces and the whirl speeds up to the spin speed agree with the full model;
-/// then gives fast shapes as much inertia as that allows, so that motion in time takes long steps.
+/// then adds as much inertia to fast shapes as that allows, on springs and dampers that turn with
+/// the rotor, so that motion in time takes long steps.
 /// A rigid shaft, and one with few unknowns, is kept whole.
 /// @throws model::AnalysisFailure where a part that moves has no mass, or the full model cannot be
 ///         solved.

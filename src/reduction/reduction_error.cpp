@@ -37,8 +37,8 @@ Eigen::MatrixXcd reduced_response(const ReducedRotor &reduced, const Eigen::Matr
     const ReducedRotor::Supports at = reduced.supports_at(speed);
     Eigen::MatrixXcd A = at.stiffness + i_unit * speed * at.damping;
     A.diagonal().array() -= speed * speed;
-    if (reduced.mass_beside.size() > 0)
-        A -= speed * speed * reduced.mass_beside;
+    if (reduced.mass_deviation.size() > 0)
+        A -= speed * speed * reduced.mass_deviation;
     const Eigen::MatrixXcd alone = reduced.elastic + i_unit * speed * reduced.internal;
     A.topLeftCorner(r, r) += alone;
     A.bottomRightCorner(r, r) += alone;

@@ -25,7 +25,7 @@ class ReductionError {
     Eigen::MatrixXd _loads; ///< at the places, a column each
     Eigen::MatrixXd _seen;  ///< at all places whose deflections count
     double _speed;
-    double _shift; ///< 1/s2, times the mass beside the stiffness: holds a rotor that is free
+    double _shift; ///< 1/s2, times the mass, added to the stiffness: holds a rotor that is free
     Eigen::MatrixXcd _response;
     linalg::DefinitePencil _pencil;
     std::map<std::size_t, std::vector<linalg::RealPair>> _slowest; ///< by how many were asked for

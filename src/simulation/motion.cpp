@@ -86,8 +86,8 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     Eigen::MatrixXd internal = Eigen::MatrixXd::Zero(2 * r, 2 * r);
     internal.topLeftCorner(r, r) = internal.bottomRightCorner(r, r) = rotor.internal;
     _of_slip = linalg::RealProduct(internal);
-    if (rotor.mass_beside.size() > 0) // no planes (motion_scene)
-        _inverse_mass = (Eigen::MatrixXd::Identity(2 * r, 2 * r) + rotor.mass_beside).inverse();
+    if (rotor.mass_deviation.size() > 0) // no planes (motion_scene)
+        _inverse_mass = (Eigen::MatrixXd::Identity(2 * r, 2 * r) + rotor.mass_deviation).inverse();
     _motions.resize(_parts.planes.size());
     _free_equations.resize(static_cast<std::size_t>(_parts.free_angles()));
     for (Eigen::ArrayXd *each : {&_turned, &_cosines, &_sines})

@@ -77,7 +77,7 @@ class RotorMotion {
     mutable bool _frictionless = false;
     mutable std::vector<DryTorque> _friction;     ///< of each free coordinate
     mutable std::vector<Constraint> _constraints; ///< active
-    mutable std::vector<double> _multipliers;     ///< of gaps, then of standing parts, N m
+    mutable std::vector<double> _multipliers;     ///< of gaps, then of parts at rest, N m
     Eigen::MatrixXd _rows;                        ///< r x 2P: w, phi of each plane
     Eigen::MatrixXd _products;                    ///< _rows^T _rows
     Eigen::MatrixXd _stiffness;                   ///< 2r x 2r with constant supports

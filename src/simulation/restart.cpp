@@ -67,7 +67,7 @@ void add_segment(std::vector<double> &sizes, const model::Segment &s) {
                                    layer.material.rho});
 }
 
-/// What a restart holds of the state beside the motion of the shaft.
+/// What a restart holds of the state, the motion of the shaft aside.
 struct StatePart {
     std::vector<double> model::Restart::*list;
     int first, count; ///< in the state

@@ -40,8 +40,8 @@ double fastest_decay(const reduction::ReducedRotor &rotor, double speed) {
     A.bottomLeftCorner(2 * r, 2 * r) /= std::abs(speed);
     A.block(2 * r, 3 * r, r, r) -= speed * rotor.gyroscopic;
     A.block(3 * r, 2 * r, r, r) += speed * rotor.gyroscopic;
-    if (rotor.mass_beside.size() > 0) {
-        const Eigen::MatrixXd M = Eigen::MatrixXd::Identity(2 * r, 2 * r) + rotor.mass_beside;
+    if (rotor.mass_deviation.size() > 0) {
+        const Eigen::MatrixXd M = Eigen::MatrixXd::Identity(2 * r, 2 * r) + rotor.mass_deviation;
         A.bottomRows(2 * r) = linalg::solved(M.partialPivLu(), A.bottomRows(2 * r));
     }
     return -A.eigenvalues().real().minCoeff();
@@ -58,8 +58,8 @@ Eigen::VectorXd steady_motion(const MovingParts &parts) {
     const Complex i(0, 1);
     const reduction::ReducedRotor::Supports at = rotor.supports_at(speed);
     Eigen::MatrixXcd A = at.stiffness.cast<Complex>() + i * speed * at.damping;
-    if (rotor.mass_beside.size() > 0)
-        A -= speed * speed * rotor.mass_beside;
+    if (rotor.mass_deviation.size() > 0)
+        A -= speed * speed * rotor.mass_deviation;
     for (const Eigen::Index plane : {Eigen::Index{0}, r}) {
         A.block(plane, plane, r, r) += rotor.elastic + i * speed * rotor.internal;
         A.block(plane, plane, r, r).diagonal().array() -= speed * speed;

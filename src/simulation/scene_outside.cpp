@@ -104,9 +104,9 @@ void add_outside(const model::Case &scene, const assembly::Discretization &d, Mo
         motion.parts.excitation.add(motion.parts.rotor.row(d.deflection_at(force.z)), force);
     if (s.base) {
         const reduction::ReducedRotor &rotor = motion.parts.rotor;
-        const reduction::Row beside =
-            rotor.load_beside.size() > 0 ? rotor.load_beside : 0 * rotor.mass_load;
-        motion.parts.excitation.set_base(rotor.mass_load + beside, rotor.mass_load - beside,
+        const reduction::Row deviation =
+            rotor.load_deviation.size() > 0 ? rotor.load_deviation : 0 * rotor.mass_load;
+        motion.parts.excitation.set_base(rotor.mass_load + deviation, rotor.mass_load - deviation,
                                          *s.base);
     }
     motion.moment += moment_of_forces(s, motion.parts.rotor.mass, motion.fastest);
