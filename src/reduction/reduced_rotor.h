@@ -18,8 +18,7 @@ struct ReducedRotor {
     Eigen::MatrixXd shapes;     ///< N x r
     Eigen::MatrixXd mass_times; ///< N x r: p = mass_times^T q, for q = shapes * p
     Eigen::MatrixXd elastic;    ///< r x r, of the shaft; springs of the inertia added
-    Eigen::MatrixXd
-        internal; ///< r x r, damping in rotating axes, of the shaft and of the inertia added
+    Eigen::MatrixXd internal;   ///< r x r, damping in rotating axes, of both
     Eigen::MatrixXd gyroscopic; ///< r x r, symmetric
     Row mass_load;   ///< r: load under a unit acceleration of all, pedestals included, with
                      ///< fluid in bearings that accelerates alike
