@@ -111,12 +111,12 @@ struct OdeSolver::Arkode {
         }
     }
 
-    /// exp(i angle) times the vectors of y.
-    void turn(double angle, double *y) const {
+    /// exp(i angle) times the vectors of a state.
+    void turn(double angle, double *state) const {
         const double cosine = std::cos(angle);
         const double sine = std::sin(angle);
         for (const int first : problem.axes.first)
-            for (double *x = y + first; x < y + first + problem.axes.count; ++x) {
+            for (double *x = state + first; x < state + first + problem.axes.count; ++x) {
                 double &across = x[problem.axes.count];
                 const double along = *x;
                 *x = cosine * along - sine * across;
