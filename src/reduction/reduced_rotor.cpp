@@ -8,6 +8,7 @@
 #include "linalg/sparse_factor.h"
 #include "linalg/symmetric_eigen.h"
 #include "model/errors.h"
+#include "reduction/damped_motions.h"
 #include "reduction/orthonormal.h"
 #include "reduction/reduction_error.h"
 
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <map>
 #include <optional>
 #include <set>
@@ -38,11 +40,11 @@ struct HeldPair : assembly::PlanarPair {
     double shift = 0; ///< 1/s2
 };
 
-HeldPair held_pair(const assembly::Discretization &d, double speed) {
-    HeldPair pair{assembly::planar_pair(d, speed), 0};
+HeldPair held_pair(const assembly::Discretization &d, const ReductionGoal &goal) {
+    HeldPair pair{assembly::planar_pair(d, goal.speed), 0};
     // At the least as much as holds a free rotor against the rounding of its stiffness.
     constexpr double rounding = 1e-13;
-    pair.shift = 0.01 * speed * speed;
+    pair.shift = 0.01 * goal.fastest * goal.fastest;
     for (Eigen::Index i = 0; i < pair.M.rows(); ++i)
         if (pair.M.coeff(i, i) > 0)
             pair.shift = std::max(pair.shift, rounding * pair.K.coeff(i, i) / pair.M.coeff(i, i));
@@ -80,7 +82,7 @@ Eigen::MatrixXd synchronous_shapes(const HeldPair &pair, double speed, double se
 class ShapeSource {
   public:
     ShapeSource(const assembly::Discretization &d, const ReductionGoal &goal)
-        : _pair(held_pair(d, goal.speed)), _small(d.rigid() || d.planar_size() <= small_enough) {
+        : _pair(held_pair(d, goal)), _small(d.rigid() || d.planar_size() <= small_enough) {
         if (_small)
             return;
         std::vector<assembly::Combination> loaded;
@@ -269,12 +271,12 @@ ReducedRotor slowed(const ReducedRotor &rotor, const Slowing &how) {
 
 /// No shape becomes slower than that, rad/s. What goes round twice as fast as the rotor, or faster,
 /// makes no pair with a motion of the rotor whose frequencies add up to twice the spin speed, which
-/// balls and anisotropies could drive. Under forces that stand still, and while motions begin and
-/// end, slowed shapes lack (speed / slowest)^2 of their deflection, a few hundredths of the whole:
-/// so it goes with the tolerance.
+/// balls and anisotropies could drive. Under forces of a frequency w other than the spin speed, and
+/// while motions begin and end, slowed shapes have wrong by up to (w / slowest)^2 of their
+/// deflection: so it goes with the tolerance, and with the fastest of what acts.
 double slowest_of(const ReductionGoal &goal) {
     constexpr double twice_at = 1e-3; // tolerance
-    return 2 * std::abs(goal.speed) * std::sqrt(std::max(1.0, twice_at / goal.tolerance));
+    return 2 * goal.fastest * std::sqrt(std::max(1.0, twice_at / goal.tolerance));
 }
 
 double fastest_of(const ReducedRotor &rotor) { return rotor.frequencies(rotor.size() - 1); }
@@ -283,10 +285,62 @@ double fastest_of(const ReducedRotor &rotor) { return rotor.frequencies(rotor.si
 /// does.
 double effort_of(const ReducedRotor &rotor) { return fastest_of(rotor) * rotor.size(); }
 
+/// The decay of a rotor's motions, to compare with. What turns with the rotor loses energy by
+/// motions that go round faster than it, and feeds those that go round slower (as internal damping
+/// does, docs/theory.md): rotors with little damping of their own would become unstable by it.
+class Decay {
+  public:
+    Decay(const ReducedRotor &rotor, const ReductionGoal &goal) : _fastest(goal.fastest) {
+        constexpr int between = 8; // speeds of a run-up
+        for (int i = goal.varies ? between : 1; i >= 1; --i) {
+            const double speed = std::abs(goal.speed) * (goal.varies ? i / double{between} : 1);
+            _before.push_back({speed, damped_eigenvalues(rotor, speed)});
+        }
+    }
+
+    /// Of all motions up to the fastest that acts a tenth of the decay at the most is changed, and
+    /// no more motions grow.
+    [[nodiscard]] bool kept_by(const ReducedRotor &slowed) const {
+        return std::ranges::all_of(_before, [&](const AtSpeed &before) {
+            return kept(before.values, damped_eigenvalues(slowed, before.speed));
+        });
+    }
+
+  private:
+    struct AtSpeed {
+        double speed; ///< rad/s
+        Eigen::VectorXcd values;
+    };
+    std::vector<AtSpeed> _before;
+    double _fastest; ///< rad/s
+
+    [[nodiscard]] bool kept(const Eigen::VectorXcd &before, const Eigen::VectorXcd &after) const {
+        constexpr double share = 0.1;
+        const double largest = before.cwiseAbs().maxCoeff();
+        const double rounding = 1e-13 * largest; // of eigenvalues of matrices of that size
+        const double at_rest = 1e-6 * largest;   // of a free rotor: a double root, rounding^(1/2)
+        const auto growing = [&](const Eigen::VectorXcd &values) {
+            return std::ranges::count_if(values, [&](const std::complex<double> &value) {
+                return value.real() > rounding && std::abs(value) > at_rest;
+            });
+        };
+        if (growing(after) > growing(before))
+            return false;
+        return std::ranges::all_of(before, [&](const std::complex<double> &value) {
+            if (std::abs(value) > _fastest || std::abs(value) <= at_rest)
+                return true;
+            Eigen::Index nearest = 0;
+            (after.array() - value).abs().minCoeff(&nearest);
+            return std::abs(after(nearest).real() - value.real()) <=
+                   share * std::abs(value.real()) + rounding;
+        });
+    }
+};
+
 /// The rotor with its shapes as slow as they may be; nothing where it is not good enough as it is.
-/// @param damping  of what is added to slow them; none in a rotor that keeps its energy
+/// @param keeps_energy  it has no damping, and gets none
 std::optional<ReducedRotor> slowest_good(ReducedRotor rotor, ReductionError &error,
-                                         const ReductionGoal &goal, double damping) {
+                                         const ReductionGoal &goal, bool keeps_energy) {
     const double speed = std::abs(goal.speed);
     const auto good = [&](ReducedRotor &trial) {
         error.measure(trial);
@@ -296,16 +350,36 @@ std::optional<ReducedRotor> slowest_good(ReducedRotor rotor, ReductionError &err
         return std::nullopt;
     double high = fastest_of(rotor);
     double low = std::min(high, slowest_of(goal));
-    if (ReducedRotor trial = slowed(rotor, {low, speed, damping}); good(trial))
+    if (low == high)
+        return rotor;
+    // Of the critical one. With the most of them what a start leaves in slowed shapes is gone after
+    // a few turns; rotors that are hardly damped get less, or none.
+    const std::vector<double> dampings =
+        keeps_energy ? std::vector{0.0} : std::vector{0.1, 1e-3, 0.0};
+    std::optional<Decay> decay;
+    if (!keeps_energy)
+        decay.emplace(rotor, goal);
+    const auto answers_alike = [&](const ReducedRotor &trial) {
+        return std::ranges::all_of(goal.outside, [&](double frequency) {
+            return error.difference(rotor, trial, frequency) <= goal.tolerance;
+        });
+    };
+    const auto slowed_to = [&](double fastest) -> std::optional<ReducedRotor> {
+        for (const double damping : dampings)
+            if (ReducedRotor trial = slowed(rotor, {fastest, speed, damping});
+                good(trial) && answers_alike(trial) && (!decay || decay->kept_by(trial)))
+                return trial;
+        return std::nullopt;
+    };
+    if (auto trial = slowed_to(low))
         return trial;
     ReducedRotor out = rotor;
     constexpr double close = 1.1;
     while (high > close * low) {
         const double middle = std::sqrt(low * high);
-        ReducedRotor trial = slowed(rotor, {middle, speed, damping});
-        if (good(trial)) {
+        if (auto trial = slowed_to(middle)) {
             high = middle;
-            out = std::move(trial);
+            out = std::move(*trial);
         } else {
             low = middle;
         }
@@ -318,12 +392,10 @@ template <class With>
 std::optional<ReducedRotor> least_effort(const With &with, ReductionError &error, int most,
                                          const ReductionGoal &goal, bool keeps_energy) {
     constexpr int further = 3; // modes beyond those needed: what they describe the others need not
-    constexpr double damped = 0.1; // gone after a few turns
     std::optional<ReducedRotor> best;
     for (const bool bearings : {false, true})
         for (int modes = 0, last = most; modes <= last; ++modes)
-            if (auto rotor =
-                    slowest_good(with(modes, bearings), error, goal, keeps_energy ? 0 : damped)) {
+            if (auto rotor = slowest_good(with(modes, bearings), error, goal, keeps_energy)) {
                 const bool border = fastest_of(*rotor) <= slowest_of(goal);
                 last = std::min(last, border ? modes : modes + further);
                 if (!best || effort_of(*rotor) < effort_of(*best))

@@ -4,11 +4,12 @@
 #include "model/errors.h"
 #include "process/interruption.h"
 #include "process/progress.h"
+#include "reduction/damped_motions.h"
 #include "simulation/dry/dry_state.h"
 #include "simulation/restart.h"
 #include "simulation/trend.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,25 +27,7 @@ constexpr double stiff_from = 300;
 
 /// Fastest decay of the shaft on its supports, 1/s.
 double fastest_decay(const reduction::ReducedRotor &rotor, double speed) {
-    const Eigen::Index r = rotor.size();
-    const reduction::ReducedRotor::Supports at = rotor.supports_at(speed);
-    // On (q, q' / |speed|), so that all entries are frequencies, whatever the unit of time.
-    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(4 * r, 4 * r);
-    A.topRightCorner(2 * r, 2 * r).diagonal().setConstant(std::abs(speed));
-    A.bottomLeftCorner(2 * r, 2 * r) = -at.stiffness;
-    A.bottomRightCorner(2 * r, 2 * r) = -at.damping;
-    for (const Eigen::Index plane : {Eigen::Index{0}, r}) {
-        A.block(2 * r + plane, plane, r, r) -= rotor.elastic;
-        A.block(2 * r + plane, 2 * r + plane, r, r) -= rotor.internal;
-    }
-    A.bottomLeftCorner(2 * r, 2 * r) /= std::abs(speed);
-    A.block(2 * r, 3 * r, r, r) -= speed * rotor.gyroscopic;
-    A.block(3 * r, 2 * r, r, r) += speed * rotor.gyroscopic;
-    if (rotor.mass_deviation.size() > 0) {
-        const Eigen::MatrixXd M = Eigen::MatrixXd::Identity(2 * r, 2 * r) + rotor.mass_deviation;
-        A.bottomRows(2 * r) = linalg::solved(M.partialPivLu(), A.bottomRows(2 * r));
-    }
-    return -A.eigenvalues().real().minCoeff();
+    return -reduction::damped_eigenvalues(rotor, std::abs(speed)).real().minCoeff();
 }
 
 /// Deflections and velocities at time 0 of the steady motion under the eccentricities that are
@@ -113,7 +96,7 @@ Run::Run(const model::Case &scene, const MotionScene &motion)
                   ? OdeMethod::implicit_stiff
                   : OdeMethod::explicit_high_order),
       _stations(_motion, recorded_rows(motion), motion.parts.free.size(), scene.simulate.time,
-                motion.fastest),
+                motion.fastest, axes().speed),
       _solver(problem(), _method) {
     if (_motion.dry().any())
         _dry.emplace(_motion, motion.fastest, std::make_unique<OdeSolver>(problem(), _method));

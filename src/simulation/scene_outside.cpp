@@ -25,10 +25,10 @@ double moment_of_forces(const model::SimulateSettings &s, double mass, double sp
     return (force + mass * largest) / (speed * speed);
 }
 
-std::vector<double> each_once(std::vector<double> places) {
-    std::ranges::sort(places);
-    places.erase(std::unique(places.begin(), places.end()), places.end());
-    return places;
+std::vector<double> each_once(std::vector<double> values) {
+    std::ranges::sort(values);
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
 }
 
 /// Stations at which a rotor is looked at, whatever acts there.
@@ -61,16 +61,29 @@ model::Rotor rotor_with_nodes(const model::Case &scene) {
     return rotor;
 }
 
-double scale_at_rest(const model::Case &scene, const assembly::Discretization &d) {
-    double fastest = 0;
+std::vector<double> frequencies_outside(const model::Case &scene) {
+    std::vector<double> frequencies;
     for (const model::StationForce &force : scene.simulate.forces)
-        fastest = std::max(fastest, std::abs(force.frequency));
+        frequencies.push_back(std::abs(force.frequency));
     if (const auto &base = scene.simulate.base; base && base->harmonic)
-        fastest = std::max(fastest, std::abs(base->harmonic->frequency));
+        frequencies.push_back(std::abs(base->harmonic->frequency));
+    return each_once(std::move(frequencies));
+}
+
+double fastest_outside(const model::Case &scene, double speed) {
+    const std::vector<double> frequencies = frequencies_outside(scene);
+    double fastest = frequencies.empty() ? 0 : frequencies.back();
+    if (scene.simulate.gravity != 0 &&
+        (!scene.rotor.balancers.empty() || !scene.rotor.anisotropies.empty()))
+        fastest = std::max(fastest, 2 * speed);
+    return fastest;
+}
+
+double scale_at_rest(const model::Case &scene, const assembly::Discretization &d) {
     const assembly::PlanarPair pair = assembly::planar_pair(d, 0);
     const Eigen::VectorXd v = d.rigid_motion(false);
     const double bounce = std::max(0.0, v.dot(pair.K * v)) / v.dot(pair.M * v);
-    return std::max(fastest, std::sqrt(bounce));
+    return std::max(fastest_outside(scene, 0), std::sqrt(bounce));
 }
 
 std::vector<double> places_of(const model::Case &scene) {

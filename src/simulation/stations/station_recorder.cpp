@@ -1,5 +1,7 @@
 #include "simulation/stations/station_recorder.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -33,8 +35,8 @@ template <class Polynomial> Eigen::Vector2d slope_at(const Polynomial &w, double
 } // namespace
 
 StationRecorder::StationRecorder(const RotorMotion &motion, std::vector<reduction::Row> rows,
-                                 std::size_t planes, double end, double fastest)
-    : _motion(motion), _rows(std::move(rows)), _planes(planes), _part(part / fastest),
+                                 std::size_t planes, double end, double fastest, double axes)
+    : _motion(motion), _rows(std::move(rows)), _planes(planes), _axes(axes), _part(part / fastest),
       _final_from(end * (1 - final_share)), _rates(static_cast<std::size_t>(motion.size())),
       _peaks(_rows.size() - planes), _largest(_rows.size(), 0.0), _final(_rows.size(), 0.0),
       _samples(_rows.size() - planes, end, fastest) {}
@@ -57,6 +59,14 @@ void StationRecorder::begin(double t, const double *state) {
 
 double StationRecorder::last(std::size_t station) const {
     return _ends[_planes + station].w.norm();
+}
+
+/// As seen from the axes when they have turned by this angle: u = w exp(-i axes t).
+StationRecorder::End StationRecorder::turned(const End &end, double angle) const {
+    const Eigen::Rotation2D<double> back(-angle);
+    const auto across = [](const Eigen::Vector2d &x) { return Eigen::Vector2d(-x(1), x(0)); };
+    return {back * end.w, back * (end.v - _axes * across(end.w)),
+            back * (end.a - 2 * _axes * across(end.v) - _axes * _axes * end.w)};
 }
 
 StationRecorder::Polynomial StationRecorder::polynomial(const End &from, const End &to,
@@ -136,13 +146,16 @@ void StationRecorder::step(double t, const double *state) {
     std::vector<End> ends = ends_at(t, state);
     std::vector<Polynomial> w;
     for (std::size_t i = 0; i < _rows.size(); ++i) {
-        w.push_back(polynomial(_ends[i], ends[i], length));
+        w.push_back(polynomial(turned(_ends[i], 0), turned(ends[i], _axes * length), length));
         look_for_maxima(i, w[i], t);
         maximum(i, ends[i].w.norm(), t);
     }
-    for (const auto &[window, sample, time] : _samples.between(_time, t))
+    for (const auto &[window, sample, time] : _samples.between(_time, t)) {
+        const Eigen::Rotation2D<double> turn(_axes * (time - _time));
         for (std::size_t i = _planes; i < _rows.size(); ++i)
-            _samples.set(i - _planes, window, sample, value_at(w[i], (time - _time) / length));
+            _samples.set(i - _planes, window, sample,
+                         turn * value_at(w[i], (time - _time) / length));
+    }
     _ends = std::move(ends);
     _time = t;
     _state = Eigen::Map<const Eigen::VectorXd>(state, _motion.size());
@@ -151,7 +164,6 @@ void StationRecorder::step(double t, const double *state) {
 void StationRecorder::save(model::Restart &restart) const {
     restart.largest = _largest;
     restart.last = _final;
-    restart.ends.assign(_final.begin() + static_cast<std::ptrdiff_t>(_planes), _final.end());
     for (std::size_t i = 0; i < _peaks.size(); ++i) {
         auto [value, time] = before(i);
         if (!_peaks[i].empty() && _peaks[i].front().value > value)

@@ -24,14 +24,17 @@ inline constexpr double final_share = 0.025;
 
 /// Deflections of balancers' planes and of stations between the ends of the steps of an
 /// integration: polynomials of degree five through deflections, velocities and accelerations at
-/// both ends (error 2e-5 of the amplitude where a step is one radian of the motion).
+/// both ends, in the axes in which the motion is integrated. They miss h^6 / 46080 of a motion that
+/// goes through h radians in a step as seen from these axes: 2e-5 at one radian, and nothing where
+/// it goes round with them.
 class StationRecorder {
   public:
     /// @param rows     of the deflections: of so many `planes`, then of the stations
     /// @param end      of the motion, s
     /// @param fastest  rad/s: spectra reach beyond a few times this
+    /// @param axes     rad/s: speed at which the axes of the integration turn
     StationRecorder(const RotorMotion &motion, std::vector<reduction::Row> rows, std::size_t planes,
-                    double end, double fastest);
+                    double end, double fastest, double axes);
 
     /// At the start, and wherever the rates have jumped.
     void begin(double t, const double *state);
@@ -63,12 +66,14 @@ class StationRecorder {
     struct End {
         Eigen::Vector2d w, v, a;
     };
-    /// w over the share of the step done: coefficients of the powers.
+    /// w, in axes that turn from the step's beginning on, over the share of the step done:
+    /// coefficients of the powers.
     using Polynomial = std::array<Eigen::Vector2d, 6>;
 
     const RotorMotion &_motion;
     std::vector<reduction::Row> _rows;
     std::size_t _planes;
+    double _axes;       ///< rad/s
     double _part;       ///< s: within it |w| has one maximum at most
     double _final_from; ///< s
     double _time = 0;
@@ -81,6 +86,7 @@ class StationRecorder {
     WindowSamples _samples;
 
     [[nodiscard]] std::vector<End> ends_at(double t, const double *state);
+    [[nodiscard]] End turned(const End &end, double angle) const;
     [[nodiscard]] static Polynomial polynomial(const End &from, const End &to, double length);
     void look_for_maxima(std::size_t row, const Polynomial &w, double to);
     void maximum(std::size_t row, double value, double time);
