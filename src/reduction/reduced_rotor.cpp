@@ -59,12 +59,12 @@ Eigen::MatrixXd ritz_shapes(const HeldPair &pair, const Eigen::MatrixXd &columns
     return V * linalg::symmetric_eigenpairs(K).eigenvectors();
 }
 
-/// Deflections K - speed^2 (M - sense G) gives under unit loads on these combinations: synchronous
-/// whirl, forward (sense 1) or backward (-1); static where that matrix is singular.
-Eigen::MatrixXd synchronous_shapes(const HeldPair &pair, double speed, double sense,
-                                   const std::vector<assembly::Combination> &loaded) {
+/// Deflections K - w^2 M + speed w G gives under unit loads on these combinations: forward whirl at
+/// the frequency w, or backward where it is below 0; static where that matrix is singular.
+Eigen::MatrixXd whirl_shapes(const HeldPair &pair, double speed, double w,
+                             const std::vector<assembly::Combination> &loaded) {
     const Eigen::MatrixXd forces = assembly::unit_loads(loaded, pair.M.rows());
-    Sparse A = pair.K - speed * speed * (pair.M - sense * pair.G);
+    Sparse A = pair.K - w * w * pair.M + speed * w * pair.G;
     A.makeCompressed();
     linalg::SparseFactor<double> factors;
     if (factors.factorize(A)) {
@@ -77,8 +77,9 @@ Eigen::MatrixXd synchronous_shapes(const HeldPair &pair, double speed, double se
 }
 
 /// Shapes to choose from: the lowest modes at rest; the deflections under synchronous forces at
-/// the places (and moments), with which the undamped response there is exact; and those under
-/// forces at the bearings, which carry the effect of damping and of differences between x and y.
+/// the places (and moments) and under those from outside, with which the undamped response there is
+/// exact; and those under forces at the bearings, which carry the effect of damping and of
+/// differences between x and y.
 class ShapeSource {
   public:
     ShapeSource(const assembly::Discretization &d, const ReductionGoal &goal)
@@ -90,12 +91,16 @@ class ShapeSource {
             loaded.push_back(d.deflection_at(z));
         for (const double z : goal.tilted)
             loaded.push_back(d.slope_at(z));
-        _at_places = synchronous_shapes(_pair, goal.speed, 1, loaded);
+        _at_places = whirl_shapes(_pair, goal.speed, goal.speed, loaded);
+        for (const ReductionGoal::Outside &load : goal.outside)
+            if (load.z)
+                for (const double way : {load.frequency, -load.frequency})
+                    append(whirl_shapes(_pair, goal.speed, way, {d.deflection_at(*load.z)}));
         std::vector<assembly::Combination> bearings;
         for (const model::Bearing &bearing : d.rotor().bearings)
             bearings.push_back(d.deflection_at(bearing.z));
-        const Eigen::MatrixXd forward = synchronous_shapes(_pair, goal.speed, 1, bearings);
-        const Eigen::MatrixXd backward = synchronous_shapes(_pair, goal.speed, -1, bearings);
+        const Eigen::MatrixXd forward = whirl_shapes(_pair, goal.speed, goal.speed, bearings);
+        const Eigen::MatrixXd backward = whirl_shapes(_pair, goal.speed, -goal.speed, bearings);
         const bool both = !d.rotor().bearings_isotropic();
         _at_bearings.resize(forward.rows(), (both ? 2 : 1) * forward.cols());
         _at_bearings.leftCols(forward.cols()) = forward;
@@ -129,6 +134,12 @@ class ShapeSource {
     [[nodiscard]] const HeldPair &pair() const { return _pair; }
 
   private:
+    void append(const Eigen::MatrixXd &shapes) {
+        const Eigen::Index before = _at_places.cols();
+        _at_places.conservativeResize(Eigen::NoChange, before + shapes.cols());
+        _at_places.rightCols(shapes.cols()) = shapes;
+    }
+
     HeldPair _pair;
     bool _small;
     Eigen::MatrixXd _at_places;
@@ -360,8 +371,8 @@ std::optional<ReducedRotor> slowest_good(ReducedRotor rotor, ReductionError &err
     if (!keeps_energy)
         decay.emplace(rotor, goal);
     const auto answers_alike = [&](const ReducedRotor &trial) {
-        return std::ranges::all_of(goal.outside, [&](double frequency) {
-            return error.difference(rotor, trial, frequency) <= goal.tolerance;
+        return std::ranges::all_of(goal.outside, [&](const ReductionGoal::Outside &load) {
+            return error.difference(rotor, trial, load.frequency) <= goal.tolerance;
         });
     };
     const auto slowed_to = [&](double fastest) -> std::optional<ReducedRotor> {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace whirl::reduction {
@@ -50,10 +51,15 @@ struct ReducedRotor {
 
 /// What the shapes must be good for.
 struct ReductionGoal {
-    double speed = 0;            ///< rad/s, highest of the spin: there the response is compared
-    bool varies = false;         ///< the rotor passes lower speeds too
-    double fastest = 0;          ///< rad/s, of the motions that act on the rotor, >= speed
-    std::vector<double> outside; ///< rad/s, of the forces that do not turn with the rotor
+    double speed = 0;    ///< rad/s, highest of the spin: there the response is compared
+    bool varies = false; ///< the rotor passes lower speeds too
+    double fastest = 0;  ///< rad/s, of the motions that act on the rotor, >= speed
+    /// A load that does not turn with the rotor.
+    struct Outside {
+        double frequency = 0;    ///< rad/s, >= 0
+        std::optional<double> z; ///< m; none: the foundation moves
+    };
+    std::vector<Outside> outside;
     std::vector<double> places;  ///< z of forces and of the deflections that count, m
     std::vector<double> tilted;  ///< z of moments, m
     std::vector<double> watched; ///< z of further deflections that count, without forces, m
@@ -62,11 +68,11 @@ struct ReductionGoal {
 };
 
 /// The rotor on its lowest undamped planar modes at rest (mean bearing stiffness) and the static
-/// deflections under forces at the places. Raises the number of modes until the steady response to
-/// forward synchronous forces and the whirl speeds up to the fastest motion that acts agree with
-/// the full model; then adds as much inertia to fast shapes as that allows, on springs and dampers
-/// that turn with the rotor, so that motion in time takes long steps. Motions up to the fastest
-/// keep their decay to a tenth, and none grows that did not before; responses to
+/// deflections under forces at the places and from outside. Raises the number of modes until the
+/// steady response to forward synchronous forces and the whirl speeds up to the fastest motion that
+/// acts agree with the full model; then adds as much inertia to fast shapes as that allows, on
+/// springs and dampers that turn with the rotor, so that motion in time takes long steps. Motions
+/// up to the fastest keep their decay to a tenth, and none grows that did not before; responses to
 /// forces from outside stay as they are to the tolerance. A rigid shaft, and one with few
 /// unknowns, is kept whole.
 /// @throws model::AnalysisFailure where a part that moves has no mass, or the full model cannot be

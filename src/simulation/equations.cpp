@@ -295,7 +295,7 @@ MotionScene motion_scene(const model::Case &scene) {
     goal.speed = speed;
     goal.varies = motion.parts.motor || !motion.parts.spin.constant();
     goal.fastest = std::max(motion.fastest, fastest_outside(scene, speed));
-    goal.outside = frequencies_outside(scene);
+    goal.outside = loads_outside(scene);
     goal.tolerance = scene.simulate.reduction_tolerance;
     goal.modes = scene.reduction ? scene.simulate.modes : d.planar_size();
     goal.places = places_of(scene);

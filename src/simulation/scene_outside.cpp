@@ -61,18 +61,19 @@ model::Rotor rotor_with_nodes(const model::Case &scene) {
     return rotor;
 }
 
-std::vector<double> frequencies_outside(const model::Case &scene) {
-    std::vector<double> frequencies;
+std::vector<reduction::ReductionGoal::Outside> loads_outside(const model::Case &scene) {
+    std::vector<reduction::ReductionGoal::Outside> loads;
     for (const model::StationForce &force : scene.simulate.forces)
-        frequencies.push_back(std::abs(force.frequency));
+        loads.push_back({std::abs(force.frequency), force.z});
     if (const auto &base = scene.simulate.base; base && base->harmonic)
-        frequencies.push_back(std::abs(base->harmonic->frequency));
-    return each_once(std::move(frequencies));
+        loads.push_back({std::abs(base->harmonic->frequency), std::nullopt});
+    return loads;
 }
 
 double fastest_outside(const model::Case &scene, double speed) {
-    const std::vector<double> frequencies = frequencies_outside(scene);
-    double fastest = frequencies.empty() ? 0 : frequencies.back();
+    double fastest = 0;
+    for (const reduction::ReductionGoal::Outside &load : loads_outside(scene))
+        fastest = std::max(fastest, load.frequency);
     if (scene.simulate.gravity != 0 &&
         (!scene.rotor.balancers.empty() || !scene.rotor.anisotropies.empty()))
         fastest = std::max(fastest, 2 * speed);

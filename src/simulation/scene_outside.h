@@ -14,8 +14,9 @@ namespace whirl::simulation {
 /// in it, or else the bounce of the rotor as a rigid body; 0: there is none.
 [[nodiscard]] double scale_at_rest(const model::Case &scene, const assembly::Discretization &d);
 
-/// Frequencies of forces and of the foundation, rad/s, ascending.
-[[nodiscard]] std::vector<double> frequencies_outside(const model::Case &scene);
+/// Forces and the motion of the foundation.
+[[nodiscard]] std::vector<reduction::ReductionGoal::Outside>
+loads_outside(const model::Case &scene);
 
 /// The fastest motion that acts on a rotor spinning at up to this speed, rad/s, from outside:
 /// forces, the foundation; weight, on whatever turns with the rotor without being round, at twice

@@ -8,7 +8,8 @@ namespace whirl::linalg {
 
 namespace {
 
-/// The next `vectors` times four rows: sums that stay in registers.
+/// `vectors` times four rows of a product, from the row on at which A begins: sums that stay in
+/// registers.
 template <int vectors>
 WHIRL_INLINED void add_rows(const double *A, Eigen::Index apart, Eigen::Index columns,
                             const double *x, double *out) {
