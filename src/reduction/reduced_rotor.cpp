@@ -301,7 +301,8 @@ double effort_of(const ReducedRotor &rotor) { return fastest_of(rotor) * rotor.s
 /// does, docs/theory.md): rotors with little damping of their own would become unstable by it.
 class Decay {
   public:
-    Decay(const ReducedRotor &rotor, const ReductionGoal &goal) : _fastest(goal.fastest) {
+    Decay(const ReducedRotor &rotor, const ReductionGoal &goal)
+        : _fastest(goal.fastest), _at_rest(1e-6 * fastest_of(rotor)) {
         constexpr int between = 8; // speeds of a run-up
         for (int i = goal.varies ? between : 1; i >= 1; --i) {
             const double speed = std::abs(goal.speed) * (goal.varies ? i / double{between} : 1);
@@ -324,21 +325,21 @@ class Decay {
     };
     std::vector<AtSpeed> _before;
     double _fastest; ///< rad/s
+    double _at_rest; ///< rad/s: double root 0 of a free rotor, known to the root of rounding
 
     [[nodiscard]] bool kept(const Eigen::VectorXcd &before, const Eigen::VectorXcd &after) const {
         constexpr double share = 0.1;
         const double largest = before.cwiseAbs().maxCoeff();
         const double rounding = 1e-13 * largest; // of eigenvalues of matrices of that size
-        const double at_rest = 1e-6 * largest;   // of a free rotor: a double root, rounding^(1/2)
         const auto growing = [&](const Eigen::VectorXcd &values) {
             return std::ranges::count_if(values, [&](const std::complex<double> &value) {
-                return value.real() > rounding && std::abs(value) > at_rest;
+                return value.real() > rounding && std::abs(value) > _at_rest;
             });
         };
         if (growing(after) > growing(before))
             return false;
         return std::ranges::all_of(before, [&](const std::complex<double> &value) {
-            if (std::abs(value) > _fastest || std::abs(value) <= at_rest)
+            if (std::abs(value) > _fastest || std::abs(value) <= _at_rest)
                 return true;
             Eigen::Index nearest = 0;
             (after.array() - value).abs().minCoeff(&nearest);

@@ -52,7 +52,7 @@ struct ReducedRotor {
 /// What the shapes must be good for.
 struct ReductionGoal {
     double speed = 0;    ///< rad/s, highest of the spin: there the response is compared
-    bool varies = false; ///< the rotor passes lower speeds too
+    bool varies = false; ///< the rotor passes lower speeds too, or stands still
     double fastest = 0;  ///< rad/s, of the motions that act on the rotor, >= speed
     /// A load that does not turn with the rotor.
     struct Outside {

@@ -293,7 +293,8 @@ MotionScene motion_scene(const model::Case &scene) {
     const double speed = set_drive(scene, d, motion);
     reduction::ReductionGoal goal;
     goal.speed = speed;
-    goal.varies = motion.parts.motor || !motion.parts.spin.constant();
+    goal.varies = motion.parts.motor || !motion.parts.spin.constant() ||
+                  !(motion.parts.spin.fastest(scene.simulate.time) > 0);
     goal.fastest = std::max(motion.fastest, fastest_outside(scene, speed));
     goal.outside = loads_outside(scene);
     goal.tolerance = scene.simulate.reduction_tolerance;
