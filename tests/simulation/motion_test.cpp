@@ -354,7 +354,7 @@ TEST(AmplitudesBetweenOutputs, AreTheLargestThere) {
 // Rings that go round with the rotor are followed in steps of up to three radians of the spin, in
 // axes that turn with it; a hundred times as many outputs leave steps of half a radian. Amplitudes
 // are the same to what some 1e4 steps to 1e-8 each add up to, as a random walk 1e-6; polynomials in
-// axes that stand still would miss 2e-2 of the deflections within such steps, 2e-4 of the
+// axes that stand still would miss 2e-2 of the deflections within such steps, 1e-4 of the
 // amplitude.
 TEST(AmplitudesBetweenOutputs, AreThoseOfSmallStepsInLargeOnes) {
     const auto with = [](int points) {
