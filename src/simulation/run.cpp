@@ -7,6 +7,7 @@
 #include "reduction/damped_motions.h"
 #include "simulation/dry/dry_state.h"
 #include "simulation/restart.h"
+#include "simulation/scene_outside.h"
 #include "simulation/trend.h"
 
 #include <Eigen/LU>
@@ -96,7 +97,7 @@ Run::Run(const model::Case &scene, const MotionScene &motion)
                   ? OdeMethod::implicit_stiff
                   : OdeMethod::explicit_high_order),
       _stations(_motion, recorded_rows(motion), motion.parts.free.size(), scene.simulate.time,
-                motion.fastest, axes().speed),
+                std::max(motion.fastest, fastest_outside(scene, 0)), axes().speed),
       _solver(problem(), _method) {
     if (_motion.dry().any())
         _dry.emplace(_motion, motion.fastest, std::make_unique<OdeSolver>(problem(), _method));
