@@ -21,8 +21,8 @@ struct Restart {
     std::vector<double> largest;             ///< amplitudes since the last output, m
     std::vector<double> last;                ///< amplitudes of the end so far, m
     std::vector<std::vector<double>> series; ///< columns of the time series so far
-    /// Of each station: largest amplitude so far, when it was, and largest of the end so far.
-    std::vector<double> peaks, peak_times, ends; ///< m, s, m
+    /// Of each station: largest amplitude so far, and when it was.
+    std::vector<double> peaks, peak_times; ///< m, s
 };
 
 } // namespace whirl::model

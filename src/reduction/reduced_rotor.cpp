@@ -8,6 +8,7 @@
 #include "linalg/sparse_factor.h"
 #include "linalg/symmetric_eigen.h"
 #include "model/errors.h"
+#include "reduction/damped_motions.h"
 #include "reduction/orthonormal.h"
 #include "reduction/reduction_error.h"
 
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <map>
 #include <optional>
 #include <set>
@@ -38,11 +40,11 @@ struct HeldPair : assembly::PlanarPair {
     double shift = 0; ///< 1/s2
 };
 
-HeldPair held_pair(const assembly::Discretization &d, double speed) {
-    HeldPair pair{assembly::planar_pair(d, speed), 0};
+HeldPair held_pair(const assembly::Discretization &d, const ReductionGoal &goal) {
+    HeldPair pair{assembly::planar_pair(d, goal.speed), 0};
     // At the least as much as holds a free rotor against the rounding of its stiffness.
     constexpr double rounding = 1e-13;
-    pair.shift = 0.01 * speed * speed;
+    pair.shift = 0.01 * goal.fastest * goal.fastest;
     for (Eigen::Index i = 0; i < pair.M.rows(); ++i)
         if (pair.M.coeff(i, i) > 0)
             pair.shift = std::max(pair.shift, rounding * pair.K.coeff(i, i) / pair.M.coeff(i, i));
@@ -57,12 +59,12 @@ Eigen::MatrixXd ritz_shapes(const HeldPair &pair, const Eigen::MatrixXd &columns
     return V * linalg::symmetric_eigenpairs(K).eigenvectors();
 }
 
-/// Deflections K - speed^2 (M - sense G) gives under unit loads on these combinations: synchronous
-/// whirl, forward (sense 1) or backward (-1); static where that matrix is singular.
-Eigen::MatrixXd synchronous_shapes(const HeldPair &pair, double speed, double sense,
-                                   const std::vector<assembly::Combination> &loaded) {
+/// Deflections K - w^2 M + speed w G gives under unit loads on these combinations: forward whirl at
+/// the frequency w, or backward where it is below 0; static where that matrix is singular.
+Eigen::MatrixXd whirl_shapes(const HeldPair &pair, double speed, double w,
+                             const std::vector<assembly::Combination> &loaded) {
     const Eigen::MatrixXd forces = assembly::unit_loads(loaded, pair.M.rows());
-    Sparse A = pair.K - speed * speed * (pair.M - sense * pair.G);
+    Sparse A = pair.K - w * w * pair.M + speed * w * pair.G;
     A.makeCompressed();
     linalg::SparseFactor<double> factors;
     if (factors.factorize(A)) {
@@ -75,12 +77,13 @@ Eigen::MatrixXd synchronous_shapes(const HeldPair &pair, double speed, double se
 }
 
 /// Shapes to choose from: the lowest modes at rest; the deflections under synchronous forces at
-/// the places (and moments), with which the undamped response there is exact; and those under
-/// forces at the bearings, which carry the effect of damping and of differences between x and y.
+/// the places (and moments) and under those from outside, with which the undamped response there is
+/// exact; and those under forces at the bearings, which carry the effect of damping and of
+/// differences between x and y.
 class ShapeSource {
   public:
     ShapeSource(const assembly::Discretization &d, const ReductionGoal &goal)
-        : _pair(held_pair(d, goal.speed)), _small(d.rigid() || d.planar_size() <= small_enough) {
+        : _pair(held_pair(d, goal)), _small(d.rigid() || d.planar_size() <= small_enough) {
         if (_small)
             return;
         std::vector<assembly::Combination> loaded;
@@ -88,12 +91,16 @@ class ShapeSource {
             loaded.push_back(d.deflection_at(z));
         for (const double z : goal.tilted)
             loaded.push_back(d.slope_at(z));
-        _at_places = synchronous_shapes(_pair, goal.speed, 1, loaded);
+        _at_places = whirl_shapes(_pair, goal.speed, goal.speed, loaded);
+        for (const ReductionGoal::Outside &load : goal.outside)
+            if (load.z)
+                for (const double way : {load.frequency, -load.frequency})
+                    append(whirl_shapes(_pair, goal.speed, way, {d.deflection_at(*load.z)}));
         std::vector<assembly::Combination> bearings;
         for (const model::Bearing &bearing : d.rotor().bearings)
             bearings.push_back(d.deflection_at(bearing.z));
-        const Eigen::MatrixXd forward = synchronous_shapes(_pair, goal.speed, 1, bearings);
-        const Eigen::MatrixXd backward = synchronous_shapes(_pair, goal.speed, -1, bearings);
+        const Eigen::MatrixXd forward = whirl_shapes(_pair, goal.speed, goal.speed, bearings);
+        const Eigen::MatrixXd backward = whirl_shapes(_pair, goal.speed, -goal.speed, bearings);
         const bool both = !d.rotor().bearings_isotropic();
         _at_bearings.resize(forward.rows(), (both ? 2 : 1) * forward.cols());
         _at_bearings.leftCols(forward.cols()) = forward;
@@ -127,6 +134,12 @@ class ShapeSource {
     [[nodiscard]] const HeldPair &pair() const { return _pair; }
 
   private:
+    void append(const Eigen::MatrixXd &shapes) {
+        const Eigen::Index before = _at_places.cols();
+        _at_places.conservativeResize(Eigen::NoChange, before + shapes.cols());
+        _at_places.rightCols(shapes.cols()) = shapes;
+    }
+
     HeldPair _pair;
     bool _small;
     Eigen::MatrixXd _at_places;
@@ -173,22 +186,22 @@ void project_rotor(const assembly::Discretization &d, ReducedRotor &reduced) {
 
 /// Masses of pedestals and of the fluid in bearings less their mean over x and y, which the planar
 /// mass matrix has.
-void project_masses_beside(const assembly::Discretization &d, ReducedRotor &reduced) {
+void project_mass_deviation(const assembly::Discretization &d, ReducedRotor &reduced) {
     const Eigen::Index r = reduced.shapes.cols();
-    reduced.mass_beside = Eigen::MatrixXd::Zero(2 * r, 2 * r);
+    reduced.mass_deviation = Eigen::MatrixXd::Zero(2 * r, 2 * r);
     assembly::assemble_supports(d, 0, [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
         if (term != Term::mass)
             return;
-        const Eigen::Matrix2d beside = block - block.trace() / 2 * Eigen::Matrix2d::Identity();
-        add_projected(reduced.shapes, i, j, beside, reduced.mass_beside);
+        const Eigen::Matrix2d deviation = block - block.trace() / 2 * Eigen::Matrix2d::Identity();
+        add_projected(reduced.shapes, i, j, deviation, reduced.mass_deviation);
     });
     // Fluid moves with the foundation, or between shaft and pedestal: the load is the pedestals'.
-    reduced.load_beside = Row::Zero(r);
+    reduced.load_deviation = Row::Zero(r);
     for (std::size_t i = 0; i < d.rotor().bearings.size(); ++i)
         if (const auto &pedestal = d.rotor().bearings[i].pedestal) {
             const int unknown = d.pedestal_unknown(static_cast<int>(i));
-            reduced.load_beside += (pedestal->mass(0) - pedestal->mass(1)) / 2 *
-                                   reduced.shapes.row(unknown).transpose();
+            reduced.load_deviation += (pedestal->mass(0) - pedestal->mass(1)) / 2 *
+                                      reduced.shapes.row(unknown).transpose();
         }
 }
 
@@ -204,7 +217,7 @@ ReducedRotor project(const assembly::Discretization &d, const HeldPair &pair,
                 bearing.rows.front().m.trace() / 2 * reduced.row(d.deflection_at(bearing.z));
     project_rotor(d, reduced);
     if (!d.rotor().support_masses_isotropic())
-        project_masses_beside(d, reduced);
+        project_mass_deviation(d, reduced);
     std::set<double> speeds;
     for (const model::Bearing &bearing : d.rotor().bearings)
         speeds.insert(bearing.speeds.begin(), bearing.speeds.end());
@@ -227,93 +240,180 @@ void refuse_massless(const assembly::Discretization &d) {
                             i));
 }
 
-/// The rotor with so much more inertia on its fast shapes that none is faster than `fastest`: they
-/// carry deflections under forces, and their own motion is none of the shaft's.
-ReducedRotor slowed(const ReducedRotor &rotor, double fastest) {
-    const Eigen::VectorXd s = (fastest * rotor.frequencies.cwiseInverse()).cwiseMin(1);
+/// How shapes are made slower.
+struct Slowing {
+    double fastest = 0; ///< rad/s: none is faster after it
+    double speed = 0;   ///< rad/s, of the spin, less than that
+    double damping = 0; ///< of the inertia added, over the critical damping
+};
+
+/// The rotor with so much more inertia on its fast shapes that none is faster than asked: they
+/// carry deflections under forces, and their own motion is none of the shaft's. That inertia turns
+/// with the rotor on springs that carry it at the spin speed, and on dampers: where all goes round
+/// with the rotor the response is as before, whatever is slowed.
+ReducedRotor slowed(const ReducedRotor &rotor, const Slowing &how) {
+    const double fastest = how.fastest;
+    const Eigen::ArrayXd squares = rotor.frequencies.array().square();
+    const double spin = how.speed * how.speed;
+    const double most = fastest * fastest;
+    const Eigen::VectorXd s =
+        (squares > most).select((most - spin) / (squares - spin).max(most - spin), 1.0).sqrt();
     Eigen::VectorXd both(2 * s.size());
     both << s, s;
     ReducedRotor out = rotor;
     out.shapes = rotor.shapes * s.asDiagonal();
     out.mass_times = rotor.mass_times * s.cwiseInverse().asDiagonal();
     out.mass_load = s.asDiagonal() * rotor.mass_load;
-    if (rotor.mass_beside.size() > 0) {
-        out.mass_beside = both.asDiagonal() * rotor.mass_beside * both.asDiagonal();
-        out.load_beside = s.asDiagonal() * rotor.load_beside;
+    if (rotor.mass_deviation.size() > 0) {
+        out.mass_deviation = both.asDiagonal() * rotor.mass_deviation * both.asDiagonal();
+        out.load_deviation = s.asDiagonal() * rotor.load_deviation;
     }
     out.frequencies = rotor.frequencies.cwiseMin(fastest);
     for (Eigen::MatrixXd *A : {&out.elastic, &out.internal, &out.gyroscopic})
         *A = (s.asDiagonal() * *A * s.asDiagonal()).eval();
+    const Eigen::ArrayXd added = 1 - s.array().square(); // inertia
+    out.elastic.diagonal().array() += spin * added;
+    out.internal.diagonal().array() += 2 * how.damping * fastest * added;
     for (ReducedRotor::Supports &at : out.supports)
         for (Eigen::MatrixXd *A : {&at.stiffness, &at.damping})
             *A = (both.asDiagonal() * *A * both.asDiagonal()).eval();
     return out;
 }
 
-/// Of the choices that are good enough the one whose highest frequency is lowest: that frequency
-/// limits the steps of the integration.
-class SlowestGood {
-  public:
-    SlowestGood(ReductionError &error, double tolerance) : _error(error), _tolerance(tolerance) {}
+/// No shape becomes slower than that, rad/s. What goes round twice as fast as the rotor, or faster,
+/// makes no pair with a motion of the rotor whose frequencies add up to twice the spin speed, which
+/// balls and anisotropies could drive. Under forces of a frequency w other than the spin speed, and
+/// while motions begin and end, slowed shapes have wrong by up to (w / slowest)^2 of their
+/// deflection: so it goes with the tolerance, and with the fastest of what acts.
+double slowest_of(const ReductionGoal &goal) {
+    constexpr double twice_at = 1e-3; // tolerance
+    return 2 * goal.fastest * std::sqrt(std::max(1.0, twice_at / goal.tolerance));
+}
 
-    /// @returns whether it is good enough
-    bool offer(ReducedRotor rotor) {
-        if (!good(rotor))
-            return false;
-        double high = fastest_of(rotor);
-        double low = _best ? std::min(fastest_of(*_best), high) : high;
-        std::optional<ReducedRotor> out;
-        // From what the best can do downwards; then closer to the border.
-        constexpr double step = 2;
-        constexpr double close = 1.1;
-        while (low > 0) {
-            ReducedRotor trial = slowed(rotor, low);
-            if (!good(trial))
-                break;
-            high = low;
-            out = std::move(trial);
-            low /= step;
+double fastest_of(const ReducedRotor &rotor) { return rotor.frequencies(rotor.size() - 1); }
+
+/// The highest frequency sets how many steps the integration takes, the shapes what each of them
+/// does.
+double effort_of(const ReducedRotor &rotor) { return fastest_of(rotor) * rotor.size(); }
+
+/// The decay of a rotor's motions, to compare with. What turns with the rotor loses energy by
+/// motions that go round faster than it, and feeds those that go round slower (as internal damping
+/// does, docs/theory.md): rotors with little damping of their own would become unstable by it.
+class Decay {
+  public:
+    Decay(const ReducedRotor &rotor, const ReductionGoal &goal)
+        : _fastest(goal.fastest), _at_rest(1e-6 * fastest_of(rotor)) {
+        constexpr int between = 8; // speeds of a run-up
+        for (int i = goal.varies ? between : 1; i >= 1; --i) {
+            const double speed = std::abs(goal.speed) * (goal.varies ? i / double{between} : 1);
+            _before.push_back({speed, damped_eigenvalues(rotor, speed)});
         }
-        while (out && high > close * low) {
-            const double middle = std::sqrt(low * high);
-            ReducedRotor trial = slowed(rotor, middle);
-            if (good(trial)) {
-                high = middle;
-                out = std::move(trial);
-            } else {
-                low = middle;
-            }
-        }
-        if (out && (!_best || high < fastest_of(*_best)))
-            _best = std::move(out);
-        return true;
     }
-    [[nodiscard]] const std::optional<ReducedRotor> &best() const { return _best; }
+
+    /// Of all motions up to the fastest that acts a tenth of the decay at the most is changed, and
+    /// no more motions grow.
+    [[nodiscard]] bool kept_by(const ReducedRotor &slowed) const {
+        return std::ranges::all_of(_before, [&](const AtSpeed &before) {
+            return kept(before.values, damped_eigenvalues(slowed, before.speed));
+        });
+    }
 
   private:
-    ReductionError &_error;
-    double _tolerance;
-    std::optional<ReducedRotor> _best;
+    struct AtSpeed {
+        double speed; ///< rad/s
+        Eigen::VectorXcd values;
+    };
+    std::vector<AtSpeed> _before;
+    double _fastest; ///< rad/s
+    double _at_rest; ///< rad/s: double root 0 of a free rotor, known to the root of rounding
 
-    static double fastest_of(const ReducedRotor &rotor) {
-        return rotor.frequencies(rotor.size() - 1);
-    }
-    bool good(ReducedRotor &rotor) {
-        _error.measure(rotor);
-        return std::max(rotor.response_error, rotor.frequency_error) <= _tolerance;
+    [[nodiscard]] bool kept(const Eigen::VectorXcd &before, const Eigen::VectorXcd &after) const {
+        constexpr double share = 0.1;
+        const double largest = before.cwiseAbs().maxCoeff();
+        const double rounding = 1e-13 * largest; // of eigenvalues of matrices of that size
+        const auto growing = [&](const Eigen::VectorXcd &values) {
+            return std::ranges::count_if(values, [&](const std::complex<double> &value) {
+                return value.real() > rounding && std::abs(value) > _at_rest;
+            });
+        };
+        if (growing(after) > growing(before))
+            return false;
+        return std::ranges::all_of(before, [&](const std::complex<double> &value) {
+            if (std::abs(value) > _fastest || std::abs(value) <= _at_rest)
+                return true;
+            Eigen::Index nearest = 0;
+            (after.array() - value).abs().minCoeff(&nearest);
+            return std::abs(after(nearest).real() - value.real()) <=
+                   share * std::abs(value.real()) + rounding;
+        });
     }
 };
 
+/// The rotor with its shapes as slow as they may be; nothing where it is not good enough as it is.
+/// @param keeps_energy  it has no damping, and gets none
+std::optional<ReducedRotor> slowest_good(ReducedRotor rotor, ReductionError &error,
+                                         const ReductionGoal &goal, bool keeps_energy) {
+    const double speed = std::abs(goal.speed);
+    const auto good = [&](ReducedRotor &trial) {
+        error.measure(trial);
+        return std::max(trial.response_error, trial.frequency_error) <= goal.tolerance;
+    };
+    if (!good(rotor))
+        return std::nullopt;
+    double high = fastest_of(rotor);
+    double low = std::min(high, slowest_of(goal));
+    if (low == high)
+        return rotor;
+    // Of the critical one. With the most of them what a start leaves in slowed shapes is gone after
+    // a few turns; rotors that are hardly damped get less, or none.
+    const std::vector<double> dampings =
+        keeps_energy ? std::vector{0.0} : std::vector{0.1, 1e-3, 0.0};
+    std::optional<Decay> decay;
+    if (!keeps_energy)
+        decay.emplace(rotor, goal);
+    const auto answers_alike = [&](const ReducedRotor &trial) {
+        return std::ranges::all_of(goal.outside, [&](const ReductionGoal::Outside &load) {
+            return error.difference(rotor, trial, load.frequency) <= goal.tolerance;
+        });
+    };
+    const auto slowed_to = [&](double fastest) -> std::optional<ReducedRotor> {
+        for (const double damping : dampings)
+            if (ReducedRotor trial = slowed(rotor, {fastest, speed, damping});
+                good(trial) && answers_alike(trial) && (!decay || decay->kept_by(trial)))
+                return trial;
+        return std::nullopt;
+    };
+    if (auto trial = slowed_to(low))
+        return trial;
+    ReducedRotor out = rotor;
+    constexpr double close = 1.1;
+    while (high > close * low) {
+        const double middle = std::sqrt(low * high);
+        if (auto trial = slowed_to(middle)) {
+            high = middle;
+            out = std::move(*trial);
+        } else {
+            low = middle;
+        }
+    }
+    return out;
+}
+
+/// Of the choices that are good enough the one that is integrated with the least effort.
 template <class With>
-std::optional<ReducedRotor> slowest_good(const With &with, ReductionError &error, int most,
-                                         double tolerance) {
-    SlowestGood choice(error, tolerance);
+std::optional<ReducedRotor> least_effort(const With &with, ReductionError &error, int most,
+                                         const ReductionGoal &goal, bool keeps_energy) {
     constexpr int further = 3; // modes beyond those needed: what they describe the others need not
+    std::optional<ReducedRotor> best;
     for (const bool bearings : {false, true})
         for (int modes = 0, last = most; modes <= last; ++modes)
-            if (choice.offer(with(modes, bearings)))
-                last = std::min(last, modes + further);
-    return choice.best();
+            if (auto rotor = slowest_good(with(modes, bearings), error, goal, keeps_energy)) {
+                const bool border = fastest_of(*rotor) <= slowest_of(goal);
+                last = std::min(last, border ? modes : modes + further);
+                if (!best || effort_of(*rotor) < effort_of(*best))
+                    best = std::move(rotor);
+            }
+    return best;
 }
 
 } // namespace
@@ -366,7 +466,8 @@ ReducedRotor reduce(const assembly::Discretization &discretization, const Reduct
             error.measure(reduced);
             return reduced;
         }
-        if (auto best = slowest_good(with, error, source.modes(), goal.tolerance))
+        if (auto best =
+                least_effort(with, error, source.modes(), goal, !discretization.rotor().damped()))
             return *best;
         throw model::AnalysisFailure(
             fmt::format("{} modes of the shaft do not describe its response to {:.1e}; ask for "

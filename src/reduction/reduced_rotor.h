@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace whirl::reduction {
@@ -12,21 +13,21 @@ namespace whirl::reduction {
 using Row = Eigen::VectorXd;
 
 /// A rotor on few shapes: planar unknowns q = shapes * p, p complex with r entries, the kinetic
-/// energy |p'|^2/2: shapes are orthonormal under the mass matrix, fast ones shorter, as if they had
-/// more inertia. The real form is (Re p; Im p).
+/// energy |p'|^2/2: shapes are orthonormal under the mass matrix, fast ones shorter, for inertia is
+/// added to them. The real form is (Re p; Im p).
 struct ReducedRotor {
     Eigen::MatrixXd shapes;     ///< N x r
     Eigen::MatrixXd mass_times; ///< N x r: p = mass_times^T q, for q = shapes * p
-    Eigen::MatrixXd elastic;    ///< r x r, of the shaft
-    Eigen::MatrixXd internal;   ///< r x r, damping of the shaft in rotating axes
+    Eigen::MatrixXd elastic;    ///< r x r, of the shaft; springs of the inertia added
+    Eigen::MatrixXd internal;   ///< r x r, damping in rotating axes, of both
     Eigen::MatrixXd gyroscopic; ///< r x r, symmetric
     Row mass_load;   ///< r: load under a unit acceleration of all, pedestals included, with
                      ///< fluid in bearings that accelerates alike
     double mass = 0; ///< kg, without pedestals
-    /// 2r x 2r on (Re p; Im p): what the masses of supports are beside their mean over x and y, to
+    /// 2r x 2r on (Re p; Im p): how the masses of supports deviate from their mean over x and y, to
     /// be added to the unit matrix; empty where they are the same from all sides.
-    Eigen::MatrixXd mass_beside;
-    Row load_beside; ///< r: beside mass_load, of an acceleration in x more, in y less; or empty
+    Eigen::MatrixXd mass_deviation;
+    Row load_deviation; ///< r: added to mass_load under an acceleration in x, less in y; or empty
 
     /// Bearings at one speed, on the real form (2r x 2r).
     struct Supports {
@@ -38,7 +39,7 @@ struct ReducedRotor {
 
     int modes = 0;               ///< lowest modes at rest that the shapes contain; r: all
     double response_error = 0;   ///< relative, of the synchronous response at the planes
-    double frequency_error = 0;  ///< relative, of the whirl speeds up to the spin speed
+    double frequency_error = 0;  ///< relative, of the whirl speeds up to the fastest motion
     Eigen::VectorXd frequencies; ///< rad/s, of the shapes at rest on mean bearings, ascending
 
     [[nodiscard]] int size() const { return static_cast<int>(shapes.cols()); }
@@ -50,7 +51,15 @@ struct ReducedRotor {
 
 /// What the shapes must be good for.
 struct ReductionGoal {
-    double speed = 0;            ///< rad/s, where the response is compared
+    double speed = 0;    ///< rad/s, highest of the spin: there the response is compared
+    bool varies = false; ///< the rotor passes lower speeds too, or stands still
+    double fastest = 0;  ///< rad/s, of the motions that act on the rotor, >= speed
+    /// A load that does not turn with the rotor.
+    struct Outside {
+        double frequency = 0;    ///< rad/s, >= 0
+        std::optional<double> z; ///< m; none: the foundation moves
+    };
+    std::vector<Outside> outside;
     std::vector<double> places;  ///< z of forces and of the deflections that count, m
     std::vector<double> tilted;  ///< z of moments, m
     std::vector<double> watched; ///< z of further deflections that count, without forces, m
@@ -59,10 +68,13 @@ struct ReductionGoal {
 };
 
 /// The rotor on its lowest undamped planar modes at rest (mean bearing stiffness) and the static
-/// deflections under forces at the places. Raises the number of modes until the steady response to
-/// forward synchronous forces and the whirl speeds up to the spin speed agree with the full model;
-/// then gives fast shapes as much inertia as that allows, so that motion in time takes long steps.
-/// A rigid shaft, and one with few unknowns, is kept whole.
+/// deflections under forces at the places and from outside. Raises the number of modes until the
+/// steady response to forward synchronous forces and the whirl speeds up to the fastest motion that
+/// acts agree with the full model; then adds as much inertia to fast shapes as that allows, on
+/// springs and dampers that turn with the rotor, so that motion in time takes long steps. Motions
+/// up to the fastest keep their decay to a tenth, and none grows that did not before; responses to
+/// forces from outside stay as they are to the tolerance. A rigid shaft, and one with few
+/// unknowns, is kept whole.
 /// @throws model::AnalysisFailure where a part that moves has no mass, or the full model cannot be
 ///         solved.
 [[nodiscard]] ReducedRotor reduce(const assembly::Discretization &discretization,

@@ -31,19 +31,20 @@ Eigen::MatrixXcd full_response(const assembly::Discretization &d, const Eigen::M
     return response;
 }
 
+/// @param frequency  rad/s, at which the forces go round, backward where it is below 0
 Eigen::MatrixXcd reduced_response(const ReducedRotor &reduced, const Eigen::MatrixXd &loads,
-                                  const Eigen::MatrixXd &seen, double speed) {
+                                  const Eigen::MatrixXd &seen, double speed, double frequency) {
     const Eigen::Index r = reduced.size();
     const ReducedRotor::Supports at = reduced.supports_at(speed);
-    Eigen::MatrixXcd A = at.stiffness + i_unit * speed * at.damping;
-    A.diagonal().array() -= speed * speed;
-    if (reduced.mass_beside.size() > 0)
-        A -= speed * speed * reduced.mass_beside;
-    const Eigen::MatrixXcd alone = reduced.elastic + i_unit * speed * reduced.internal;
+    Eigen::MatrixXcd A = at.stiffness + i_unit * frequency * at.damping;
+    A.diagonal().array() -= frequency * frequency;
+    if (reduced.mass_deviation.size() > 0)
+        A -= frequency * frequency * reduced.mass_deviation;
+    const Eigen::MatrixXcd alone = reduced.elastic + i_unit * frequency * reduced.internal;
     A.topLeftCorner(r, r) += alone;
     A.bottomRightCorner(r, r) += alone;
     const Eigen::MatrixXcd across =
-        speed * reduced.internal + i_unit * speed * speed * reduced.gyroscopic;
+        speed * reduced.internal + i_unit * speed * frequency * reduced.gyroscopic;
     A.topRightCorner(r, r) += across;
     A.bottomLeftCorner(r, r) -= across;
     const Eigen::MatrixXcd rows =
@@ -60,16 +61,18 @@ Eigen::MatrixXcd reduced_response(const ReducedRotor &reduced, const Eigen::Matr
 }
 
 /// Whirl speeds w of (K + shift) + w speed G - w^2, by modulus.
-std::vector<double> whirl_speeds(const ReducedRotor &reduced, double speed, double shift) {
+/// @param scale  rad/s, of those that count
+std::vector<double> whirl_speeds(const ReducedRotor &reduced, double speed, double shift,
+                                 double scale) {
     const Eigen::Index r = reduced.size();
     const Eigen::MatrixXd supports = reduced.supports_at(speed).stiffness;
-    // On (q, w q / |speed|), so that all entries are frequencies, whatever the unit of time.
+    // On (q, w q / scale), so that all entries are frequencies, whatever the unit of time.
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * r, 2 * r);
-    A.topRightCorner(r, r).diagonal().setConstant(std::abs(speed));
+    A.topRightCorner(r, r).diagonal().setConstant(scale);
     A.bottomLeftCorner(r, r) =
         reduced.elastic + (supports.topLeftCorner(r, r) + supports.bottomRightCorner(r, r)) / 2;
     A.bottomLeftCorner(r, r).diagonal().array() += shift;
-    A.bottomLeftCorner(r, r) /= std::abs(speed);
+    A.bottomLeftCorner(r, r) /= scale;
     A.bottomRightCorner(r, r) = speed * reduced.gyroscopic;
     const Eigen::VectorXcd values = A.eigenvalues();
     std::vector<double> speeds;
@@ -101,7 +104,7 @@ ReductionError::ReductionError(const assembly::Discretization &discretization,
                                const ReductionGoal &goal)
     : _loads(loads_at(discretization, goal.places)),
       _seen(loads_at(discretization, goal.places, goal.watched)), _speed(goal.speed),
-      _shift(0.01 * goal.speed * goal.speed),
+      _fastest(goal.fastest), _shift(0.01 * goal.fastest * goal.fastest),
       _response(full_response(discretization, _loads, _seen, _speed)),
       _pencil(full_pencil(discretization, _speed, _shift)) {}
 
@@ -112,13 +115,26 @@ const std::vector<linalg::RealPair> &ReductionError::whirl(std::size_t wanted) {
     return entry->second;
 }
 
+double ReductionError::difference(const ReducedRotor &a, const ReducedRotor &b,
+                                  double frequency) const {
+    double largest = 0;
+    double apart = 0;
+    for (const double way : {frequency, -frequency}) {
+        const Eigen::MatrixXcd first = reduced_response(a, _loads, _seen, _speed, way);
+        const Eigen::MatrixXcd second = reduced_response(b, _loads, _seen, _speed, way);
+        largest = std::max(largest, first.cwiseAbs().maxCoeff());
+        apart = std::max(apart, (second - first).cwiseAbs().maxCoeff());
+    }
+    return apart / largest;
+}
+
 void ReductionError::measure(ReducedRotor &reduced) {
-    const Eigen::MatrixXcd response = reduced_response(reduced, _loads, _seen, _speed);
+    const Eigen::MatrixXcd response = reduced_response(reduced, _loads, _seen, _speed, _speed);
     reduced.response_error =
         (response - _response).cwiseAbs().maxCoeff() / _response.cwiseAbs().maxCoeff();
-    const std::vector<double> found = whirl_speeds(reduced, _speed, _shift);
+    const std::vector<double> found = whirl_speeds(reduced, _speed, _shift, _fastest);
     const auto slow = std::count_if(found.begin(), found.end(),
-                                    [&](double w) { return std::abs(w) <= std::abs(_speed); });
+                                    [&](double w) { return std::abs(w) <= _fastest; });
     const auto wanted = static_cast<std::size_t>(std::max<std::ptrdiff_t>(2, slow));
     const std::vector<linalg::RealPair> &exact = whirl(wanted);
     reduced.frequency_error = 0;

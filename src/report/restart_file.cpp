@@ -12,7 +12,7 @@
 namespace whirl::model {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Restart, signature, time, step, displacements, velocities,
                                    angles, rates, spin, books, energy, momentum, largest, last,
-                                   series, peaks, peak_times, ends)
+                                   series, peaks, peak_times)
 } // namespace whirl::model
 
 namespace whirl::report {

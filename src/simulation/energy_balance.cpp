@@ -34,7 +34,7 @@ void RotorMotion::keep_energy_balance(const Spin::At &spin, double torque, const
             loss += (v.dot(_stiffness * p) - p.dot(_stiffness * v)) / 2;
     }
     if (_internal)
-        loss += _slip.cwiseProduct(_inner).sum();
+        loss += _slip.cwiseProduct(ConstPair(_inner.data(), r, 2)).sum();
     const double *rate = state + n + first_angle();
     for (const balancers::MassEquation &e : _free_equations) { // as at this state
         loss += e.friction * *rate++;
@@ -43,11 +43,11 @@ void RotorMotion::keep_energy_balance(const Spin::At &spin, double torque, const
     for (const FixedMass &mass : _parts.fixed)
         if (mass.mass.weight != 0 && is_there(mass))
             impulse -= mass.mass.weight * std::cos(spin.angle + mass.phase);
-    if (rotor.mass_beside.size() > 0) { // momentum is not along the velocity
-        const Eigen::VectorXd beside = rotor.mass_beside * v;
-        impulse += v.head(r).dot(beside.tail(r)) - v.tail(r).dot(beside.head(r));
+    if (rotor.mass_deviation.size() > 0) { // momentum is not along the velocity
+        const Eigen::VectorXd deviating = rotor.mass_deviation * v;
+        impulse += v.head(r).dot(deviating.tail(r)) - v.tail(r).dot(deviating.head(r));
         const ConstMap a(_forces.data(), 2 * r); // what is skew in the masses has no energy
-        loss += (v.dot(rotor.mass_beside * a) - a.dot(beside)) / 2;
+        loss += (v.dot(rotor.mass_deviation * a) - a.dot(deviating)) / 2;
     }
     books[0] = torque * spin.speed;
     books[1] = loss;
@@ -93,10 +93,10 @@ RotorMotion::Totals RotorMotion::totals(double t, const double *state) const {
     double momentum = _parts.polar_inertia * now.speed;
     momentum -= turning / 2;
     momentum += x.col(0).dot(u.col(1)) - x.col(1).dot(u.col(0));
-    if (rotor.mass_beside.size() > 0) {
-        const Eigen::VectorXd beside = rotor.mass_beside * v;
-        energy += v.dot(beside) / 2;
-        momentum += x.col(0).dot(beside.tail(r)) - x.col(1).dot(beside.head(r));
+    if (rotor.mass_deviation.size() > 0) {
+        const Eigen::VectorXd deviating = rotor.mass_deviation * v;
+        energy += v.dot(deviating) / 2;
+        momentum += x.col(0).dot(deviating.tail(r)) - x.col(1).dot(deviating.head(r));
     }
     energy -= now.speed / 2 * turning;
     momentum -=

@@ -175,7 +175,8 @@ void add_all_masses(const model::Case &scene, const assembly::Discretization &d,
 }
 
 /// The drive; fills fastest.
-void set_drive(const model::Case &scene, const assembly::Discretization &d, MotionScene &motion) {
+/// @returns the highest |speed| of the spin, or fastest of a rotor that does not turn, rad/s
+double set_drive(const model::Case &scene, const assembly::Discretization &d, MotionScene &motion) {
     const model::SimulateSettings &s = scene.simulate;
     if (s.torque) {
         motion.parts.motor = Motor{*s.torque, s.torque_slope};
@@ -194,6 +195,7 @@ void set_drive(const model::Case &scene, const assembly::Discretization &d, Moti
         motion.parts.spin = s.run_up.empty() ? Spin(scene.speeds->from) : Spin(s.run_up);
         motion.fastest = motion.parts.spin.fastest(s.time);
     }
+    const double speed = motion.fastest;
     const bool shaken = !scene.simulate.forces.empty() || scene.simulate.base;
     if (scene.rotor.balancers.empty() && shaken)
         motion.fastest = std::max(motion.fastest, scale_at_rest(scene, d));
@@ -206,6 +208,7 @@ void set_drive(const model::Case &scene, const assembly::Discretization &d, Moti
         throw model::BadInput(fmt::format("{}: simulate.time: expected a time in s of at most "
                                           "{:.0e} revolutions, got {} s, {:.3g} revolutions",
                                           where(scene), most_revolutions, s.time, turns));
+    return speed > 0 ? speed : motion.fastest;
 }
 
 void add_notes(const model::Case &scene, MotionScene &motion) {
@@ -287,9 +290,13 @@ MotionScene motion_scene(const model::Case &scene) {
     const assembly::Discretization d(rotor_with_masses(rotor_with_nodes(scene)), motion.order);
     motion.elements = static_cast<int>(d.shaft_mesh().spans.size());
     motion.parts.polar_inertia = scene.simulate.inertia + polar_inertia(d, scene);
-    set_drive(scene, d, motion);
+    const double speed = set_drive(scene, d, motion);
     reduction::ReductionGoal goal;
-    goal.speed = motion.fastest;
+    goal.speed = speed;
+    goal.varies = motion.parts.motor || !motion.parts.spin.constant() ||
+                  !(motion.parts.spin.fastest(scene.simulate.time) > 0);
+    goal.fastest = std::max(motion.fastest, fastest_outside(scene, speed));
+    goal.outside = loads_outside(scene);
     goal.tolerance = scene.simulate.reduction_tolerance;
     goal.modes = scene.reduction ? scene.simulate.modes : d.planar_size();
     goal.places = places_of(scene);

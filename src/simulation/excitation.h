@@ -15,8 +15,8 @@ namespace whirl::simulation {
 class Excitation {
   public:
     void add(const reduction::Row &row, const model::StationForce &force);
-    /// @param x_load,y_load  under an acceleration in x, and in y: ReducedRotor::mass_load with
-    /// what is beside it
+    /// @param x_load,y_load  under an acceleration in x, and in y: ReducedRotor::mass_load
+    /// and its deviation
     void set_base(const reduction::Row &x_load, const reduction::Row &y_load,
                   const model::BaseMotion &base);
 

@@ -83,8 +83,11 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     _of_place = linalg::RealProduct(above_turned(_stiffness, rotor.gyroscopic));
     _of_velocity =
         linalg::RealProduct(above_turned(rotor.supports.front().damping, rotor.gyroscopic));
-    if (rotor.mass_beside.size() > 0) // no planes (motion_scene)
-        _inverse_mass = (Eigen::MatrixXd::Identity(2 * r, 2 * r) + rotor.mass_beside).inverse();
+    Eigen::MatrixXd internal = Eigen::MatrixXd::Zero(2 * r, 2 * r);
+    internal.topLeftCorner(r, r) = internal.bottomRightCorner(r, r) = rotor.internal;
+    _of_slip = linalg::RealProduct(internal);
+    if (rotor.mass_deviation.size() > 0) // no planes (motion_scene)
+        _inverse_mass = (Eigen::MatrixXd::Identity(2 * r, 2 * r) + rotor.mass_deviation).inverse();
     _motions.resize(_parts.planes.size());
     _free_equations.resize(static_cast<std::size_t>(_parts.free_angles()));
     for (Eigen::ArrayXd *each : {&_turned, &_cosines, &_sines})
@@ -98,6 +101,7 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     _by_velocity.resize(linalg::whole_vectors(4 * r));
     _push.resize(2 * r);
     _slip.resize(r, 2);
+    _inner.setZero(linalg::whole_vectors(2 * r));
     _external.setZero(2 * r);
     for (const FreeParts &free : _parts.free)
         _plane_of.insert(_plane_of.end(), static_cast<std::size_t>(free.motion->size()),
@@ -183,8 +187,8 @@ void RotorMotion::rotor_forces(const Spin::At &spin, const double *p, const doub
         const ConstPair u(v, r, 2);
         _slip.col(0) = u.col(0) + spin.speed * x.col(1);
         _slip.col(1) = u.col(1) - spin.speed * x.col(0);
-        _inner.noalias() = rotor.internal * _slip;
-        f -= _inner;
+        _of_slip(_slip.data(), _inner.data());
+        f -= ConstPair(_inner.data(), r, 2);
     }
 }
 

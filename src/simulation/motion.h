@@ -77,13 +77,14 @@ class RotorMotion {
     mutable bool _frictionless = false;
     mutable std::vector<DryTorque> _friction;     ///< of each free coordinate
     mutable std::vector<Constraint> _constraints; ///< active
-    mutable std::vector<double> _multipliers;     ///< of gaps, then of standing parts, N m
+    mutable std::vector<double> _multipliers;     ///< of gaps, then of parts at rest, N m
     Eigen::MatrixXd _rows;                        ///< r x 2P: w, phi of each plane
     Eigen::MatrixXd _products;                    ///< _rows^T _rows
     Eigen::MatrixXd _stiffness;                   ///< 2r x 2r with constant supports
     Eigen::MatrixXd _inverse_mass;                ///< where the rotor's is not one; else empty
     linalg::RealProduct _of_place;                ///< p to K p, then the gyroscopic matrix times p
     linalg::RealProduct _of_velocity;             ///< v to C v, then the same of v
+    linalg::RealProduct _of_slip;                 ///< the internal damping, on both directions
     bool _tables = false;                         ///< supports depend on speed
     bool _circulating = false;                    ///< the supports' stiffness is not symmetric
     bool _internal = false;
@@ -101,7 +102,7 @@ class RotorMotion {
     mutable Eigen::VectorXd _by_velocity;     ///< of `_of_velocity`, likewise
     mutable Eigen::VectorXd _push;            ///< 2r: K p + C v
     mutable Eigen::MatrixXd _slip;            ///< r x 2: velocity as seen from the rotor
-    mutable Eigen::MatrixXd _inner;           ///< r x 2: the internal damping times that
+    mutable Eigen::VectorXd _inner;           ///< of `_of_slip`: the internal damping times that
     mutable Eigen::VectorXd _external;        ///< 2r: loads from outside
     mutable Eigen::Vector2d _base = Eigen::Vector2d::Zero(); ///< acceleration of the foundation
 

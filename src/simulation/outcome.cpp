@@ -91,34 +91,34 @@ void fill_balancers(const model::Case &scene, results::SimulateResult &result) {
     }
 }
 
-/// What the motion looks like over its last stretch, whether or not that lasts.
-struct Look {
+/// How the motion ends by its last stretch alone, whether or not that lasts.
+struct Ending {
     results::Outcome outcome = results::Outcome::whirling;
     double ratio = 0; ///< of the amplitude to the unbalanced one
     double swing = 0; ///< of the angles to and fro over the last fortieth, rad
 };
 
-Look look_of(const results::MotionSeries &series, double ratio) {
+Ending ending_of(const results::MotionSeries &series, double ratio) {
     const std::size_t tenth = index_from(series, 0.9 * series.time.back());
     const std::size_t fortieth = index_from(series, 0.975 * series.time.back());
     double drift = 0;
-    Look look;
-    look.ratio = ratio;
+    Ending ending;
+    ending.ratio = ratio;
     for (const std::vector<double> &angles : series.angles) {
         drift = std::max(drift, std::abs(angles.back() - angles[tenth]));
         // What only moves on is straight over the last tenth.
-        look.swing =
-            std::max(look.swing, std::min(swing_from(angles, fortieth),
-                                          swing_beside_line(std::span(angles).subspan(tenth))));
+        ending.swing =
+            std::max(ending.swing, std::min(swing_from(angles, fortieth),
+                                            swing_about_line(std::span(angles).subspan(tenth))));
     }
     if (drift > drifting)
-        look.outcome = results::Outcome::lagging;
-    else if (look.swing > still_swing)
-        look.outcome = results::Outcome::whirling;
+        ending.outcome = results::Outcome::lagging;
+    else if (ending.swing > still_swing)
+        ending.outcome = results::Outcome::whirling;
     else
-        look.outcome =
+        ending.outcome =
             ratio < balanced_ratio ? results::Outcome::balanced : results::Outcome::offset;
-    return look;
+    return ending;
 }
 
 /// The trends of a motion at constant speed over its last half.
@@ -141,7 +141,7 @@ Trend trend_of_swings(const std::vector<double> &time,
             swings.push_back(swings_of(time, values, end / 40, swing));
         return trend_of(time, largest_of(swings, time.size()), end / 2, noise);
     };
-    Trend out = by(swing_beside_line);
+    Trend out = by(swing_about_line);
     if (out.growing)
         out.growing = by(swing_back).growing;
     return out;
@@ -191,13 +191,13 @@ bool follows_the_balls(const results::SimulateResult &result) {
     return agrees(last / 2, result.at_rest->halfway) && agrees(last, result.at_rest->amplitude);
 }
 
-/// Sets outcome, trend and decision_time; says why where the outcome is not what it looks like.
-Sentence judge(const Look &look, const Trends &trends, double tolerance,
+/// Sets outcome, trend and decision_time; says why where the outcome is another.
+Sentence judge(const Ending &ending, const Trends &trends, double tolerance,
                results::SimulateResult &result) {
     const double end = result.series.time.back();
-    result.outcome = look.outcome;
+    result.outcome = ending.outcome;
     result.trend = trends.amplitude.end_rate;
-    const bool lagging = look.outcome == results::Outcome::lagging;
+    const bool lagging = ending.outcome == results::Outcome::lagging;
     const bool follows = follows_the_balls(result);
     for (const auto &[trend, what] : {std::pair(&trends.amplitude, "the amplitude"),
                                       std::pair(&trends.wobble, "the swing of the amplitude"),
@@ -213,20 +213,20 @@ Sentence judge(const Look &look, const Trends &trends, double tolerance,
         result.decision_time = time;
         return why;
     };
-    if (look.outcome == results::Outcome::whirling && trends.balls.decaying)
+    if (ending.outcome == results::Outcome::whirling && trends.balls.decaying)
         return undecided(
-            end + std::log(look.swing / still_swing) / -trends.balls.end_rate,
+            end + std::log(ending.swing / still_swing) / -trends.balls.end_rate,
             {"the swing of the balls dies out, by {}", as::rate(trends.balls.end_rate, 3)});
-    if (look.outcome == results::Outcome::balanced && result.linear_growth.value_or(0) > 0)
+    if (ending.outcome == results::Outcome::balanced && result.linear_growth.value_or(0) > 0)
         return undecided(end + std::log(1 / tolerance) / *result.linear_growth,
                          {"it looks balanced, but by its eigenvalues that position is unstable: "
                           "small motions grow by {}",
                           as::rate(*result.linear_growth, 3)});
-    if (look.outcome == results::Outcome::offset && trends.amplitude.decaying)
+    if (ending.outcome == results::Outcome::offset && trends.amplitude.decaying)
         return undecided(
-            end + std::log(look.ratio / balanced_ratio) / -trends.amplitude.end_rate,
+            end + std::log(ending.ratio / balanced_ratio) / -trends.amplitude.end_rate,
             {"the amplitude still falls, by {}", as::rate(trends.amplitude.end_rate, 3)});
-    if (look.outcome == results::Outcome::offset && result.at_rest) {
+    if (ending.outcome == results::Outcome::offset && result.at_rest) {
         if (const double away = result.at_rest->away.value_or(0); away > still_swing)
             return undecided(2 * end, {"the balls are still on their way, {} from where they would "
                                        "rest; they moved by {} over the last quarter",
@@ -235,7 +235,7 @@ Sentence judge(const Look &look, const Trends &trends, double tolerance,
             return undecided(2 * end, "the balls are next to a position in which they would rest, "
                                       "but from which small motions lead away");
     }
-    if (look.outcome == results::Outcome::offset &&
+    if (ending.outcome == results::Outcome::offset &&
         (trends.amplitude.changing || trends.creep > creeping))
         return undecided(2 * end,
                          {"the motion still changes: angles by {} over the last quarter, "
@@ -295,14 +295,14 @@ void classify(const model::Case &scene, results::SimulateResult &result) {
         result.residual_ratio = ratio;
     if (has_imbalance(scene.rotor) && result.station_reference > 0)
         result.station_ratio = station_ratio;
-    const Look look = look_of(result.series, std::max(ratio, station_ratio));
+    const Ending ending = ending_of(result.series, std::max(ratio, station_ratio));
     const double tolerance = scene.simulate.tolerance;
     Sentence why;
     if (ends_at_constant_speed(result))
-        why = judge(look, trends_of(result.series, noise * tolerance * scale, noise * tolerance),
+        why = judge(ending, trends_of(result.series, noise * tolerance * scale, noise * tolerance),
                     tolerance, result);
     else
-        result.outcome = look.outcome;
+        result.outcome = ending.outcome;
     std::vector<Sentence> evidence{{"largest amplitude at a balancer {} at the end, {} without "
                                     "balls",
                                     as::amplitude(amplitude, 4), as::amplitude(reference, 4)}};
@@ -312,11 +312,11 @@ void classify(const model::Case &scene, results::SimulateResult &result) {
                               as::amplitude(result.station_reference, 4));
     evidence.emplace_back("fastest ball in the rotor {} on the mean of the last tenth, swing of "
                           "the angles over the last fortieth {}",
-                          as::speed(fastest_rate(result), 3), as::angle(look.swing, 3));
+                          as::speed(fastest_rate(result), 3), as::angle(ending.swing, 3));
     if (!why.empty())
         evidence.push_back(why);
     const bool stands =
-        look.outcome == results::Outcome::balanced || look.outcome == results::Outcome::offset;
+        ending.outcome == results::Outcome::balanced || ending.outcome == results::Outcome::offset;
     if (!stands)
         forget_parts_at_rest(result);
     else if (result.outcome == results::Outcome::offset && ratio < balanced_ratio &&

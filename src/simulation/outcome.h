@@ -9,7 +9,7 @@ namespace whirl::simulation {
 /// references must be there), outcome, evidence, residual_ratio, station_ratio, trend and
 /// decision_time; stations, at_rest and linear_growth must be there where they are known.
 ///
-/// What it looks like, over the last tenth of the time: a ball that drifts by more than half a turn
+/// By the last tenth of the time alone: a ball that drifts by more than half a turn
 /// lags; one that swings to and fro by more than 0.05 rad over the last fortieth whirls; else all
 /// stands still, balanced where less than a tenth of the unbalanced amplitude is left, at the
 /// balancers and at the stations.

@@ -7,8 +7,7 @@ namespace whirl::simulation {
 
 MotionRecorder::MotionRecorder(const RotorMotion &motion, std::vector<reduction::Row> rows,
                                double end, int points)
-    : _motion(motion), _rows(std::move(rows)), _last_from(end * (1 - final_share)),
-      _largest(_rows.size(), 0.0), _last(_rows.size(), 0.0) {
+    : _motion(motion), _rows(std::move(rows)) {
     for (int i = 0; i < points; ++i)
         _times.push_back(i == points - 1 ? end : end * i / (points - 1));
     _series.amplitude.resize(_rows.size());
@@ -17,39 +16,17 @@ MotionRecorder::MotionRecorder(const RotorMotion &motion, std::vector<reduction:
     _series.angles.resize(static_cast<std::size_t>(motion.parts().free_angles()));
 }
 
-void MotionRecorder::step(double t, const double *state) {
-    for (std::size_t i = 0; i < _rows.size(); ++i) {
-        const double amplitude = _motion.deflection(_rows[i], state).norm();
-        _largest[i] = std::max(_largest[i], amplitude);
-        if (t >= _last_from)
-            _last[i] = std::max(_last[i], amplitude);
-    }
-}
-
-void MotionRecorder::output(double t, const double *state) {
+void MotionRecorder::output(double t, const double *state, const std::vector<double> &largest) {
     _series.time.push_back(t);
     _series.speed.push_back(_motion.spin(t, state).speed);
     for (std::size_t i = 0; i < _rows.size(); ++i) {
         const Eigen::Vector2d w = _motion.deflection(_rows[i], state);
-        _series.amplitude[i].push_back(std::max(_largest[i], w.norm()));
+        _series.amplitude[i].push_back(std::max(largest[i], w.norm()));
         _series.x[i].push_back(w(0));
         _series.y[i].push_back(w(1));
-        _largest[i] = 0;
     }
     for (std::size_t i = 0; i < _series.angles.size(); ++i)
         _series.angles[i].push_back(state[_motion.first_angle() + static_cast<int>(i)]);
-}
-
-void MotionRecorder::save(model::Restart &restart) const {
-    restart.largest = _largest;
-    restart.last = _last;
-}
-
-void MotionRecorder::resume(const model::Restart &restart, results::MotionSeries series) {
-    _largest = restart.largest;
-    if (restart.time >= _last_from) // else gathered towards an earlier end
-        _last = restart.last;
-    _series = std::move(series);
 }
 
 } // namespace whirl::simulation

@@ -3,14 +3,12 @@
 #include "results/simulate.h"
 #include "simulation/motion.h"
 
+#include <utility>
 #include <vector>
 
 namespace whirl::simulation {
 
-/// Share of the time at the end over which amplitudes count as final.
-inline constexpr double final_share = 0.025;
-
-/// Collects what a result needs while a motion is integrated.
+/// The time series of a motion.
 class MotionRecorder {
   public:
     /// @param rows    of the deflections that are recorded, one for each plane
@@ -21,25 +19,18 @@ class MotionRecorder {
 
     /// Output times, ascending; the last is the end.
     [[nodiscard]] const std::vector<double> &times() const { return _times; }
-    /// After every step.
-    void step(double t, const double *state);
     /// At an output time.
-    void output(double t, const double *state);
+    /// @param largest  |w| of each row since the last one, m
+    void output(double t, const double *state, const std::vector<double> &largest);
 
     [[nodiscard]] const results::MotionSeries &series() const { return _series; }
-    /// What the restart of a run needs, and back; the series may be taken apart from it.
-    void save(model::Restart &restart) const;
-    void resume(const model::Restart &restart, results::MotionSeries series);
-    /// Largest |w| of each row over the last 2.5 % of the time.
-    [[nodiscard]] const std::vector<double> &last_amplitudes() const { return _last; }
+    /// Goes on with the series of an interrupted run.
+    void resume(results::MotionSeries series) { _series = std::move(series); }
 
   private:
     const RotorMotion &_motion;
     std::vector<reduction::Row> _rows;
-    double _last_from; ///< s
     std::vector<double> _times;
-    std::vector<double> _largest; ///< since the last output
-    std::vector<double> _last;
     results::MotionSeries _series;
 };
 

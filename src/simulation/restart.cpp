@@ -67,7 +67,7 @@ void add_segment(std::vector<double> &sizes, const model::Segment &s) {
                                    layer.material.rho});
 }
 
-/// What a restart holds of the state beside the motion of the shaft.
+/// What a restart holds of the state, the motion of the shaft aside.
 struct StatePart {
     std::vector<double> model::Restart::*list;
     int first, count; ///< in the state
@@ -131,7 +131,6 @@ Eigen::VectorXd state_of(const model::Restart &restart, const model::Case &scene
     const bool fits = restart.displacements.size() == whole && restart.velocities.size() == whole &&
                       restart.largest.size() == rows && restart.last.size() == rows &&
                       restart.peaks.size() == stations && restart.peak_times.size() == stations &&
-                      restart.ends.size() == stations &&
                       restart.series.size() == 2 + 3 * rows + angles &&
                       std::ranges::all_of(parts_of(motion),
                                           [&](const StatePart &part) {

@@ -5,7 +5,7 @@
 #include "results/simulate.h"
 #include "simulation/dry/dry_events.h"
 #include "simulation/equations.h"
-#include "simulation/ode/ode_solver.h"
+#include "simulation/ode_solver.h"
 #include "simulation/recorder.h"
 #include "simulation/stations/station_recorder.h"
 
@@ -41,10 +41,9 @@ class Run {
     RotorMotion _motion;
     MotionRecorder _recorder;
     Scales _scales;
-    bool _stiff;
-    TurningAxes _axes;
+    OdeMethod _method;
     StationRecorder _stations;
-    std::unique_ptr<OdeSolver> _solver;
+    OdeSolver _solver;
     std::optional<DryEvents> _dry; ///< where parts touch or resist
     double _t = 0;
     RotorMotion::Totals _before; ///< at the start, with all that came to turn since
@@ -53,18 +52,12 @@ class Run {
     void allowed_error(const double *state, double *allowed) const;
     [[nodiscard]] OdeProblem problem();
     [[nodiscard]] TurningAxes axes() const;
-    [[nodiscard]] OdeMethod method() const {
-        return _stiff                 ? OdeMethod::implicit_stiff
-               : _axes.linear.empty() ? OdeMethod::explicit_high_order
-                                      : OdeMethod::exponential;
-    }
     [[nodiscard]] Eigen::VectorXd first_state() const;
     [[nodiscard]] std::vector<double> stops() const;
     void begin(const model::Restart *from);
     void pass_jump(double time);
     bool reach(double stop);
     void step(double stop);
-    void look_within(double from);
     void fill_audit(results::SimulateResult &result) const;
     void fill_stations(results::SimulateResult &result);
     void fill_series(results::SimulateResult &result) const;

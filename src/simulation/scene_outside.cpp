@@ -25,10 +25,10 @@ double moment_of_forces(const model::SimulateSettings &s, double mass, double sp
     return (force + mass * largest) / (speed * speed);
 }
 
-std::vector<double> each_once(std::vector<double> places) {
-    std::ranges::sort(places);
-    places.erase(std::unique(places.begin(), places.end()), places.end());
-    return places;
+std::vector<double> each_once(std::vector<double> values) {
+    std::ranges::sort(values);
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
 }
 
 /// Stations at which a rotor is looked at, whatever acts there.
@@ -61,16 +61,30 @@ model::Rotor rotor_with_nodes(const model::Case &scene) {
     return rotor;
 }
 
-double scale_at_rest(const model::Case &scene, const assembly::Discretization &d) {
-    double fastest = 0;
+std::vector<reduction::ReductionGoal::Outside> loads_outside(const model::Case &scene) {
+    std::vector<reduction::ReductionGoal::Outside> loads;
     for (const model::StationForce &force : scene.simulate.forces)
-        fastest = std::max(fastest, std::abs(force.frequency));
+        loads.push_back({std::abs(force.frequency), force.z});
     if (const auto &base = scene.simulate.base; base && base->harmonic)
-        fastest = std::max(fastest, std::abs(base->harmonic->frequency));
+        loads.push_back({std::abs(base->harmonic->frequency), std::nullopt});
+    return loads;
+}
+
+double fastest_outside(const model::Case &scene, double speed) {
+    double fastest = 0;
+    for (const reduction::ReductionGoal::Outside &load : loads_outside(scene))
+        fastest = std::max(fastest, load.frequency);
+    if (scene.simulate.gravity != 0 &&
+        (!scene.rotor.balancers.empty() || !scene.rotor.anisotropies.empty()))
+        fastest = std::max(fastest, 2 * speed);
+    return fastest;
+}
+
+double scale_at_rest(const model::Case &scene, const assembly::Discretization &d) {
     const assembly::PlanarPair pair = assembly::planar_pair(d, 0);
     const Eigen::VectorXd v = d.rigid_motion(false);
     const double bounce = std::max(0.0, v.dot(pair.K * v)) / v.dot(pair.M * v);
-    return std::max(fastest, std::sqrt(bounce));
+    return std::max(fastest_outside(scene, 0), std::sqrt(bounce));
 }
 
 std::vector<double> places_of(const model::Case &scene) {
@@ -104,9 +118,9 @@ void add_outside(const model::Case &scene, const assembly::Discretization &d, Mo
         motion.parts.excitation.add(motion.parts.rotor.row(d.deflection_at(force.z)), force);
     if (s.base) {
         const reduction::ReducedRotor &rotor = motion.parts.rotor;
-        const reduction::Row beside =
-            rotor.load_beside.size() > 0 ? rotor.load_beside : 0 * rotor.mass_load;
-        motion.parts.excitation.set_base(rotor.mass_load + beside, rotor.mass_load - beside,
+        const reduction::Row deviation =
+            rotor.load_deviation.size() > 0 ? rotor.load_deviation : 0 * rotor.mass_load;
+        motion.parts.excitation.set_base(rotor.mass_load + deviation, rotor.mass_load - deviation,
                                          *s.base);
     }
     motion.moment += moment_of_forces(s, motion.parts.rotor.mass, motion.fastest);

@@ -14,6 +14,15 @@ namespace whirl::simulation {
 /// in it, or else the bounce of the rotor as a rigid body; 0: there is none.
 [[nodiscard]] double scale_at_rest(const model::Case &scene, const assembly::Discretization &d);
 
+/// Forces and the motion of the foundation.
+[[nodiscard]] std::vector<reduction::ReductionGoal::Outside>
+loads_outside(const model::Case &scene);
+
+/// The fastest motion that acts on a rotor spinning at up to this speed, rad/s, from outside:
+/// forces, the foundation; weight, on whatever turns with the rotor without being round, at twice
+/// the speed.
+[[nodiscard]] double fastest_outside(const model::Case &scene, double speed);
+
 /// Places of forces and of the deflections that count, ascending, m: of balancers, imbalances and
 /// what [simulate] adds, and of all that is attached to a rotor without balancers.
 [[nodiscard]] std::vector<double> places_of(const model::Case &scene);

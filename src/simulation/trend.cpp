@@ -87,16 +87,16 @@ Trend trend_of(const std::vector<double> &time, const std::vector<double> &size,
     return trend;
 }
 
-double swing_beside_line(std::span<const double> values) {
+double swing_about_line(std::span<const double> values) {
     if (values.size() < 3)
         return 0;
     const double step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
     double low = 0;
     double high = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const double beside = values[i] - values.front() - static_cast<double>(i) * step;
-        low = std::min(low, beside);
-        high = std::max(high, beside);
+        const double about = values[i] - values.front() - static_cast<double>(i) * step;
+        low = std::min(low, about);
+        high = std::max(high, about);
     }
     return high - low;
 }

@@ -26,9 +26,9 @@ struct Trend {
 [[nodiscard]] Trend trend_of(const std::vector<double> &time, const std::vector<double> &size,
                              double from, double noise);
 
-/// How far values swing to and fro while they may move on as well: greatest less least beside the
+/// How far values swing to and fro while they may move on as well: greatest less least about the
 /// straight line from the first to the last of them. (Of a motion that only bends it is small.)
-[[nodiscard]] double swing_beside_line(std::span<const double> values);
+[[nodiscard]] double swing_about_line(std::span<const double> values);
 /// Greatest less least, less what they have moved on from the first to the last. (Of a motion
 /// that only moves on it is 0, and what swings within it shows as it slows down.)
 [[nodiscard]] double swing_back(std::span<const double> values);

@@ -4,6 +4,7 @@
 #include "balancers/arrangement.h"
 #include "closed_form/balanced_position.h"
 #include "closed_form/composite_rotor_matrices.h"
+#include "input/case_file.h"
 #include "model/errors.h"
 #include "process/interruption.h"
 #include "process/progress.h"
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 namespace whirl::simulation {
 namespace {
@@ -324,6 +326,57 @@ TEST(Reduction, GivesTheMotionOfTheWholeShaft) {
     // in a thousand.
     EXPECT_GT(difference(whole, reduced), 0);
     EXPECT_LT(difference(whole, reduced), 1e-3);
+}
+
+// --- Amplitudes between outputs ----------------------------------------------------------------
+
+// The largest deflection between two output times, two radians of the spin apart, is the largest of
+// fifty times as many of them. Within a step of a radian polynomials are wrong by 2e-5.
+TEST(AmplitudesBetweenOutputs, AreTheLargestThere) {
+    model::Case scene = rodrigues_rotor(4, .01, .005);
+    scene.simulate.time = 200;
+    scene.simulate.output_points = 401;
+    const results::SimulateResult coarse = analyses::simulate(scene);
+    constexpr std::size_t parts = 50;
+    scene.simulate.output_points = 400 * parts + 1;
+    const results::SimulateResult fine = analyses::simulate(scene);
+    for (std::size_t plane = 0; plane < 2; ++plane) {
+        const std::vector<double> &all = fine.series.amplitude[plane];
+        const double size = *std::ranges::max_element(all);
+        for (std::size_t i = 1; i < coarse.series.time.size(); ++i) {
+            const auto first = all.begin() + static_cast<std::ptrdiff_t>((i - 1) * parts + 1);
+            const double largest = *std::max_element(first, first + parts);
+            ASSERT_NEAR(coarse.series.amplitude[plane][i], largest, 1e-4 * size) << i;
+        }
+    }
+}
+
+// Rings that go round with the rotor are followed in steps of up to three radians of the spin, in
+// axes that turn with it; a hundred times as many outputs leave steps of half a radian. Amplitudes
+// are the same to what some 1e4 steps to 1e-8 each add up to, as a random walk 1e-6; polynomials in
+// axes that stand still would miss 2e-2 of the deflections within such steps, 1e-4 of the
+// amplitude.
+TEST(AmplitudesBetweenOutputs, AreThoseOfSmallStepsInLargeOnes) {
+    const auto with = [](int points) {
+        return analyses::simulate(input::load_case(
+            std::filesystem::path(WHIRL_ROOT) / "cases" / "ring_jeffcott",
+            {"speeds.count=1", "speeds.from=250", "simulate.time=100", "balancer[0].imbalance=0.05",
+             "simulate.output_points=" + std::to_string(points)}));
+    };
+    const results::SimulateResult large = with(400);
+    const results::SimulateResult small = with(40000);
+    EXPECT_GT(large.revolutions * 2 * std::numbers::pi, 1.5 * static_cast<double>(large.steps));
+    ASSERT_EQ(large.stations.size(), small.stations.size());
+    for (std::size_t i = 0; i < small.stations.size(); ++i)
+        EXPECT_NEAR(large.stations[i].amplitude / small.stations[i].amplitude, 1, 5e-6);
+    ASSERT_TRUE(large.waterfall && small.waterfall);
+    ASSERT_EQ(large.waterfall->amplitude.size(), small.waterfall->amplitude.size());
+    for (std::size_t k = 0; k < small.waterfall->amplitude.size(); ++k) {
+        const auto &a = large.waterfall->amplitude[k];
+        const auto &b = small.waterfall->amplitude[k];
+        for (std::size_t i = 0; i < b.size(); ++i)
+            ASSERT_NEAR(a[i], b[i], 5e-6 * *std::ranges::max_element(b)) << k << " " << i;
+    }
 }
 
 // --- Interruption ------------------------------------------------------------------------------

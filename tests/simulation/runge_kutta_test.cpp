@@ -1,7 +1,7 @@
 // The coefficients of the integrator: orders by what they do to differential equations with known
 // solutions.
 
-#include "simulation/ode/runge_kutta.h"
+#include "simulation/runge_kutta.h"
 
 #include <gtest/gtest.h>
 

@@ -151,6 +151,40 @@ TEST_P(StationsWithBalls, are_judged_as_with_the_balls_fixed_where_they_end) {
 
 INSTANTIATE_TEST_SUITE_P(Drawn, StationsWithBalls, testing::Range(0, 24));
 
+// --- a drum with stiff ends ---------------------------------------------------------------------
+
+SimulateResult drum_at(const char *speed) {
+    return analyses::simulate(
+        input::load_case(std::filesystem::path(WHIRL_ROOT) / "cases" / "extractor_two_plane",
+                         {"speeds.count=1", std::string("speeds.from=") + speed}));
+}
+
+// The few shapes of a motion in time against the steady motion of the whole rotor with the balls
+// fixed where they end, at every station: also at those at which the orbit is a fourth of the
+// largest. What is left is the balls' approach to their places.
+TEST(StationsOfADrum, move_as_those_of_the_whole_rotor) {
+    const SimulateResult result = drum_at("1562.5");
+    EXPECT_EQ(result.outcome, results::Outcome::offset);
+    ASSERT_GE(result.stations.size(), 6U);
+    for (const results::StationMotion &station : result.stations) {
+        ASSERT_TRUE(station.with_balls) << station.z;
+        EXPECT_NEAR(station.amplitude, *station.with_balls, 3e-4 * *station.with_balls)
+            << station.z;
+    }
+}
+
+// Small motions about the balanced position die out by 5.1 1/s: e^-20 of them is left after 4 s.
+// Shapes that only carry deflections must not ring on.
+TEST(StationsOfADrum, come_to_rest_as_fast_as_the_eigenvalues_say) {
+    const SimulateResult result = drum_at("562.5");
+    EXPECT_EQ(result.outcome, results::Outcome::balanced);
+    ASSERT_TRUE(result.linear_growth && result.residual_ratio && result.station_ratio);
+    EXPECT_LT(*result.linear_growth, -5);
+    const double left = 100 * std::exp(*result.linear_growth * result.time);
+    EXPECT_LT(*result.residual_ratio, left);
+    EXPECT_LT(*result.station_ratio, left);
+}
+
 // --- the same rotor with balls that weigh nothing -----------------------------------------------
 
 // Balls of a nanogram change nothing: the peaks and steady values of the rotor without balancers,

@@ -24,16 +24,4 @@ class RealProduct {
     std::vector<double> _A; ///< by columns, each filled up with zeros
 };
 
-/// Real and imaginary parts apart.
-class ComplexProduct {
-  public:
-    explicit ComplexProduct(const Eigen::MatrixXcd &A);
-
-    void operator()(const double *re, const double *im, double *out_re, double *out_im) const;
-
-  private:
-    Eigen::Index _rows, _columns;
-    std::vector<double> _re, _im; ///< by columns, each filled up with zeros
-};
-
 } // namespace whirl::linalg

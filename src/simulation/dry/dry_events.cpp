@@ -293,7 +293,7 @@ void DryEvents::choose(double t, Eigen::VectorXd &state) {
         near.parts[i] = std::abs(rates[i]) <= at_rest * _scale;
         dry.slip[i] = near.parts[i] ? 0 : rates[i] > 0 ? 1 : -1;
     }
-    stop_standing(t, state);
+    stop_parts_at_rest(t, state);
     const auto resisting = static_cast<std::size_t>(std::ranges::count(dry.resists, true));
     const std::size_t most = 4 * (dry.gaps.size() + resisting);
     std::size_t pass = 0;
@@ -305,7 +305,7 @@ void DryEvents::choose(double t, Eigen::VectorXd &state) {
 }
 
 /// What the integrator has left of the motion of parts that stand.
-void DryEvents::stop_standing(double t, Eigen::VectorXd &state) {
+void DryEvents::stop_parts_at_rest(double t, Eigen::VectorXd &state) {
     Eigen::VectorXd change = Eigen::VectorXd::Zero(_motion.coordinates());
     for (std::size_t i = 0; i < _motion.dry().slip.size(); ++i) {
         const Eigen::Index at = _motion.first_angle() + static_cast<Eigen::Index>(i);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "simulation/motion.h"
-#include "simulation/ode/ode_solver.h"
+#include "simulation/ode_solver.h"
 
 #include <functional>
 #include <memory>
@@ -17,7 +17,7 @@ class DryEvents {
     /// @param solver  of the motion, for steps that are integrated again
     DryEvents(RotorMotion &motion, double scale, std::unique_ptr<OdeSolver> solver);
 
-    /// Touching and standing parts at the start, all others move.
+    /// Parts in contact and at rest at the start, all others move.
     void begin(double t, Eigen::VectorXd &state);
     struct Event {
         double time = 0;
@@ -63,7 +63,7 @@ class DryEvents {
     [[nodiscard]] std::optional<double> first_moment(std::size_t i, const Piece &piece);
     void jump(double t, Eigen::VectorXd &state, const Eigen::VectorXd &change);
     void settle(double t, Eigen::VectorXd &state, const std::vector<bool> &which);
-    void stop_standing(double t, Eigen::VectorXd &state);
+    void stop_parts_at_rest(double t, Eigen::VectorXd &state);
     void choose(double t, Eigen::VectorXd &state);
     bool amend(const Candidates &near, bool first);
     bool collide(double t, Eigen::VectorXd &state);

@@ -25,17 +25,17 @@ results::PeakInTime Run::integrated(std::size_t station, const PeakCandidate &ca
     const reduction::Row &row = _prepared.stations.rows[station];
     // Between two jumps, in the piece that the step belongs to.
     _motion.enter_piece(std::nextafter(candidate.start, HUGE_VAL));
-    const std::unique_ptr<OdeSolver> solver = ode_solver(problem(), method());
+    OdeSolver solver(problem(), _method);
     Eigen::Vector2d w;
     double speed = speed_at(candidate.time);
     const auto growth = [&](double since) {
         double t = candidate.start;
-        solver->start(t, candidate.state.data());
+        solver.start(t, candidate.state.data());
         while (t < candidate.start + since)
-            t = solver->step(candidate.start + since);
-        w = _motion.deflection(row, solver->state());
-        speed = _motion.spin(t, solver->state()).speed;
-        return w.dot(_motion.deflection(row, solver->state() + _motion.coordinates()));
+            t = solver.step(candidate.start + since);
+        w = _motion.deflection(row, solver.state());
+        speed = _motion.spin(t, solver.state()).speed;
+        return w.dot(_motion.deflection(row, solver.state() + _motion.coordinates()));
     };
     // A little beyond the bracket, whose ends the polynomial has found.
     const double low =
@@ -59,7 +59,7 @@ void Run::fill_stations(results::SimulateResult &result) {
         results::StationMotion station;
         station.z = _prepared.stations.z[i];
         station.name = _prepared.stations.names[i];
-        station.amplitude = _stations.final_amplitude(i);
+        station.amplitude = _stations.final_amplitude(_motion.parts().free.size() + i);
         station.peak = {first_amplitude(i), 0, speed_at(0), false};
         if (const auto [value, time] = _stations.before(i); value > station.peak.value)
             station.peak = {value, time, speed_at(time), false};

@@ -19,17 +19,22 @@ struct PeakCandidate {
     Eigen::VectorXd state;   ///< there
 };
 
-/// Deflections of stations between the ends of the steps of an integration: polynomials of degree
-/// five through deflections, velocities and accelerations at both ends (error 2e-5 of the amplitude
-/// where a step is one radian of the motion); or, where accelerations would cost as much as the
-/// steps themselves, of degree three without them (2e-4 where a step is half a radian).
+/// Share of the time at the end over which amplitudes count as final.
+inline constexpr double final_share = 0.025;
+
+/// Deflections of balancers' planes and of stations between the ends of the steps of an
+/// integration: polynomials of degree five through deflections, velocities and accelerations at
+/// both ends, in the axes in which the motion is integrated. They miss h^6 / 46080 of a motion that
+/// goes through h radians in a step as seen from these axes: 2e-5 at one radian, and nothing where
+/// it goes round with them.
 class StationRecorder {
   public:
-    /// @param end            of the motion, s
-    /// @param fastest        rad/s: spectra reach beyond a few times this
-    /// @param accelerations  whether polynomials take them in
-    StationRecorder(const RotorMotion &motion, std::vector<reduction::Row> rows, double end,
-                    double fastest, bool accelerations);
+    /// @param rows     of the deflections: of so many `planes`, then of the stations
+    /// @param end      of the motion, s
+    /// @param fastest  rad/s: spectra reach beyond a few times this
+    /// @param axes     rad/s: speed at which the axes of the integration turn
+    StationRecorder(const RotorMotion &motion, std::vector<reduction::Row> rows, std::size_t planes,
+                    double end, double fastest, double axes);
 
     /// At the start, and wherever the rates have jumped.
     void begin(double t, const double *state);
@@ -42,8 +47,10 @@ class StationRecorder {
     }
     /// |w| at the time reached, m.
     [[nodiscard]] double last(std::size_t station) const;
-    /// Largest |w| over the last 2.5 % of the time, m.
-    [[nodiscard]] double final_amplitude(std::size_t station) const { return _final[station]; }
+    /// Largest |w| of each row since this was asked for last, both ends included, m.
+    [[nodiscard]] std::vector<double> take_largest();
+    /// Largest |w| of a row over the last 2.5 % of the time, m.
+    [[nodiscard]] double final_amplitude(std::size_t row) const { return _final[row]; }
     [[nodiscard]] const WindowSamples &samples() const { return _samples; }
 
     /// What the restart of a run needs, and back. Spectra begin anew.
@@ -55,29 +62,34 @@ class StationRecorder {
     }
 
   private:
-    /// Of one station at an end of a step.
+    /// Of one row at an end of a step.
     struct End {
         Eigen::Vector2d w, v, a;
     };
-    /// w over the share of the step done: coefficients of the powers.
+    /// w, in axes that turn from the step's beginning on, over the share of the step done:
+    /// coefficients of the powers.
     using Polynomial = std::array<Eigen::Vector2d, 6>;
 
     const RotorMotion &_motion;
     std::vector<reduction::Row> _rows;
+    std::size_t _planes;
+    double _axes;       ///< rad/s
+    double _part;       ///< s: within it |w| has one maximum at most
     double _final_from; ///< s
-    bool _accelerations;
     double _time = 0;
     Eigen::VectorXd _state;
     std::vector<double> _rates;
     std::vector<End> _ends;
     std::vector<std::vector<PeakCandidate>> _peaks;
-    std::vector<double> _final;
+    std::vector<double> _largest, _final;           ///< of each row
     std::vector<std::pair<double, double>> _before; ///< empty: from the start
     WindowSamples _samples;
 
     [[nodiscard]] std::vector<End> ends_at(double t, const double *state);
-    [[nodiscard]] Polynomial polynomial(const End &from, const End &to, double length) const;
-    void look_for_peaks(std::size_t station, const Polynomial &w, double to);
+    [[nodiscard]] End turned(const End &end, double angle) const;
+    [[nodiscard]] static Polynomial polynomial(const End &from, const End &to, double length);
+    void look_for_maxima(std::size_t row, const Polynomial &w, double to);
+    void maximum(std::size_t row, double value, double time);
     void offer(std::size_t station, PeakCandidate candidate);
 };
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "simulation/ode/linear_motion.h"
-
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace whirl::simulation {
@@ -15,9 +14,6 @@ struct TurningAxes {
     double speed = 0; ///< rad/s; 0: integrated as it is
     int count = 0;    ///< of the vectors: x of all, then y of all, from each of `first` on
     std::vector<int> first;
-    /// x' = A x + what is left, x of the vectors at the first `first`, then those at the next, seen
-    /// from the turning axes. Empty: nothing is known to be linear.
-    LinearMotion linear = {};
 };
 
 /// An initial value problem of fixed size.
@@ -29,15 +25,43 @@ struct OdeProblem {
     /// square over the entries.
     std::function<void(const double *y, double *allowed)> allowed_error;
     TurningAxes axes = {};
+};
 
-    /// dy/dt; in turning axes less i speed y, for these turn away.
-    void rates_in_axes(double t, const double *y, double *out) const;
+/// How y' = f(t, y) is integrated.
+enum class OdeMethod {
+    explicit_high_order, ///< Runge-Kutta of Verner, order 8 with an estimate of order 7
+    implicit_stiff       ///< diagonally implicit Runge-Kutta of Kennedy and Carpenter, order 5
 };
 
 struct OdeCounts {
     long steps = 0;
     long failed = 0; ///< steps repeated because their error was too large
     long rates = 0;  ///< evaluations of f
+};
+
+/// Adaptive integration by the Runge-Kutta methods of ARKODE (SUNDIALS), one internal step a call.
+class OdeSolver {
+  public:
+    OdeSolver(OdeProblem problem, OdeMethod method);
+    ~OdeSolver();
+    OdeSolver(const OdeSolver &) = delete;
+    OdeSolver &operator=(const OdeSolver &) = delete;
+
+    /// Starts at (t, y); call it again wherever the rates jump.
+    /// @param step  to try first; 0: chosen
+    void start(double t, const double *y, double step = 0);
+    /// One step, not beyond `end` (which is met exactly). @returns the time reached.
+    /// @throws SolverError where no step is small enough.
+    double step(double end);
+    /// y at the time reached; `size` entries, valid until the next call of start() or step().
+    [[nodiscard]] const double *state() const;
+    /// Step size it will try next.
+    [[nodiscard]] double next_step() const;
+    [[nodiscard]] OdeCounts counts() const; ///< since it was made
+
+  private:
+    struct Arkode;
+    std::unique_ptr<Arkode> _arkode;
 };
 
 } // namespace whirl::simulation

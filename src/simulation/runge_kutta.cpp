@@ -1,4 +1,4 @@
-#include "simulation/ode/runge_kutta.h"
+#include "simulation/runge_kutta.h"
 
 namespace whirl::simulation {
 
