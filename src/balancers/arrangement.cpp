@@ -26,7 +26,7 @@ BalancerElement balancer_element(const model::Balancer &balancer,
         const std::vector<CircledMass> circled = kind->circled();
         for (std::size_t j = 0; j < circled.size(); ++j)
             out.anisotropy += std::polar(0.5 * circled[j].inertia, 2 * angles[j]);
-        out.anisotropy += std::polar(0.5 * added.imbalance, 2 * balancer.imbalance_phase);
+        out.anisotropy += 0.5 * added.imbalance * std::polar(1.0, 2 * balancer.imbalance_phase);
     }
     out.parts = kind->small_motions(angles);
     return out;

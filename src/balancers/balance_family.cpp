@@ -108,12 +108,12 @@ class Climb {
     [[nodiscard]] Height at(const std::vector<double> &angles) const {
         Complex value = _constant;
         for (std::size_t j = 0; j < angles.size(); ++j)
-            value += std::polar(_factors[j], 2 * angles[j]);
+            value += _factors[j] * std::polar(1.0, 2 * angles[j]);
         Height out;
         out.value = _sign * std::norm(value) / 2;
         Complex projected = 0; // J times the slope
         for (std::size_t j = 0; j < angles.size(); ++j) {
-            const Complex turned = Complex(0, 2) * std::polar(_factors[j], 2 * angles[j]);
+            const Complex turned = Complex(0, 2) * _factors[j] * std::polar(1.0, 2 * angles[j]);
             out.slope.push_back(_sign * (std::conj(value) * turned).real());
             projected +=
                 Complex(0, 1) * std::polar(_masses[j].moment, angles[j]) * out.slope.back();

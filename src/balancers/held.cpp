@@ -72,12 +72,12 @@ HeldMasses held_masses(const model::Balancer &balancer, const std::vector<double
         out.disc.Ip = parts.on_circle + parts.own + A_m0;
         out.disc.Id = out.disc.Ip / 2;
         out.anisotropy = without_rounding(
-            (parts.second_moment + std::polar(A_m0, 2 * balancer.imbalance_phase)) / 2.0,
+            (parts.second_moment + A_m0 * std::polar(1.0, 2 * balancer.imbalance_phase)) / 2.0,
             parts.on_circle + A_m0);
     }
-    out.imbalance = without_rounding(parts.moment_of_mass +
-                                         std::polar(balancer.imbalance, balancer.imbalance_phase),
-                                     kind_of(balancer)->reach().side_by_side + balancer.imbalance);
+    out.imbalance = without_rounding(
+        parts.moment_of_mass + balancer.imbalance * std::polar(1.0, balancer.imbalance_phase),
+        kind_of(balancer)->reach().side_by_side + balancer.imbalance);
     return out;
 }
 

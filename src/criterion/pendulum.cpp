@@ -100,8 +100,8 @@ PlanarEquivalent planar_equivalent(const PendulumShaft &shaft, std::size_t index
         out.rotor.external_damping = damping / (out.mass * out.omega_0);
         out.rotor.hinge_damping = p.damping / (p.mass * p.arm * p.arm * out.omega_0);
         for (const model::Imbalance &imbalance : shaft.drive())
-            out.rotor.imbalance += deflection(v, imbalance.z) *
-                                   std::polar(imbalance.mr, imbalance.phase) / (2 * p.mass * p.arm);
+            out.rotor.imbalance += deflection(v, imbalance.z) * imbalance.mr *
+                                   std::polar(1.0, imbalance.phase) / (2 * p.mass * p.arm);
         return out;
     }
     throw model::AnalysisFailure("pendulum balancer: the rotor has no forward critical speed with "

@@ -78,8 +78,8 @@ void PendulumShaft::look_at(double speed) {
     _R = R.topLeftCorner(count, count);
     _held = Eigen::VectorXcd::Zero(count);
     for (std::size_t k = 0; k < _drive.size(); ++k)
-        _held += R.col(count + static_cast<Eigen::Index>(k)).head(count) *
-                 std::polar(_drive[k].mr, _drive[k].phase);
+        _held += R.col(count + static_cast<Eigen::Index>(k)).head(count) * _drive[k].mr *
+                 std::polar(1.0, _drive[k].phase);
 }
 
 Eigen::VectorXcd PendulumShaft::held(double speed) {

@@ -25,7 +25,7 @@ Eigen::VectorXcd imbalance_loads(const assembly::Discretization &discretization)
     Eigen::VectorXcd out = Eigen::VectorXcd::Zero(discretization.planar_size());
     for (const model::Imbalance &imbalance : discretization.rotor().imbalances)
         for (const auto &[unknown, value] : discretization.deflection_at(imbalance.z))
-            out(unknown) += value * std::polar(imbalance.mr, imbalance.phase);
+            out(unknown) += value * imbalance.mr * std::polar(1.0, imbalance.phase);
     return out;
 }
 

@@ -44,7 +44,7 @@ Inertia inertia_of(const model::Shaft &shaft, const mesh::ShaftMesh &mesh) {
             sum.first += section.rhoA * z * dz;
             sum.second += (section.rhoA * z * z + section.rhoI) * dz;
             sum.polar += 2 * section.rhoI * dz;
-            sum.a += std::polar(segment.asymmetry, 2 * segment.asymmetry_angle) *
+            sum.a += segment.asymmetry * std::polar(1.0, 2 * segment.asymmetry_angle) *
                      (section.rhoI * rule.weights[q] * span.length);
         }
     }

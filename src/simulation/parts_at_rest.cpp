@@ -53,7 +53,7 @@ void add_what_is_left(const model::Rotor &fixed, results::PartsAtRest &out) {
     std::complex<double> imbalance = 0;
     std::complex<double> couple = 0;
     for (const model::Imbalance &one : fixed.imbalances) {
-        const std::complex<double> mr = std::polar(one.mr, one.phase);
+        const std::complex<double> mr = one.mr * std::polar(1.0, one.phase);
         imbalance += mr;
         couple += mr * (one.z - out.center_of_mass);
     }

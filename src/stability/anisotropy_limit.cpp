@@ -44,8 +44,8 @@ AnisotropyLimit anisotropy_limit(const assembly::Discretization &discretization,
     std::complex<double> others = 0;
     for (std::size_t i = 0; i < rotor.anisotropies.size(); ++i)
         if (i != index && here(rotor.anisotropies[i].z))
-            others += std::polar(rotor.anisotropies[i].dI,
-                                 2 * (rotor.anisotropies[i].angle - element.angle));
+            others += rotor.anisotropies[i].dI *
+                      std::polar(1.0, 2 * (rotor.anisotropies[i].angle - element.angle));
     const double along = std::sqrt(std::max(0.0, most * most - others.imag() * others.imag()));
     out.dI = std::max(0.0, along - others.real());
     return out;
