@@ -127,8 +127,15 @@ std::vector<std::string> usual_units(Quantity quantity) {
         return {"m/s2", "mm/s2", "in/s2", "ft/s2"};
     case Quantity::rate:
         return {"1/s", "1/min"};
-    default:
-        break;
+    case Quantity::number:
+    case Quantity::slope:
+    case Quantity::deflection:
+    case Quantity::coupling_stiffness:
+    case Quantity::angular_momentum:
+    case Quantity::energy:
+    case Quantity::power:
+    case Quantity::inverse_mass:
+        break; // no key of a case has it, or it has no unit
     }
     return {};
 }

@@ -113,10 +113,11 @@ std::vector<RealPair> DefinitePair::smallest(int wanted) const {
     }
     std::size_t keep = lowest();
     if (failed || (keep > 0 && !confirmed(pairs, keep))) {
-        // Beside supports (or shear) many orders stiffer than an element bends the count is
+        // With supports (or shear) many orders stiffer than an element bends the count is
         // rounding, and so is what the iteration waits for. The dense solver has all eigenvalues:
         // none can be missing.
         constexpr int largest_dense = 1200; // some seconds
+        // Relative to the eigenvalue: six digits are what a critical speed is wanted to.
         constexpr double resolved = 1e-6;
         if (n > largest_dense)
             throw SolverError("critical speeds are missing against the inertia count");
@@ -124,7 +125,9 @@ std::vector<RealPair> DefinitePair::smallest(int wanted) const {
         keep = lowest();
         for (std::size_t i = 0; i < keep; ++i)
             if (!(pairs[i].residual + pairs[i].rounding < resolved))
-                throw Unresolved("critical speeds are not resolved beside what is so stiff");
+                throw Unresolved("rounding of supports or shear that are many orders stiffer than "
+                                 "the shaft leaves fewer than six digits of the critical speeds: "
+                                 "give the stiffness of the real supports");
     }
     pairs.resize(keep);
     return pairs;

@@ -102,8 +102,9 @@ results::ErrorParts error_against(const modes::WhirlMode &mode, std::complex<dou
 }
 
 /// Each eigenvalue of a rotor with constant coefficients found again on a finer model, next to
-/// where it is, by inverse iteration: where that has too many unknowns to find all that come to
-/// rest beside them. None where the nearest one may be another one's.
+/// where it is, by inverse iteration: where the finer model's list is not found, as with more
+/// unknowns than a dense solver takes. None where another mode of the list may be the nearest; one
+/// above the list is not seen.
 std::vector<std::optional<results::ErrorParts>>
 errors_one_by_one(const SynchronousModes &list, const assembly::Discretization &finer,
                   results::Form form) {

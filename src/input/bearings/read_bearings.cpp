@@ -146,11 +146,13 @@ void read_bearing_table(const std::string &path, bool spline, model::Bearing &be
         table.fail("speed", "missing, expected a column of angular speeds");
         return;
     }
-    if (!table.has_unit("speed"))
-        context.remarks.emplace_back(
-            "the speeds of {} have no unit and are taken in rad/s; a header "
-            "such as \"speed [rpm]\" says which",
-            path);
+    if (!table.has_unit("speed")) {
+        const model::Sentence remark("the speeds of {} have no unit and are taken in rad/s; a "
+                                     "header such as \"speed [rpm]\" says which",
+                                     path);
+        if (std::ranges::find(context.remarks, remark) == context.remarks.end()) // table of another
+            context.remarks.push_back(remark);
+    }
     refuse_mixed(table, bearing.seal);
     const std::size_t before = context.problems.count();
     for (const CsvRow &row : table.rows())
