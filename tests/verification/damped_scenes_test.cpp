@@ -130,6 +130,23 @@ TEST(MaterialDamping, critical_speeds_with_damping_that_stands) {
     }
 }
 
+constexpr double scale = 1000; ///< rad/s
+
+/// Of l^2 M + l C + K = 0 the matrix with the eigenvalues scale / l.
+/// @param rates, masses  K^-1 C and K^-1 M
+template <class Matrix> Matrix inverse_state(const Matrix &rates, const Matrix &masses) {
+    const Eigen::Index n = rates.rows();
+    Matrix out = Matrix::Zero(2 * n, 2 * n);
+    for (Eigen::Index column = 0; column < n; ++column) {
+        for (Eigen::Index row = 0; row < n; ++row) {
+            out(row, column) = -scale * rates(row, column);
+            out(row, n + column) = -scale * scale * masses(row, column);
+        }
+        out(n + column, column) = 1;
+    }
+    return out;
+}
+
 /// The same on bearings alike from every direction, in x + i y: half the unknowns. Of forward
 /// motion l^2 (M - G) + l (C - Kc) + K, where internal damping drops out; of backward motion its
 /// conjugate l^2 (M + G) + l (C* + Kc) + K*.
@@ -152,17 +169,8 @@ std::vector<Complex> planar_synchronous(const oracles::DenseRotor &dense) {
                 inertia(i, j) -= sign * dense.G(i, n + j);
                 damping(i, j) -= sign * dense.Kc(i, n + j);
             }
-        constexpr double scale = 1000; // rad/s
-        const Eigen::MatrixXcd still = stiffness.solve(inertia);
-        const Eigen::MatrixXcd rates = stiffness.solve(damping);
-        Eigen::MatrixXcd state = Eigen::MatrixXcd::Zero(2 * n, 2 * n);
-        for (Eigen::Index j = 0; j < n; ++j) {
-            for (Eigen::Index i = 0; i < n; ++i) {
-                state(i, j) = -scale * rates(i, j);
-                state(i, n + j) = -scale * scale * still(i, j);
-            }
-            state(n + j, j) = 1;
-        }
+        const Eigen::MatrixXcd state =
+            inverse_state<Eigen::MatrixXcd>(stiffness.solve(damping), stiffness.solve(inertia));
         const Eigen::VectorXcd all =
             Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(state, false).eigenvalues();
         for (const Complex mu : all)
@@ -374,19 +382,9 @@ std::vector<Complex> seen_from_rotor(const oracles::RotatingRotor &rotor, double
         real_form(wide(rotor.K - W * W * rotor.M + W * W * rotor.G) + i * W * wide(rotor.Ce),
                   W * W * rotor.Ma + rotor.Ka)
             .cast<double>();
-    const Eigen::Index n = M.rows();
     const Eigen::PartialPivLU<Eigen::MatrixXd> stiffness(K);
-    constexpr double scale = 1000; // rad/s
-    const Eigen::MatrixXd rates = stiffness.solve(D);
-    const Eigen::MatrixXd masses = stiffness.solve(M);
-    Eigen::MatrixXd state = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-    for (Eigen::Index column = 0; column < n; ++column) {
-        for (Eigen::Index row = 0; row < n; ++row) {
-            state(row, column) = -scale * rates(row, column);
-            state(row, n + column) = -scale * scale * masses(row, column);
-        }
-        state(n + column, column) = 1;
-    }
+    const Eigen::MatrixXd state =
+        inverse_state<Eigen::MatrixXd>(stiffness.solve(D), stiffness.solve(M));
     const Eigen::VectorXcd all = Eigen::EigenSolver<Eigen::MatrixXd>(state, false).eigenvalues();
     std::vector<Complex> out;
     for (const Complex mu : all)
