@@ -97,17 +97,6 @@ const std::vector<Preset> &presets() {
     return all;
 }
 
-const Preset &usual_of_pages() {
-    static const Preset usual{"usual",
-                              {},
-                              {{"speed", "rpm"},
-                               {"frequency", "Hz"},
-                               {"amplitude", "µm"},
-                               {"deflection", "µm"},
-                               {"angle", "deg"}}};
-    return usual;
-}
-
 // Short, as names of units are: there must be room for it in the same places.
 std::string mark_of(model::Quantity quantity) {
     return "§" + std::string(names_of(quantity).key).substr(0, 3);

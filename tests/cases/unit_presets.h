@@ -25,8 +25,6 @@ struct Preset {
 };
 /// si, mm-rpm, us, mixed, pk-pk.
 [[nodiscard]] const std::vector<Preset> &presets();
-/// Of the data of a page where nothing is asked for.
-[[nodiscard]] const Preset &usual_of_pages();
 
 /// Units each of which says by its name what its numbers are: "3000 §spe". Amplitudes are from peak
 /// to peak, which tells them from deflections.
