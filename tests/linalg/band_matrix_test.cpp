@@ -1,7 +1,6 @@
 #include "linalg/dense/band_matrix.h"
 
 #include "linalg/check.h"
-#include "linalg/lanes/symmetric_factors.h"
 #include "linalg/lanes/vector_products.h"
 
 #include <Eigen/LU>
@@ -49,56 +48,6 @@ TEST(BandMatrix, singular_matrix_is_refused) {
     band(1, 1) = 4;
     band(2, 2) = 1;
     EXPECT_THROW(band.eliminate(), SolverError);
-}
-
-TEST(SymmetricFactors, FourAtOnceAgreeWithDenseSolutions) {
-    constexpr int size = 23;
-    std::vector<Eigen::MatrixXcd> A(lanes, Eigen::MatrixXcd::Zero(size, size));
-    std::vector<Eigen::VectorXcd> b(lanes, Eigen::VectorXcd(size));
-    for (int lane = 0; lane < lanes; ++lane)
-        for (int i = 0; i < size; ++i) {
-            b[static_cast<std::size_t>(lane)](i) = number(i, 3 * i + 1 + lane);
-            for (int j = std::max(0, i - 3); j <= i; ++j) // a band with a hole
-                if (i - j != 2)
-                    A[static_cast<std::size_t>(lane)](i, j) =
-                        A[static_cast<std::size_t>(lane)](j, i) =
-                            i == j ? 3.0 + 2.0 * number(i + lane, j + 1) : number(i, j + lane);
-        }
-    SymmetricFactors::Sparse pattern = A[0].sparseView();
-    pattern.makeCompressed();
-    SymmetricFactors factors(pattern);
-    Vector4 values(factors.entries());
-    const std::vector<int> places = factors.places(static_cast<std::size_t>(pattern.nonZeros()));
-    for (Eigen::Index j = 0; j < size; ++j)
-        for (Eigen::Index p = pattern.outerIndexPtr()[j]; p < pattern.outerIndexPtr()[j + 1]; ++p)
-            for (int lane = 0; lane < lanes; ++lane)
-                if (const int place = places[static_cast<std::size_t>(p)]; place >= 0)
-                    values[static_cast<std::size_t>(place)].set(
-                        lane, A[static_cast<std::size_t>(lane)](pattern.innerIndexPtr()[p], j));
-    for (const bool sound : factors.factorize(values))
-        EXPECT_TRUE(sound);
-    Vector4 x;
-    set(x, {b.data(), &b[1], &b[2], &b[3]});
-    factors.solve(x);
-    for (int lane = 0; lane < lanes; ++lane) {
-        const auto i = static_cast<std::size_t>(lane);
-        const Eigen::VectorXcd expected = A[i].partialPivLu().solve(b[i]);
-        EXPECT_LT((vector_of(x, lane) - expected).norm(), 1e-12 * expected.norm()) << lane;
-        const double phase = std::arg(A[i].determinant());
-        const double apart = factors.determinant_phases()[i] - phase;
-        EXPECT_LT(std::abs(std::remainder(apart, 2 * std::numbers::pi)), 1e-10) << lane;
-    }
-}
-
-TEST(SymmetricFactors, AZeroPivotIsToldInItsLane) {
-    SymmetricFactors::Sparse pattern(1, 1);
-    pattern.insert(0, 0) = 1;
-    pattern.makeCompressed();
-    SymmetricFactors factors(pattern);
-    Vector4 values(1);
-    for (int lane = 0; lane < lanes; ++lane)
-        values[0].set(lane, lane == 2 ? 0 : 1);
-    EXPECT_EQ(factors.factorize(values), (std::array<bool, lanes>{true, true, false, true}));
 }
 
 // Sizes that fill the lanes and sizes that do not, against sums entry by entry.
