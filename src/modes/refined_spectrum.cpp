@@ -10,7 +10,6 @@
 #include "results/formulation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -58,23 +57,36 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
     void expect(const std::vector<double> &speeds, int wanted) override {
         constexpr std::size_t counts = 8;
         const auto [low, high] = std::ranges::minmax(speeds);
-        _from = low;
-        _to = high;
-        _wanted = wanted;
-        _counted.clear();
-        for (std::size_t k = 0; k <= counts; ++k)
-            _counted.push_back(speeds[k * (speeds.size() - 1) / counts]);
+        for (std::size_t k = 0; k <= counts; ++k) {
+            const double speed = speeds[k * (speeds.size() - 1) / counts];
+            if (_known.contains({speed, wanted}))
+                continue;
+            try {
+                _known.emplace(std::pair(speed, wanted), modes(speed, wanted));
+            } catch (const linalg::SolverError &) { // told when it is asked for
+                return;
+            }
+        }
+        _counted.push_back({low, high, wanted});
     }
 
     Spectrum modes(double speed, int wanted) override {
+        if (const auto known = _known.find({speed, wanted}); known != _known.end())
+            return known->second;
         set(speed);
-        for (int basis = 0; basis < bases; ++basis) {
+        const bool counts = std::ranges::none_of(_counted, [&](const Range &range) {
+            return speed >= range.from && speed <= range.to && wanted <= range.wanted;
+        });
+        for (int basis = _basis; basis < bases; ++basis) {
             const ReducedForm *form = reduced(basis, wanted);
             if (form == nullptr)
                 continue;
             try {
-                if (std::optional<Spectrum> found = modes(*form, speed, wanted))
+                if (std::optional<Spectrum> found = modes(*form, speed, wanted, counts)) {
+                    if (counts)
+                        _basis = basis;
                     return *std::move(found);
+                }
             } catch (const linalg::SolverError &) { // of the dense problem: another basis may do
             }
             if (form->is_whole())
@@ -107,9 +119,13 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
     WholePencil<Scalar> _pencil;
     std::optional<double> _speed;                         ///< that the pencil is set to
     std::map<int, std::unique_ptr<ReducedForm>> _reduced; ///< by modes at rest; null: not to be had
-    double _from = 0, _to = 0;                            ///< of the speeds expected
-    int _wanted = 0;                                      ///< there
-    std::vector<double> _counted;                         ///< those to be counted
+    int _basis = 0; ///< the least one that has done where eigenvalues were counted
+    struct Range {
+        double from, to; ///< rad/s
+        int wanted;
+    };
+    std::vector<Range> _counted;                       ///< at speeds in it, the ends among them
+    std::map<std::pair<double, int>, Spectrum> _known; ///< there, by how many were wanted
 
     void set(double speed) {
         if (_speed == speed)
@@ -173,116 +189,95 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
                !_relaxation.stands(value, speed);
     }
 
-    [[nodiscard]] bool is_to_be_counted(double speed, int wanted) const {
-        return wanted > _wanted || speed < _from || speed > _to ||
-               std::ranges::find(_counted, speed) != _counted.end();
-    }
-
-    /// How many of these, ascending from the centre, are looked at: up to a gap beyond those
-    /// wanted, in which the circle is.
-    struct Inside {
-        std::size_t count = 0, wanted = 0; ///< without and with those that place the circle
-        double radius = std::numeric_limits<double>::infinity();
+    /// Which of the roots, ascending from the centre, are wanted, and a circle around them.
+    struct Choice {
+        std::vector<std::size_t> wanted;
+        Circle circle;
+        double complete_radius = 0; ///< 1/s
     };
-    [[nodiscard]] std::optional<Inside> inside(const std::vector<Root> &roots, double centre,
+    /// Those that whirl with the lowest frequencies, up to twice as far from the centre as there
+    /// are as many (heavily damped ones of low frequency are as far), and those without whirl that
+    /// are no farther than as many.
+    [[nodiscard]] std::optional<Choice> choice(const std::vector<Root> &roots, double centre,
                                                double speed, int wanted, bool all) const {
-        constexpr int beyond = 6;
+        constexpr double farther = 2;
         constexpr double clear = 1.2; // a gap wide enough
+        constexpr int beyond = 12;    // roots to find one among
         const auto away = [&](std::size_t i) { return std::abs(roots[i].value - centre); };
-        Inside out;
+        const double infinite = std::numeric_limits<double>::infinity();
+        std::vector<std::size_t> whirling;
+        for (std::size_t i = 0; i < roots.size(); ++i)
+            if (whirls(roots[i].value, speed))
+                whirling.push_back(i);
+        const auto asked = static_cast<std::size_t>(wanted);
+        if (whirling.size() < asked && !all)
+            return std::nullopt;
+        const double near = whirling.size() < asked ? infinite : away(whirling[asked - 1]);
+        std::erase_if(whirling, [&](std::size_t i) { return away(i) > farther * near; });
+        std::ranges::stable_sort(whirling, {},
+                                 [&](std::size_t i) { return std::abs(roots[i].value.imag()); });
+        whirling.resize(std::min(whirling.size(), asked));
+        Choice out;
+        out.wanted = whirling;
+        for (std::size_t i = 0; i < roots.size() && away(i) <= near; ++i)
+            if (!whirls(roots[i].value, speed))
+                out.wanted.push_back(i);
+        std::ranges::sort(out.wanted);
+        if (out.wanted.empty())
+            return std::nullopt;
+        out.complete_radius = std::max(0.0, near - centre);
+        out.circle = {centre, infinite};
         double widest = 1;
-        int whirling = 0;
-        for (std::size_t i = 0; i < roots.size(); ++i) {
-            whirling += whirls(roots[i].value, speed) ? 1 : 0;
-            if (whirling < wanted)
-                continue;
-            if (out.wanted == 0)
-                out.wanted = i + 1;
-            if (i + 1 == roots.size()) {
-                if (all && widest < clear) {
-                    out.count = i + 1;
-                    out.radius = std::numeric_limits<double>::infinity();
-                }
-                break;
-            }
+        for (std::size_t i = out.wanted.back();
+             i + 1 < roots.size() && i < out.wanted.back() + beyond && widest < clear; ++i)
             if (const double ratio = away(i + 1) / away(i); ratio > widest) {
                 widest = ratio;
-                out.count = i + 1;
-                out.radius = std::sqrt(away(i) * away(i + 1));
+                out.circle.radius = std::sqrt(away(i) * away(i + 1));
             }
-            if (widest >= clear || whirling >= wanted + beyond)
-                break;
-        }
-        if (out.wanted == 0) {
-            if (!all)
-                return std::nullopt;
-            out.count = out.wanted = roots.size();
-        }
-        return out.count > 0 ? std::optional(out) : std::nullopt;
+        return std::isfinite(out.circle.radius) || all ? std::optional(out) : std::nullopt;
     }
 
-    std::optional<Spectrum> modes(const ReducedForm &form, double speed, int wanted) {
+    std::optional<Spectrum> modes(const ReducedForm &form, double speed, int wanted, bool counts) {
         const ZeroModes zeros = zero_modes(_d, results::Form::general, speed, speed);
         const double c = centre(wanted);
         const double shift = c > 0 ? c : 0.31 * std::max(std::abs(speed), _supports);
         std::vector<Root> roots =
             all_roots(form.template at<Scalar>(speed), shift, zeros.eigenvalues);
-        std::vector<Complex> known;
-        for (const Root &root : roots)
-            known.push_back(root.value);
         if (real)
             std::erase_if(roots, [](const Root &root) { return root.value.imag() < 0; });
         std::ranges::stable_sort(roots, {},
                                  [c](const Root &root) { return std::abs(root.value - c); });
-        const std::optional<Inside> in = inside(roots, c, speed, wanted, form.is_whole());
-        if (!in)
+        const std::optional<Choice> chosen = choice(roots, c, speed, wanted, form.is_whole());
+        if (!chosen)
             return std::nullopt;
-        bool counts = is_to_be_counted(speed, wanted);
         std::vector<WholeRoot> found;
-        for (std::size_t i = 0; i < (counts ? in->count : in->wanted); ++i) {
-            const Root &root = roots[i];
+        for (const std::size_t i : chosen->wanted) {
+            Root &root = roots[i];
             std::optional<WholeRoot> whole =
                 _pencil.refined({root.value, form.lifted(root.right), form.lifted(root.left)});
-            if (!whole)
-                return std::nullopt;
-            if (std::ranges::any_of(found,
-                                    [&](const WholeRoot &a) { return same_root(a, *whole); }))
+            if (!whole || std::ranges::any_of(
+                              found, [&](const WholeRoot &a) { return same_root(a, *whole); }))
                 return std::nullopt;
             constexpr double far = 0.02; // more than shapes that do may leave out
-            const bool moved = std::abs(whole->value - root.value) > far * std::abs(root.value) ||
-                               (real && (root.value.imag() == 0) != (whole->value.imag() == 0));
+            counts = counts || std::abs(whole->value - root.value) > far * std::abs(root.value) ||
+                     (real && (root.value.imag() == 0) != (whole->value.imag() == 0));
+            root.value = whole->value;
             found.push_back(*std::move(whole));
-            counts = counts || moved;
         }
-        if (counts && std::isfinite(in->radius)) {
-            while (found.size() < in->count) { // one of them has moved
-                const Root &root = roots[found.size()];
-                std::optional<WholeRoot> whole =
-                    _pencil.refined({root.value, form.lifted(root.right), form.lifted(root.left)});
-                if (!whole || std::ranges::any_of(
-                                  found, [&](const WholeRoot &a) { return same_root(a, *whole); }))
-                    return std::nullopt;
-                found.push_back(*std::move(whole));
-            }
-            if (!complete(roots, found, zeros.eigenvalues, {c, in->radius}))
-                return std::nullopt;
-        }
-        return spectrum_of(found, zeros, {c, in->radius}, speed, wanted);
+        if (counts && std::isfinite(chosen->circle.radius) &&
+            !complete(roots, zeros.eigenvalues, chosen->circle))
+            return std::nullopt;
+        return spectrum_of(found, zeros, chosen->complete_radius, speed);
     }
 
-    /// All within the circle are known: those found, and of the others those on shapes.
-    [[nodiscard]] bool complete(const std::vector<Root> &roots, const std::vector<WholeRoot> &found,
-                                int zeros, const Circle &circle) {
+    /// All within the circle are known.
+    [[nodiscard]] bool complete(const std::vector<Root> &roots, int zeros, const Circle &circle) {
         std::vector<Complex> known(static_cast<std::size_t>(zeros), 0.0);
-        const auto add = [&known](Complex value) {
-            known.push_back(value);
-            if (real && value.imag() != 0)
-                known.push_back(std::conj(value));
-        };
-        for (const WholeRoot &root : found)
-            add(root.value);
-        for (std::size_t i = found.size(); i < roots.size(); ++i)
-            add(roots[i].value);
+        for (const Root &root : roots) {
+            known.push_back(root.value);
+            if (real && root.value.imag() != 0)
+                known.push_back(std::conj(root.value));
+        }
         return complete_within(_pencil, circle, known).value_or(false);
     }
 
@@ -307,21 +302,14 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
     }
 
     [[nodiscard]] Spectrum spectrum_of(const std::vector<WholeRoot> &found, const ZeroModes &zeros,
-                                       const Circle &circle, double speed, int wanted) const {
+                                       double complete_radius, double speed) const {
         Spectrum out;
         out.speed = speed;
         out.relaxation = _relaxation;
         out.modes = zeros.modes;
-        double last = 0; // of those that are handed on, from the centre
-        const auto all = zeros.modes.size() + static_cast<std::size_t>(wanted);
-        for (const WholeRoot &root : found) {
-            last = std::abs(root.value - circle.centre);
+        for (const WholeRoot &root : found)
             out.add(root.value, mode_of(root, speed));
-            if (out.modes.size() >= all)
-                break;
-        }
-        const bool exhausted = std::isinf(circle.radius) && out.modes.size() < all;
-        out.complete_radius = exhausted ? circle.radius : std::max(0.0, last - circle.centre);
+        out.complete_radius = complete_radius;
         return out;
     }
 };

@@ -31,8 +31,8 @@ class RefinedSpectrum {
     /// between them eigenvalues are counted at a few alone.
     void expect(const std::vector<double> &speeds, int wanted);
 
-    /// The `wanted` whirl modes of least modulus, or all, and what else is as small: Im >= 0, of
-    /// form planar_damped whirl set, zero modes among them.
+    /// The `wanted` whirl modes with the lowest frequencies, or all, and motions without whirl that
+    /// are as slow: Im >= 0, of form planar_damped whirl set, zero modes beside them.
     /// @throws linalg::SolverError where they are not all found
     [[nodiscard]] Spectrum modes(double speed, int wanted);
 

@@ -123,8 +123,8 @@ void WholePencil<Scalar>::multiply_adjoint(const Vector &y, Products &out) const
 /// |y|^T (|l|^2 |M| + |l| |D| + |K|) |x|.
 template <class Scalar>
 double WholePencil<Scalar>::entries_between(const Vector &y, double size, const Vector &x) const {
-    const Eigen::VectorXd a = y.cwiseAbs();
-    const Eigen::VectorXd b = x.cwiseAbs();
+    const Eigen::VectorXd a = y.cwiseAbs2().cwiseSqrt();
+    const Eigen::VectorXd b = x.cwiseAbs2().cwiseSqrt();
     double sum = 0;
     for (Eigen::Index column = 0; column < b.size(); ++column) {
         double force = 0;
@@ -155,9 +155,7 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
     Products left;
     multiply(x, right);
     multiply_adjoint(y, left);
-    Complex l = next_root(y.dot(right.M), y.dot(right.D), y.dot(right.K), guess.value);
-    if (!(std::abs(l - guess.value) <= 0.5 * std::abs(guess.value)))
-        l = guess.value;
+    Complex l = guess.value;
     for (int shifts = 0; shifts < most_shifts; ++shifts) {
         if (!factorize(l * (1 + beside)))
             return std::nullopt;
