@@ -2,7 +2,6 @@
 
 #include "linalg/dense/products.h"
 #include "linalg/lanes/complex4.h"
-#include "linalg/lanes/vector_products.h"
 #include "linalg/quadratic/quadratic_pattern.h"
 #include "linalg/sparse_factor.h"
 
@@ -175,8 +174,9 @@ std::complex<double> overlap(const ModeBasis &a, const ModeBasis &b, Eigen::Inde
                              Eigen::Index j) {
     if (!a.is_complex())
         return a.left.col(i).dot(b.right.col(j)) * b.left.col(j).dot(a.right.col(i));
-    return linalg::product_of_columns(a.complex_left, i, b.complex_right, j) *
-           linalg::product_of_columns(b.complex_left, j, a.complex_right, i);
+    // Not conjugated.
+    return a.complex_left.col(i).cwiseProduct(b.complex_right.col(j)).sum() *
+           b.complex_left.col(j).cwiseProduct(a.complex_right.col(i)).sum();
 }
 
 ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXd &values,

@@ -1,7 +1,6 @@
 #include "linalg/dense/band_matrix.h"
 
 #include "linalg/check.h"
-#include "linalg/lanes/vector_products.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -48,58 +47,6 @@ TEST(BandMatrix, singular_matrix_is_refused) {
     band(1, 1) = 4;
     band(2, 2) = 1;
     EXPECT_THROW(band.eliminate(), SolverError);
-}
-
-// Sizes that fill the lanes and sizes that do not, against sums entry by entry.
-TEST(VectorProducts, AreTheSumsEntryByEntry) {
-    const std::complex<double> f(0.3, -1.7);
-    for (const int size : {0, 1, 2, 3, 4, 7, 32}) {
-        Eigen::VectorXcd a(size);
-        Eigen::VectorXcd b(size);
-        std::complex<double> sum = 0;
-        for (int k = 0; k < size; ++k) {
-            a(k) = number(k, 1);
-            b(k) = number(2, k);
-            sum += std::conj(a(k)) * b(k);
-        }
-        EXPECT_NEAR(std::abs(dot(a, b) - sum), 0, 1e-15 * (1 + size));
-        Eigen::VectorXcd y = b;
-        add_multiple(f, a, y);
-        for (int k = 0; k < size; ++k)
-            EXPECT_NEAR(std::abs(y(k) - (b(k) + f * a(k))), 0, 4e-16 * 4);
-    }
-}
-
-// Sizes below, at and beyond those of a block; entries are at most 1, the tolerances some
-// roundings.
-TEST(VectorProducts, OfColumnsSumsAndLanesAreThoseOfEigen) {
-    constexpr double rounding = 4e-16;
-    for (const Eigen::Index size : {1, 2, 3, 7, 8, 9, 40}) {
-        const Eigen::MatrixXcd A = Eigen::MatrixXcd::Random(size, 4);
-        const Eigen::MatrixXcd B = Eigen::MatrixXcd::Random(size, 3);
-        const std::complex<double> product = (A.col(2).transpose() * B.col(1)).value();
-        EXPECT_NEAR(std::abs(product_of_columns(A, 2, B, 1) - product), 0,
-                    rounding * static_cast<double>(4 + size));
-
-        std::vector<Eigen::VectorXcd> vectors;
-        Vector4 four(static_cast<std::size_t>(size));
-        Complex4 factors{};
-        for (int lane = 0; lane < lanes; ++lane) {
-            vectors.emplace_back(A.col(lane));
-            factors.set(lane, B(0, lane % 3));
-            for (Eigen::Index k = 0; k < size; ++k)
-                four[static_cast<std::size_t>(k)].set(lane, A(k, lane));
-        }
-        const Eigen::VectorXcd sum = sum_of({{0.3, &vectors[0]}, {-2.5, &vectors[3]}});
-        EXPECT_NEAR((sum - (0.3 * A.col(0) - 2.5 * A.col(3))).cwiseAbs().maxCoeff(), 0,
-                    5 * rounding);
-        const std::array<Eigen::VectorXcd, lanes> scaled = vectors_of(four, factors);
-        for (int lane = 0; lane < lanes; ++lane)
-            EXPECT_NEAR((scaled[static_cast<std::size_t>(lane)] - factors.at(lane) * A.col(lane))
-                            .cwiseAbs()
-                            .maxCoeff(),
-                        0, 2 * rounding);
-    }
 }
 
 } // namespace

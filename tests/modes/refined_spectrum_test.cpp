@@ -92,11 +92,15 @@ void expect_complete(const Spectrum &found, const std::vector<Complex> &all) {
             << mode.eigenvalue << " at " << found.speed;
     }
     const double last = found.modes.back().eigenvalue.imag() * (1 + of_dense);
-    const auto slower = std::count_if(all.begin(), all.end(), [&](const Complex &value) {
+    const auto counts = [&](const Complex &value) {
         return value.imag() > real_axis * std::abs(value) && value.imag() <= last &&
-               std::abs(value) < found.complete_radius;
-    });
-    EXPECT_EQ(std::ssize(found.modes), slower) << found.speed;
+               std::abs(value) < (1 - of_dense) * found.complete_radius;
+    };
+    const auto listed =
+        std::count_if(found.modes.begin(), found.modes.end(),
+                      [&](const WhirlMode &mode) { return counts(mode.eigenvalue); });
+    EXPECT_EQ(listed, std::count_if(all.begin(), all.end(), counts)) << found.speed;
+    EXPECT_GE(listed, std::ssize(found.modes) / 2);
 }
 
 } // namespace
@@ -183,8 +187,11 @@ TEST(RefinedModes, OneThatIsLeftOutIsMissed) {
                 continue;
             const Circle circle{0, random.coin() ? inside * 1.0001 : std::sqrt(inside * outside)};
             std::vector<Complex> known(all.begin(), all.begin() + 28);
+            if (known.back().imag() != 0 && known[26] != std::conj(known.back()))
+                known.pop_back(); // both conjugates or none
             EXPECT_EQ(complete_within(pencil, circle, known), true) << i;
-            const std::size_t gone = random.coin() ? i : static_cast<std::size_t>(random(0, i));
+            const std::size_t gone =
+                random.coin() ? i : static_cast<std::size_t>(random(0, static_cast<double>(i)));
             const Complex value = known[gone];
             std::erase_if(known, [value](const Complex &other) { // both conjugates
                 return std::abs(other.real() - value.real()) < 1e-12 * std::abs(value) &&
@@ -245,11 +252,11 @@ TEST(RefinedModes, ErrorOfARefinedValueIsStated) {
         for (const WhirlMode &mode : solver.at(speed, 8).modes)
             for (const double size : {1e-3, 1e-4, 1e-5}) {
                 WholeRoot guess{mode.eigenvalue *
-                                    (1 + size * Complex(random(-1, 1), random(-1, 1))),
+                                    (1.0 + size * Complex(random(-1, 1), random(-1, 1))),
                                 mode.shape, mode.left.conjugate()};
                 for (Eigen::VectorXcd *vector : {&guess.right, &guess.left})
                     for (Complex &entry : *vector)
-                        entry *= 1 + size * Complex(random(-1, 1), random(-1, 1));
+                        entry *= 1.0 + size * Complex(random(-1, 1), random(-1, 1));
                 const auto found = pencil.refined(guess);
                 ASSERT_TRUE(found) << mode.eigenvalue;
                 EXPECT_LE(std::abs(found->value - mode.eigenvalue) / std::abs(mode.eigenvalue),
