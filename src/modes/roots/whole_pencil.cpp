@@ -144,7 +144,9 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
     /// Beside the quotient by so much: of eigenvalues that are nearer together, which rounding
     /// tells apart by chance alone, one iteration takes all parts alike, and hardly any of others.
     constexpr double beside = 1e-8;
-    constexpr double enough = 1e-14; // of the value: a part of its rounding as a rule
+    constexpr double enough = 1e-13; // of the value: of the order of its rounding
+    /// An entry is a sum of some four terms, each rounded, and scaled; and so are their products.
+    constexpr double of_entries = 4 * std::numeric_limits<double>::epsilon();
     constexpr int most_shifts = 8;
     constexpr int solves = 3; ///< with one shift, at most
     Vector x = _scales.cwiseInverse().asDiagonal() * guess.right;
@@ -160,8 +162,8 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
         if (!factorize(l * (1 + beside)))
             return std::nullopt;
         const Complex shift = l;
-        double right_before = 1; // errors of the vectors before the last solve
-        double left_before = 1;
+        double right_before = 0; // errors of the vectors before the last solve: not known
+        double left_before = 0;
         for (int solve = 0; solve < solves; ++solve) {
             const Vector to_right = 2.0 * l * right.M + right.D;
             const Vector to_left = 2.0 * std::conj(l) * left.M + left.D;
@@ -176,7 +178,8 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
             multiply(x, right);
             multiply_adjoint(y, left);
             l = next_root(y.dot(right.M), y.dot(right.D), y.dot(right.K), shift);
-            // A solve takes errors down by a factor, and the turn is what it took away.
+            // A solve takes errors down by a factor, which two of them show, and the turn is what
+            // it took away.
             const double left_off = left_turned * std::min(1.0, left_turned / left_before);
             const double right_off = right_turned * std::min(1.0, right_turned / right_before);
             const Vector slope_x = 2.0 * l * right.M + right.D;
@@ -189,8 +192,7 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
                 WholeRoot out;
                 out.value = l;
                 out.residual = residual;
-                out.rounding = std::numeric_limits<double>::epsilon() *
-                               entries_between(y, std::abs(l), x) / size;
+                out.rounding = of_entries * entries_between(y, std::abs(l), x) / size;
                 out.right = _scales.asDiagonal() * x;
                 out.left = _scales.asDiagonal() * y;
                 return out;
@@ -226,6 +228,7 @@ std::optional<bool> complete_within(WholePencil<Scalar> &pencil, const Circle &c
     constexpr int arcs = real ? 8 : 16;
     constexpr double slow = 0.9; // an arc over which the phase turns by more is halved
     constexpr double shortest = 1e-5;
+    constexpr double part = 0.38; // unlike parts: not both turn by a multiple of a whole turn
     bool lost = false;
     const auto phase = [&](double angle) {
         const Complex z = circle.centre + std::polar(circle.radius, angle);
@@ -248,18 +251,25 @@ std::optional<bool> complete_within(WholePencil<Scalar> &pencil, const Circle &c
         last = next;
     }
     double sum = 0;
+    const auto turn = [](double from, double to) {
+        return std::remainder(to - from, 2 * std::numbers::pi);
+    };
     while (!open.empty() && !lost) {
         const Arc arc = open.back();
         open.pop_back();
-        const double change = std::remainder(arc.phase_to - arc.phase_from, 2 * std::numbers::pi);
-        if (std::abs(change) <= slow) {
-            sum += change;
+        const double middle = arc.from + part * (arc.to - arc.from);
+        const double there = phase(middle);
+        const double first = turn(arc.phase_from, there);
+        const double second = turn(there, arc.phase_to);
+        // Eigenvalues without end crowd where the shaft's damping brings motions to rest: together
+        // they turn it by whole turns over an arc, which both parts must show as well.
+        if (std::abs(first) <= slow && std::abs(second) <= slow &&
+            std::abs(first + second - turn(arc.phase_from, arc.phase_to)) < 1) {
+            sum += first + second;
             continue;
         }
         if (arc.to - arc.from < shortest)
             return std::nullopt;
-        const double middle = (arc.from + arc.to) / 2;
-        const double there = phase(middle);
         open.push_back({arc.from, middle, arc.phase_from, there});
         open.push_back({middle, arc.to, there, arc.phase_to});
     }
