@@ -145,8 +145,8 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
     /// tells apart by chance alone, one iteration takes all parts alike, and hardly any of others.
     constexpr double beside = 1e-8;
     constexpr double enough = 1e-13; // of the value: of the order of its rounding
-    /// An entry is a sum of some four terms, each rounded, and scaled; and so are their products.
-    constexpr double of_entries = 4 * std::numeric_limits<double>::epsilon();
+    /// An entry is a sum of some four terms, each rounded by half an epsilon, and scaled.
+    constexpr double of_entries = 2 * std::numeric_limits<double>::epsilon();
     constexpr int most_shifts = 8;
     constexpr int solves = 3; ///< with one shift, at most
     Vector x = _scales.cwiseInverse().asDiagonal() * guess.right;
@@ -162,8 +162,7 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
         if (!factorize(l * (1 + beside)))
             return std::nullopt;
         const Complex shift = l;
-        double right_before = 0; // errors of the vectors before the last solve: not known
-        double left_before = 0;
+        double before = 1; // the larger turn of the last solve
         for (int solve = 0; solve < solves; ++solve) {
             const Vector to_right = 2.0 * l * right.M + right.D;
             const Vector to_left = 2.0 * std::conj(l) * left.M + left.D;
@@ -178,17 +177,17 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
             multiply(x, right);
             multiply_adjoint(y, left);
             l = next_root(y.dot(right.M), y.dot(right.D), y.dot(right.K), shift);
-            // A solve takes errors down by a factor, which two of them show, and the turn is what
-            // it took away.
-            const double left_off = left_turned * std::min(1.0, left_turned / left_before);
-            const double right_off = right_turned * std::min(1.0, right_turned / right_before);
             const Vector slope_x = 2.0 * l * right.M + right.D;
             const Complex slope = y.dot(slope_x);
             const Vector off = l * l * right.M + l * right.D + right.K;
             const double size = std::abs(l * slope);
-            const double residual = off.norm() * left_off / size;
-            constexpr double near = 1e-3;
-            if (residual <= enough && right_off <= near && left_off <= near) {
+            // The turn is what was off before, where turns fall by far: else another eigenvalue is
+            // about as near to the shift.
+            const double turn = std::max(right_turned, left_turned);
+            constexpr double by_far = 0.02;
+            const bool falling = turn <= by_far * before;
+            const double residual = off.norm() * left_turned / size;
+            if (residual <= enough && falling) {
                 WholeRoot out;
                 out.value = l;
                 out.residual = residual;
@@ -199,11 +198,9 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
             }
             if (!(std::abs(l - shift) <= 0.5 * std::abs(shift)))
                 return std::nullopt; // it leads away
-            right_before = right_turned;
-            left_before = left_turned;
-            constexpr double slow = 0.1; // another shift is better
-            if (right_turned > slow || left_turned > slow)
-                break;
+            if (!falling)
+                break; // another shift is better
+            before = turn;
         }
     }
     return std::nullopt;
