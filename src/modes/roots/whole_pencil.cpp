@@ -101,22 +101,24 @@ template <class Scalar> void WholePencil<Scalar>::multiply(const Vector &x, Prod
     }
 }
 
-/// M^H y and D^H y.
 template <class Scalar>
 void WholePencil<Scalar>::multiply_adjoint(const Vector &y, Products &out) const {
-    for (Vector *part : {&out.M, &out.D})
+    for (Vector *part : {&out.M, &out.D, &out.K})
         part->resize(y.size());
     for (Eigen::Index column = 0; column < y.size(); ++column) {
         Complex mass = 0;
         Complex damping = 0;
+        Complex stiffness = 0;
         for (int p = _Q.outerIndexPtr()[column]; p < _Q.outerIndexPtr()[column + 1]; ++p) {
             const auto place = static_cast<std::size_t>(p);
             const Complex factor = y.data()[_Q.innerIndexPtr()[p]];
             add_product(conjugate(_M[place]), factor, mass);
             add_product(conjugate(_D[place]), factor, damping);
+            add_product(conjugate(_K[place]), factor, stiffness);
         }
         out.M(column) = mass;
         out.D(column) = damping;
+        out.K(column) = stiffness;
     }
 }
 
@@ -162,7 +164,6 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
         if (!factorize(l * (1 + beside)))
             return std::nullopt;
         const Complex shift = l;
-        double before = 1; // the larger turn of the last solve
         for (int solve = 0; solve < solves; ++solve) {
             const Vector to_right = 2.0 * l * right.M + right.D;
             const Vector to_left = 2.0 * std::conj(l) * left.M + left.D;
@@ -181,13 +182,21 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
             const Complex slope = y.dot(slope_x);
             const Vector off = l * l * right.M + l * right.D + right.K;
             const double size = std::abs(l * slope);
-            // The turn is what was off before, where turns fall by far: else another eigenvalue is
-            // about as near to the shift.
             const double turn = std::max(right_turned, left_turned);
-            constexpr double by_far = 0.02;
-            const bool falling = turn <= by_far * before;
-            const double residual = off.norm() * left_turned / size;
-            if (residual <= enough && falling) {
+            constexpr double near = 0.02;
+            constexpr double slow = 0.2; // another shift is better
+            if (turn > near) {
+                if (turn > slow)
+                    break;
+                continue;
+            }
+            // Of second order in what both vectors are off: Q^-1 Q x is what the right one is.
+            // (Turns do not show parts along eigenvectors whose eigenvalues are about as near to
+            // the shift.)
+            const Vector left_off =
+                std::conj(l) * std::conj(l) * left.M + std::conj(l) * left.D + left.K;
+            const double residual = std::abs(left_off.dot(_factors.solution(off))) / size;
+            if (residual <= enough) {
                 WholeRoot out;
                 out.value = l;
                 out.residual = residual;
@@ -198,9 +207,6 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
             }
             if (!(std::abs(l - shift) <= 0.5 * std::abs(shift)))
                 return std::nullopt; // it leads away
-            if (!falling)
-                break; // another shift is better
-            before = turn;
         }
     }
     return std::nullopt;
