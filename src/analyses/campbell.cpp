@@ -103,20 +103,20 @@ std::string word(tracking::Absence why) {
 }
 
 /// None where the part of the mesh is not known.
-/// @param followed  the mode is continued over the speeds: its residual is what that leaves. Of an
-///                  eigensolver on all unknowns it is rounding.
+/// @param refined  from the rotor on few shapes: its residual is what that leaves. Of an
+///                 eigensolver on all unknowns it is rounding.
 std::optional<results::ErrorParts> parts_of(std::optional<double> by_mesh,
-                                            const modes::WhirlMode &mode, bool followed) {
+                                            const modes::WhirlMode &mode, bool refined) {
     if (!by_mesh)
         return std::nullopt;
-    return followed ? results::ErrorParts{*by_mesh, mode.residual, mode.rounding}
-                    : results::ErrorParts{*by_mesh, 0, mode.residual + mode.rounding};
+    return refined ? results::ErrorParts{*by_mesh, mode.residual, mode.rounding}
+                   : results::ErrorParts{*by_mesh, 0, mode.residual + mode.rounding};
 }
 
 results::CampbellMode mode_along(const tracking::Line &line,
                                  const std::vector<modes::Spectrum> &spectra,
                                  const std::vector<std::optional<double>> &errors, bool rotating,
-                                 bool followed) {
+                                 bool refined) {
     const std::size_t speeds = spectra.size();
     results::CampbellMode out;
     for (auto *list :
@@ -145,7 +145,7 @@ results::CampbellMode mode_along(const tracking::Line &line,
         out.forward_fraction[k] = mode.forward_fraction;
         if (mode.confirmed)
             out.residual[k] = mode.residual;
-        out.error_parts[k] = parts_of(errors[k], mode, followed);
+        out.error_parts[k] = parts_of(errors[k], mode, refined);
         if (out.error_parts[k])
             out.error[k] = out.error_parts[k]->sum();
     }
@@ -161,7 +161,7 @@ void add_modes(const model::Case &scene, const modes::SpectrumSolver &solver,
     for (std::size_t i = 0; i < lines.size(); ++i) {
         result.modes.push_back(mode_along(lines[i], found.spectra, errors[i],
                                           results::in_rotating_axes(solver.form()),
-                                          solver.follows()));
+                                          solver.refines()));
         result.modes.back().label = labels[i];
     }
     for (const modes::Spectrum &spectrum : found.spectra) {
@@ -181,6 +181,8 @@ results::CampbellResult campbell(const model::Case &scene) {
     result.speeds = range.values();
     const modes::SpectrumSolver solver(scene.rotor, result.model.formulation.form,
                                        result.model.order);
+    if (!scene.reduction)
+        solver.take_all_unknowns();
     result.model.unknowns = solver.unknowns();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     std::optional<process::Stage> stage(std::in_place, "whirl speeds", 0.0, 0.5);

@@ -1,6 +1,5 @@
 #include "tracking/mode_matching.h"
 
-#include "linalg/lanes/vector_products.h"
 #include "tracking/bands/locked_whirl.h"
 
 #include <algorithm>
@@ -152,8 +151,6 @@ int expected_at(const Snapshot &a, const Snapshot &b, Eigen::Index i) {
 bool nearly_alike(const modes::ModeBasis &a, const modes::ModeBasis &b, Eigen::Index i,
                   Eigen::Index j) {
     constexpr double nearly = 0.1;
-    if (a.alike.size() > 0 && b.alike.size() > 0)
-        return std::norm(linalg::dot(a.alike.col(i), b.alike.col(j))) > 1 - nearly;
     return std::abs(modes::overlap(a, b, i, j) - 1.0) < nearly;
 }
 
