@@ -2,12 +2,17 @@
 
 #include "assembly/frequency_scales.h"
 #include "linalg/check.h"
+#include "linalg/dense/products.h"
 #include "modes/planar_whirl.h"
+#include "modes/roots/followed_roots.h"
 #include "modes/roots/reduced_form.h"
 #include "modes/roots/whole_pencil.h"
 #include "modes/zero_modes.h"
+#include "reduction/orthonormal.h"
 #include "reduction/planar_shapes.h"
 #include "results/formulation.h"
+
+#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +33,7 @@ constexpr int bases = 4;
 constexpr int largest_whole = 160;
 
 /// Two that were found from different guesses are the same motion.
-bool same_root(const WholeRoot &a, const WholeRoot &b) {
+template <class Found> bool same_root(const Found &a, const Found &b) {
     constexpr double near = 1e-7;
     constexpr double parallel = 1 - 1e-6;
     return std::abs(a.value - b.value) <= near * std::abs(a.value) &&
@@ -55,44 +60,47 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
           _supports(assembly::support_scale(d)), _elastic(assembly::elastic_scale(d)) {}
 
     void expect(const std::vector<double> &speeds, int wanted) override {
-        constexpr std::size_t counts = 8;
-        const auto [low, high] = std::ranges::minmax(speeds);
-        for (std::size_t k = 0; k <= counts; ++k) {
-            const double speed = speeds[k * (speeds.size() - 1) / counts];
-            if (_known.contains({speed, wanted}))
+        constexpr int steps = 6;
+        Range range{std::ranges::min(speeds), std::ranges::max(speeds), wanted};
+        if (_counted && _counted->covers(range))
+            return;
+        range.wanted += 4; // more may be asked for next
+        if (_counted)
+            range = {std::min(range.from, _counted->from), std::max(range.to, _counted->to),
+                     std::max(range.wanted, _counted->wanted)};
+        _columns.clear();
+        _between.reset();
+        _counted.reset();
+        std::vector<double> nodes;
+        std::map<double, Spectrum> known;
+        _collects = true;
+        for (int k = 0; k <= steps; ++k) {
+            double speed = range.from + (range.to - range.from) * k / steps;
+            const double nearest = *std::ranges::min_element(
+                speeds, {}, [speed](double one) { return std::abs(one - speed); });
+            if (std::abs(nearest - speed) < 0.3 * (range.to - range.from) / steps)
+                speed = nearest;
+            if (known.contains(speed))
                 continue;
+            nodes.push_back(speed);
             try {
-                _known.emplace(std::pair(speed, wanted), modes(speed, wanted));
+                known.emplace(speed, modes(speed, range.wanted, k % (steps / 2) == 0));
             } catch (const linalg::SolverError &) { // told when it is asked for
+                _collects = false;
                 return;
             }
         }
-        _counted.push_back({low, high, wanted});
+        _collects = false;
+        _counted = range;
+        _known = std::move(known);
+        enrich(nodes);
     }
 
     Spectrum modes(double speed, int wanted) override {
-        if (const auto known = _known.find({speed, wanted}); known != _known.end())
+        if (const auto known = _known.find(speed);
+            known != _known.end() && wanted <= _counted->wanted)
             return known->second;
-        set(speed);
-        const bool counts = std::ranges::none_of(_counted, [&](const Range &range) {
-            return speed >= range.from && speed <= range.to && wanted <= range.wanted;
-        });
-        for (int basis = _basis; basis < bases; ++basis) {
-            const ReducedForm *form = reduced(basis, wanted);
-            if (form == nullptr)
-                continue;
-            try {
-                if (std::optional<Spectrum> found = modes(*form, speed, wanted, counts)) {
-                    if (counts)
-                        _basis = basis;
-                    return *std::move(found);
-                }
-            } catch (const linalg::SolverError &) { // of the dense problem: another basis may do
-            }
-            if (form->is_whole())
-                break;
-        }
-        throw linalg::SolverError("the shapes of the rotor miss some of its eigenvalues");
+        return modes(speed, wanted, !_counted || !_counted->covers({speed, speed, wanted}));
     }
 
     std::vector<WhirlMode> near(double speed, const std::vector<WhirlMode> &guesses) override {
@@ -123,9 +131,163 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
     struct Range {
         double from, to; ///< rad/s
         int wanted;
+        [[nodiscard]] bool covers(const Range &other) const {
+            return other.from >= from && other.to <= to && other.wanted <= wanted;
+        }
     };
-    std::vector<Range> _counted;                       ///< at speeds in it, the ends among them
-    std::map<std::pair<double, int>, Spectrum> _known; ///< there, by how many were wanted
+    std::optional<Range> _counted;
+    std::map<double, Spectrum> _known; ///< of some speeds there
+
+    Spectrum modes(double speed, int wanted, bool counts) {
+        set(speed);
+        if (!counts && _between) {
+            try {
+                if (std::optional<Spectrum> found = modes_between(speed, wanted))
+                    return *std::move(found);
+            } catch (const linalg::SolverError &) { // of the dense problem
+            }
+        }
+        for (int basis = _basis; basis < bases; ++basis) {
+            const ReducedForm *form = reduced(basis, wanted);
+            if (form == nullptr)
+                continue;
+            try {
+                if (std::optional<Spectrum> found = modes(*form, speed, wanted, counts)) {
+                    if (counts)
+                        _basis = basis;
+                    return *std::move(found);
+                }
+            } catch (const linalg::SolverError &) { // of the dense problem: another basis may do
+            }
+            if (form->is_whole())
+                break;
+        }
+        throw linalg::SolverError("the shapes of the rotor miss some of its eigenvalues");
+    }
+
+    std::optional<reduction::PlanarShapes> _shapes; ///< of the least basis
+    bool _collects = false;                         ///< vectors of the speeds solved
+    std::vector<Eigen::MatrixXd> _columns;          ///< their parts, of each plane of the form
+    /// The rotor on shapes that span these vectors: nearly exact between the speeds.
+    struct Between {
+        ReducedForm form;
+        const ReducedForm &base;                ///< whose roots are the guesses
+        std::vector<Eigen::MatrixXd> from_base; ///< amplitudes of each plane, of those of the base
+        std::unique_ptr<FollowedRoots<Scalar>> followed;
+        Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> held; ///< of the metric of the shapes
+    };
+    std::unique_ptr<Between> _between;
+
+    static constexpr Eigen::Index planes = real ? 2 : 1;
+    /// N x 2 of each plane: real and imaginary parts.
+    [[nodiscard]] static Eigen::MatrixXd parts_of(const Eigen::VectorXcd &vector) {
+        return Eigen::Map<const Eigen::MatrixXd>(reinterpret_cast<const double *>(vector.data()),
+                                                 2 * planes, vector.size() / planes)
+            .transpose();
+    }
+
+    void collect(Eigen::VectorXcd vector) {
+        if (!_shapes)
+            return;
+        // As much as may be in the real part.
+        vector *= std::polar(1.0, -0.5 * std::arg(Complex(vector.cwiseProduct(vector).sum())));
+        Eigen::MatrixXd parts = parts_of(vector);
+        const Eigen::MatrixXd forces = _shapes->metric() * parts;
+        parts /= std::sqrt(parts.cwiseProduct(forces).sum());
+        _columns.resize(planes, Eigen::MatrixXd(parts.rows(), 0));
+        for (Eigen::Index plane = 0; plane < planes; ++plane) {
+            Eigen::MatrixXd &of = _columns[static_cast<std::size_t>(plane)];
+            of.conservativeResize(Eigen::NoChange, of.cols() + 2);
+            of.rightCols(2) = parts.middleCols(2 * plane, 2);
+        }
+    }
+
+    void enrich(const std::vector<double> &nodes) {
+        const ReducedForm *base = reduced(_basis, _counted->wanted);
+        if (_columns.empty() || base == nullptr || base->is_whole())
+            return;
+        // Of the length of a motion: what both vectors lack of one is about as small, and an
+        // eigenvalue is off by their product.
+        constexpr double shortest = 1e-5;
+        std::vector<Eigen::MatrixXd> shapes;
+        std::vector<Eigen::MatrixXd> from_base;
+        for (const Eigen::MatrixXd &columns : _columns) {
+            Eigen::MatrixXd of(columns.rows(), 0);
+            reduction::take_in_longest_first(of, _shapes->metric(), columns, shortest);
+            const Eigen::MatrixXd forces = _shapes->metric() * base->shapes()[shapes.size()];
+            from_base.push_back(linalg::transposed_times(of, forces));
+            shapes.push_back(std::move(of));
+        }
+        _columns.clear();
+        _between.reset(new Between{
+            ReducedForm(_matrices, std::move(shapes)), *base, std::move(from_base), {}, {}});
+        _between->held.compute(_shapes->metric());
+        _between->followed = std::make_unique<FollowedRoots<Scalar>>(
+            _between->form, [this](double speed) { return around(speed); });
+        for (const double speed : nodes)
+            _between->followed->add(speed);
+    }
+
+    /// All within reach of those wanted, as exact as the shapes of the counted speeds have them.
+    typename FollowedRoots<Scalar>::All around(double speed) {
+        constexpr double beyond = 1.7; // of the farthest wanted: others that may take its place
+        const int wanted = _counted->wanted;
+        const ZeroModes zeros = zero_modes(_d, results::Form::general, speed, speed);
+        typename FollowedRoots<Scalar>::All out;
+        try {
+            const std::vector<Root> roots = roots_of(_between->base, speed, wanted, zeros);
+            const std::optional<Choice> chosen =
+                choice(roots, centre(wanted), speed, wanted, false);
+            if (!chosen)
+                return {};
+            for (const std::size_t i : chosen->wanted)
+                out.reach = std::max(out.reach, 1.05 * std::abs(roots[i].value));
+            const DenseQuadratic<Scalar> problem = _between->form.template at<Scalar>(speed);
+            for (const Root &root : roots) {
+                if (std::abs(root.value) > beyond * out.reach)
+                    continue;
+                std::optional<Root> found = in_between(problem, root);
+                if (found && std::ranges::none_of(
+                                 out.roots, [&](const Root &a) { return same_root(a, *found); }))
+                    out.roots.push_back(*std::move(found));
+                else if (std::abs(root.value) <= out.reach)
+                    return {};
+            }
+        } catch (const linalg::SolverError &) {
+            return {};
+        }
+        return out;
+    }
+
+    [[nodiscard]] std::optional<Root> in_between(const DenseQuadratic<Scalar> &problem,
+                                                 Root of_base) const {
+        of_base.right = from_base(of_base.right);
+        of_base.left = from_base(of_base.left);
+        return _between->form.iterated(problem, std::move(of_base));
+    }
+
+    [[nodiscard]] Eigen::VectorXcd from_base(const Eigen::VectorXcd &reduced) const {
+        Eigen::Index rows = 0;
+        for (const Eigen::MatrixXd &T : _between->from_base)
+            rows += T.rows();
+        Eigen::VectorXcd out(rows);
+        Eigen::Index row = 0;
+        Eigen::Index column = 0;
+        for (const Eigen::MatrixXd &T : _between->from_base) {
+            out.segment(row, T.rows()) = T * reduced.segment(column, T.cols());
+            row += T.rows();
+            column += T.cols();
+        }
+        return out;
+    }
+
+    [[nodiscard]] Eigen::VectorXcd held(const Eigen::VectorXcd &force) const {
+        const Eigen::MatrixXd bent = _between->held.solve(parts_of(force));
+        Eigen::VectorXcd out(force.size());
+        Eigen::Map<Eigen::MatrixXd>(reinterpret_cast<double *>(out.data()), 2 * planes,
+                                    bent.rows()) = bent.transpose();
+        return out;
+    }
 
     void set(double speed) {
         if (_speed == speed)
@@ -161,14 +323,18 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
         if (!is_new)
             return known->second.get();
         if (whole) {
-            known->second = std::make_unique<ReducedForm>(_matrices, Eigen::MatrixXd());
+            known->second =
+                std::make_unique<ReducedForm>(_matrices, std::vector<Eigen::MatrixXd>());
             return known->second.get();
         }
         // Free motions, and bearings that push away, are held by the mass.
         for (const double top : {0.0, 0.3, 3.0, 30.0}) {
             try {
                 const reduction::PlanarShapes shapes(_d, top * _elastic, at_rest);
-                known->second = std::make_unique<ReducedForm>(_matrices, shapes.matrix());
+                known->second = std::make_unique<ReducedForm>(
+                    _matrices, std::vector<Eigen::MatrixXd>(planes, shapes.matrix()));
+                if (!_shapes)
+                    _shapes = shapes;
                 break;
             } catch (const linalg::SolverError &) {
             }
@@ -237,8 +403,69 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
         return std::isfinite(out.circle.radius) || all ? std::optional(out) : std::nullopt;
     }
 
-    std::optional<Spectrum> modes(const ReducedForm &form, double speed, int wanted, bool counts) {
+    /// Between counted speeds: nothing where these do not tell all.
+    std::optional<Spectrum> modes_between(double speed, int wanted) {
+        constexpr double small = 1e-9; // of the eigenvalue: then the correction is its own error
         const ZeroModes zeros = zero_modes(_d, results::Form::general, speed, speed);
+        const double c = centre(wanted);
+        const auto sort = [c](std::vector<Root> &roots) {
+            std::ranges::stable_sort(roots, {},
+                                     [c](const Root &root) { return std::abs(root.value - c); });
+        };
+        const ReducedForm &base = _between->base;
+        const DenseQuadratic<Scalar> problem = _between->form.template at<Scalar>(speed);
+        std::optional<std::vector<Root>> roots = _between->followed->at(speed);
+        const bool followed = roots.has_value();
+        if (followed) {
+            sort(*roots);
+            // Guesses may be out of order.
+            constexpr double out_of_order = 1.05;
+            const std::optional<Choice> about = choice(*roots, c, speed, wanted, false);
+            if (!about)
+                return std::nullopt;
+            const double farthest =
+                out_of_order * std::abs((*roots)[about->wanted.back()].value - c);
+            for (Root &root : *roots) {
+                if (std::abs(root.value - c) > farthest)
+                    break;
+                std::optional<Root> found = _between->form.iterated(problem, std::move(root));
+                if (!found)
+                    return std::nullopt;
+                root = *std::move(found);
+            }
+            sort(*roots);
+        } else {
+            roots = roots_of(base, speed, wanted, zeros);
+        }
+        const std::optional<Choice> chosen = choice(*roots, c, speed, wanted, false);
+        if (!chosen)
+            return std::nullopt;
+        std::vector<WholeRoot> found;
+        for (const std::size_t i : chosen->wanted) {
+            const Root &of = (*roots)[i];
+            const std::optional<Root> root = followed ? of : in_between(problem, of);
+            std::optional<WholeRoot> whole;
+            if (root)
+                whole = _pencil.corrected(
+                    {root->value, _between->form.lifted(root->right),
+                     _between->form.lifted(root->left)},
+                    [this](const auto &f) { return held(f); }, _matrices.mirrored());
+            if (!whole || !(whole->residual <= small)) {
+                whole = _pencil.refined(
+                    whole ? *whole
+                          : WholeRoot{of.value, base.lifted(of.right), base.lifted(of.left)});
+            }
+            if (!whole || std::ranges::any_of(
+                              found, [&](const WholeRoot &a) { return same_root(a, *whole); }))
+                return std::nullopt;
+            found.push_back(*std::move(whole));
+        }
+        return spectrum_of(found, zeros, chosen->complete_radius, speed);
+    }
+
+    /// All with Im >= 0, of a complex problem all: the next ones to the centre first.
+    [[nodiscard]] std::vector<Root> roots_of(const ReducedForm &form, double speed, int wanted,
+                                             const ZeroModes &zeros) const {
         const double c = centre(wanted);
         const double shift = c > 0 ? c : 0.31 * std::max(std::abs(speed), _supports);
         std::vector<Root> roots =
@@ -247,14 +474,21 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
             std::erase_if(roots, [](const Root &root) { return root.value.imag() < 0; });
         std::ranges::stable_sort(roots, {},
                                  [c](const Root &root) { return std::abs(root.value - c); });
+        return roots;
+    }
+
+    std::optional<Spectrum> modes(const ReducedForm &form, double speed, int wanted, bool counts) {
+        const ZeroModes zeros = zero_modes(_d, results::Form::general, speed, speed);
+        const double c = centre(wanted);
+        std::vector<Root> roots = roots_of(form, speed, wanted, zeros);
         const std::optional<Choice> chosen = choice(roots, c, speed, wanted, form.is_whole());
         if (!chosen)
             return std::nullopt;
         std::vector<WholeRoot> found;
         for (const std::size_t i : chosen->wanted) {
             Root &root = roots[i];
-            std::optional<WholeRoot> whole =
-                _pencil.refined({root.value, form.lifted(root.right), form.lifted(root.left)});
+            const WholeRoot guess{root.value, form.lifted(root.right), form.lifted(root.left)};
+            std::optional<WholeRoot> whole = _pencil.refined(guess);
             if (!whole || std::ranges::any_of(
                               found, [&](const WholeRoot &a) { return same_root(a, *whole); }))
                 return std::nullopt;
@@ -262,7 +496,20 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
             counts = counts || std::abs(whole->value - root.value) > far * std::abs(root.value) ||
                      (real && (root.value.imag() == 0) != (whole->value.imag() == 0));
             root.value = whole->value;
+            if (_collects) {
+                collect(whole->right);
+                if (!_matrices.mirrored())
+                    collect(whole->left);
+            }
             found.push_back(*std::move(whole));
+        }
+        if (_collects) {
+            int more = 4;
+            for (std::size_t i = 0; i < roots.size() && more > 0; ++i)
+                if (std::ranges::find(chosen->wanted, i) == chosen->wanted.end()) {
+                    collect(form.lifted(roots[i].right));
+                    --more;
+                }
         }
         if (counts && std::isfinite(chosen->circle.radius) &&
             !complete(roots, zeros.eigenvalues, chosen->circle))

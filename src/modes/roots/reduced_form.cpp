@@ -1,9 +1,12 @@
 #include "modes/roots/reduced_form.h"
 
 #include "assembly/planes.h"
+#include "linalg/dense/complex_factors.h"
 #include "linalg/dense/products.h"
 #include "results/formulation.h"
 
+#include <algorithm>
+#include <cmath>
 #include <type_traits>
 #include <utility>
 
@@ -12,17 +15,60 @@ namespace whirl::modes {
 namespace {
 
 using Part = FormMatrices::Part;
-using PlaneEntries = Eigen::Map<Eigen::MatrixXd, 0, Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>>;
+using Complex = std::complex<double>;
+using Vector = Eigen::VectorXcd;
 
-/// The entries between amplitudes of two planes, rows and columns.
-PlaneEntries between(Eigen::MatrixXd &A, int planes, Eigen::Index row, Eigen::Index column) {
-    return {&A(row, column), A.rows() / planes, A.cols() / planes,
-            Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>(planes * A.rows(), planes)};
+/// The root of a l^2 + b l + c next to a value, by Newton's method.
+Complex next_root(Complex a, Complex b, Complex c, Complex l) {
+    for (int step = 0; step < 3; ++step)
+        l -= ((a * l + b) * l + c) / (2.0 * a * l + b);
+    return l;
 }
 
+/// Distance of two directions, both of length 1.
+double turned(const Vector &from, const Vector &to) {
+    const Complex along = from.dot(to);
+    return (to - along / std::abs(along) * from).norm();
+}
+
+// Products with real matrices take half as many multiplications.
+Vector product(const Eigen::MatrixXd &A, const Vector &x) {
+    Vector out(A.rows());
+    out.real() = A * x.real();
+    out.imag() = A * x.imag();
+    return out;
+}
+Vector product(const Eigen::MatrixXcd &A, const Vector &x) { return linalg::times(A, x); }
+Vector adjoint_product(const Eigen::MatrixXd &A, const Vector &x) {
+    Vector out(A.cols());
+    out.real() = A.transpose() * x.real();
+    out.imag() = A.transpose() * x.imag();
+    return out;
+}
+Vector adjoint_product(const Eigen::MatrixXcd &A, const Vector &x) { return A.adjoint() * x; }
+
+/// l^2 M + l D + K
+template <class Scalar> Eigen::MatrixXcd value_at(const DenseQuadratic<Scalar> &p, Complex l) {
+    Eigen::MatrixXcd out(p.M.rows(), p.M.cols());
+    const Complex squared = l * l;
+    for (Eigen::Index k = 0; k < out.size(); ++k) {
+        const Scalar m = p.M.data()[k];
+        const Scalar d = p.D.data()[k];
+        const Scalar e = p.K.data()[k];
+        if constexpr (std::is_same_v<Scalar, double>)
+            out.data()[k] = {squared.real() * m + l.real() * d + e,
+                             squared.imag() * m + l.imag() * d};
+        else
+            out.data()[k] = {squared.real() * m.real() - squared.imag() * m.imag() +
+                                 l.real() * d.real() - l.imag() * d.imag() + e.real(),
+                             squared.real() * m.imag() + squared.imag() * m.real() +
+                                 l.real() * d.imag() + l.imag() * d.real() + e.imag()};
+    }
+    return out;
+}
 } // namespace
 
-ReducedForm::ReducedForm(const FormMatrices &whole, Eigen::MatrixXd shapes)
+ReducedForm::ReducedForm(const FormMatrices &whole, std::vector<Eigen::MatrixXd> shapes)
     : _whole(whole), _shapes(std::move(shapes)), _planes(results::is_planar(whole.form()) ? 1 : 2),
       _M(projected(whole.mass())), _real(projected(Part::real)),
       _imaginary(projected(Part::imaginary)) {}
@@ -32,23 +78,36 @@ ReducedForm::Terms ReducedForm::projected(Part part) const {
     return {projected(*terms.D), projected(*terms.Ds), projected(*terms.K), projected(*terms.Ks)};
 }
 
+Eigen::Block<Eigen::MatrixXd> ReducedForm::between(Eigen::MatrixXd &A, Eigen::Index row,
+                                                   Eigen::Index column) const {
+    const auto first = [this](Eigen::Index plane) { return plane == 0 ? 0 : _shapes[0].cols(); };
+    const auto shapes = [this](Eigen::Index p) {
+        return _shapes[static_cast<std::size_t>(p)].cols();
+    };
+    return A.block(first(row), first(column), shapes(row), shapes(column));
+}
+
 /// Zero of a matrix that has no entries.
 Eigen::MatrixXd ReducedForm::projected(const FormMatrices::Sparse &A) const {
-    const Eigen::Index size = is_whole() ? _whole.size() : _planes * _shapes.cols();
+    Eigen::Index size = is_whole() ? _whole.size() : 0;
+    for (const Eigen::MatrixXd &of : _shapes)
+        size += of.cols();
     Eigen::MatrixXd out = Eigen::MatrixXd::Zero(size, size);
     if (A.nonZeros() == 0)
         return out;
     if (is_whole())
         return A;
-    const Eigen::Index n = _shapes.rows();
+    const Eigen::Index n = _shapes.front().rows();
     for (int column = 0; column < _planes; ++column) { // A by the columns of one plane
-        Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(A.rows(), _shapes.cols());
+        const Eigen::MatrixXd &shapes = _shapes[static_cast<std::size_t>(column)];
+        Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(A.rows(), shapes.cols());
         for (Eigen::Index j = 0; j < n; ++j)
             for (FormMatrices::Sparse::InnerIterator entry(A, _planes * j + column); entry; ++entry)
-                forces.row(entry.row()) += entry.value() * _shapes.row(j);
+                forces.row(entry.row()) += entry.value() * shapes.row(j);
         for (int row = 0; row < _planes; ++row) {
             const Eigen::MatrixXd of_row = forces(Eigen::seqN(row, n, _planes), Eigen::all);
-            between(out, _planes, row, column) = linalg::transposed_times(_shapes, of_row);
+            between(out, row, column) =
+                linalg::transposed_times(_shapes[static_cast<std::size_t>(row)], of_row);
         }
     }
     return out;
@@ -62,9 +121,13 @@ void ReducedForm::add_few(const FormMatrices::Sparse &A, double factor,
                 out(entry.row(), j) += factor * entry.value();
                 continue;
             }
-            const Eigen::RowVectorXd across = factor * entry.value() * _shapes.row(j / _planes);
-            between(out, _planes, entry.row() % _planes, j % _planes) +=
-                _shapes.row(entry.row() / _planes).transpose() * across;
+            const Eigen::Index row = entry.row() % _planes;
+            const Eigen::Index column = j % _planes;
+            const Eigen::RowVectorXd across =
+                factor * entry.value() * _shapes[static_cast<std::size_t>(column)].row(j / _planes);
+            between(out, row, column) +=
+                _shapes[static_cast<std::size_t>(row)].row(entry.row() / _planes).transpose() *
+                across;
         }
 }
 
@@ -101,16 +164,78 @@ template DenseQuadratic<std::complex<double>> ReducedForm::at(double) const;
 Eigen::VectorXcd ReducedForm::lifted(const Eigen::VectorXcd &reduced) const {
     if (is_whole())
         return reduced;
-    const auto plane = [this](const Eigen::VectorXcd &q) {
-        Eigen::VectorXcd out(_shapes.rows());
-        out.real() = _shapes * q.real();
-        out.imag() = _shapes * q.imag();
+    const auto plane = [](const Eigen::MatrixXd &shapes, const Eigen::VectorXcd &q) {
+        Eigen::VectorXcd out(shapes.rows());
+        out.real() = shapes * q.real();
+        out.imag() = shapes * q.imag();
         return out;
     };
     if (_planes == 1)
-        return plane(reduced);
-    const assembly::Planes both(reduced);
-    return assembly::in_pairs(plane(both.x), plane(both.y));
+        return plane(_shapes[0], reduced);
+    return assembly::in_pairs(plane(_shapes[0], reduced.head(_shapes[0].cols())),
+                              plane(_shapes[1], reduced.tail(_shapes[1].cols())));
 }
+
+Eigen::VectorXcd ReducedForm::mirrored(const Eigen::VectorXcd &right) const {
+    Eigen::VectorXcd out = right.conjugate();
+    if (_planes == 2)
+        out.tail(_shapes[1].cols()) *= -1;
+    return out;
+}
+
+template <class Scalar>
+std::optional<Root> ReducedForm::iterated(const DenseQuadratic<Scalar> &p, Root guess) const {
+    constexpr int most = 3;
+    constexpr double near = 0.03;
+    constexpr double axis = 1e-6; // of |l|
+    const bool mirror = _whole.mirrored();
+    Vector x = guess.right.normalized();
+    Vector y = mirror ? mirrored(x) : Vector(guess.left.normalized());
+    Complex l = guess.value;
+    linalg::ComplexFactors factors;
+    Vector Mx = product(p.M, x);
+    Vector Dx = product(p.D, x);
+    for (int k = 0; k < most; ++k) {
+        l = next_root(y.dot(Mx), y.dot(Dx), y.dot(product(p.K, x)), l);
+        if (!(std::abs(l - guess.value) < 0.5 * std::abs(guess.value)) ||
+            !factors.factorize(value_at(p, l)))
+            return std::nullopt;
+        const Vector new_x = factors.solution(2.0 * l * Mx + Dx).normalized();
+        double turn = turned(x, new_x);
+        x = new_x;
+        if (mirror) {
+            y = mirrored(x);
+        } else {
+            const Vector new_y =
+                factors
+                    .adjoint_solution(2.0 * std::conj(l) * adjoint_product(p.M, y) +
+                                      adjoint_product(p.D, y))
+                    .normalized();
+            turn = std::max(turn, turned(y, new_y));
+            y = new_y;
+        }
+        if (!x.allFinite() || !y.allFinite())
+            return std::nullopt;
+        Mx = product(p.M, x);
+        Dx = product(p.D, x);
+        if (turn < near) {
+            // A pair may have met on the real axis on the way.
+            const auto on_axis = [](Complex of) {
+                return std::abs(of.imag()) <= axis * std::abs(of);
+            };
+            if (std::is_same_v<Scalar, double> && on_axis(l) != on_axis(guess.value))
+                return std::nullopt;
+            guess.value = l;
+            guess.slope = 2.0 * l * y.dot(Mx) + y.dot(Dx);
+            guess.right = std::move(x);
+            guess.left = std::move(y);
+            return guess;
+        }
+    }
+    return std::nullopt;
+}
+
+template std::optional<Root> ReducedForm::iterated(const DenseQuadratic<double> &, Root) const;
+template std::optional<Root> ReducedForm::iterated(const DenseQuadratic<Complex> &, Root) const;
 
 } // namespace whirl::modes

@@ -15,6 +15,9 @@ namespace {
 using Complex = std::complex<double>;
 using Vector = Eigen::VectorXcd;
 
+/// An entry is a sum of some four terms, each rounded by half an epsilon, and scaled.
+constexpr double of_entries = 2 * std::numeric_limits<double>::epsilon();
+
 // Products of complex numbers without a look at infinities.
 void add_product(double a, Complex b, Complex &sum) {
     sum = {sum.real() + a * b.real(), sum.imag() + a * b.imag()};
@@ -147,8 +150,6 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
     /// tells apart by chance alone, one iteration takes all parts alike, and hardly any of others.
     constexpr double beside = 1e-8;
     constexpr double enough = 1e-13; // of the value: of the order of its rounding
-    /// An entry is a sum of some four terms, each rounded by half an epsilon, and scaled.
-    constexpr double of_entries = 2 * std::numeric_limits<double>::epsilon();
     constexpr int most_shifts = 8;
     constexpr int solves = 3; ///< with one shift, at most
     Vector x = _scales.cwiseInverse().asDiagonal() * guess.right;
@@ -210,6 +211,54 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
         }
     }
     return std::nullopt;
+}
+
+/// The left vector, or force, that belongs to a right one: of a complex problem, which is
+/// symmetric, its conjugate; of a real one in the mirror y -> -y.
+template <class Scalar> Vector in_mirror(const Vector &right) {
+    Vector out = right.conjugate();
+    if constexpr (std::is_same_v<Scalar, double>)
+        for (Eigen::Index k = 1; k < out.size(); k += 2)
+            out(k) = -out(k);
+    return out;
+}
+
+template <class Scalar>
+WholeRoot WholePencil<Scalar>::corrected(const WholeRoot &guess, const Inverse &inverse,
+                                         bool mirrored) const {
+    const Eigen::VectorXd of_forces = _scales.cwiseInverse();
+    Vector x = of_forces.asDiagonal() * guess.right;
+    x.normalize();
+    const Vector y =
+        mirrored ? in_mirror<Scalar>(x) : Vector(of_forces.asDiagonal() * guess.left).normalized();
+    Products right;
+    multiply(x, right);
+    WholeRoot out;
+    const Complex l = next_root(y.dot(right.M), y.dot(right.D), y.dot(right.K), guess.value);
+    const Complex slope = 2.0 * l * y.dot(right.M) + y.dot(right.D);
+    const double size = std::abs(l * slope);
+    // With Q(l + d)(x + e) = 0 and y^H Q(l) x = 0: d y^H Q'(l) x = -(Q^H y)^H e to second order.
+    const Vector right_off = of_forces.asDiagonal() * (l * l * right.M + l * right.D + right.K);
+    const Vector right_part = inverse(right_off);
+    Vector left_off;
+    Vector left_part;
+    if (mirrored) {
+        left_off = in_mirror<Scalar>(right_off);
+        left_part = in_mirror<Scalar>(right_part);
+    } else {
+        Products left;
+        multiply_adjoint(y, left);
+        left_off = of_forces.asDiagonal() *
+                   (std::conj(l) * std::conj(l) * left.M + std::conj(l) * left.D + left.K);
+        left_part = inverse(left_off);
+    }
+    const Complex change = left_off.dot(right_part) / slope;
+    out.value = l + change;
+    out.residual = std::abs(l * change) > 0 ? std::abs(change) / std::abs(l) : 0;
+    out.rounding = of_entries * entries_between(y, std::abs(l), x) / size;
+    out.right = _scales.asDiagonal() * x - right_part;
+    out.left = _scales.asDiagonal() * y - left_part;
+    return out;
 }
 
 template <class Scalar> std::optional<double> WholePencil<Scalar>::determinant_phase(Complex z) {

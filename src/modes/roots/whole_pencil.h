@@ -7,6 +7,7 @@
 #include <Eigen/SparseCore>
 
 #include <complex>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct WholeRoot {
 /// many eigenvalues there are. KLU analyses the pattern once.
 template <class Scalar> class WholePencil {
   public:
+    using Vector = Eigen::VectorXcd;
+
     /// @param scale  of the order of the eigenvalues asked for, 1/s
     void set(const QuadraticOf<Scalar> &problem, double scale);
 
@@ -32,12 +35,19 @@ template <class Scalar> class WholePencil {
     /// vectors of both sides its error is the product of theirs. Nothing where it does not settle.
     [[nodiscard]] std::optional<WholeRoot> refined(const WholeRoot &guess);
 
+    /// About Q(l)^-1 times a vector: right for what a guess leaves out.
+    using Inverse = std::function<Vector(const Vector &)>;
+    /// The eigenpair of which a guess has all but a small part, of both vectors: one correction of
+    /// each. Its residual is by how much that moved the eigenvalue.
+    /// @param mirrored  left vectors are the right ones in the mirror (FormMatrices::mirrored)
+    [[nodiscard]] WholeRoot corrected(const WholeRoot &guess, const Inverse &inverse,
+                                      bool mirrored) const;
+
     /// Argument of det Q(z), rad; nothing at an eigenvalue.
     [[nodiscard]] std::optional<double> determinant_phase(std::complex<double> z);
 
   private:
     using Complex = std::complex<double>;
-    using Vector = Eigen::VectorXcd;
     struct Products {
         Vector M, D, K;
     };
