@@ -28,12 +28,11 @@ namespace whirl::analyses {
 
 namespace {
 
-/// The speeds of the diagram and those between them that name its lines, ascending.
-std::vector<double> with_naming_speeds(const model::SpeedRange &range) {
+/// The speeds of the diagram and those between them through which lines are followed, ascending.
+std::vector<double> with_nodes(const model::SpeedRange &range, const std::vector<double> &nodes) {
     const std::vector<double> own = range.values();
-    const std::vector<double> naming = tracking::naming_speeds(range);
     std::vector<double> all;
-    std::ranges::set_union(own, naming, std::back_inserter(all));
+    std::ranges::set_union(own, nodes, std::back_inserter(all));
     return all;
 }
 
@@ -192,14 +191,15 @@ results::CampbellResult campbell(const model::Case &scene) {
                                               scene.campbell.modes, scene.campbell.multiples);
     const int modes = scene.campbell.modes;
     const std::vector<double> naming = tracking::naming_speeds(range);
+    const std::vector<double> nodes = tracking::followed_speeds(scene.rotor, range);
     int followed = modes;
     if (solver.form() != results::Form::hill && !scene.campbell.multiples.empty())
         followed = tracking::modes_below(solver, std::max(std::abs(range.from), std::abs(range.to)),
                                          std::ranges::max(scene.campbell.multiples), modes);
     tracking::FollowedLines found =
         periodic ? std::move(periodic->found)
-                 : tracking::followed_lines(solver, with_naming_speeds(range), followed,
-                                            scene.reduction, naming);
+                 : tracking::followed_lines(solver, with_nodes(range, nodes), followed,
+                                            scene.reduction, nodes);
     if (process::process_rank() != 0)
         return result;
     const std::vector<std::size_t> own = places_of(result.speeds, found.spectra);
@@ -207,7 +207,7 @@ results::CampbellResult campbell(const model::Case &scene) {
         found.tracking.lines, found.spectra, places_of(naming, found.spectra), modes);
     // Steps longer than those between the speeds that name lines hide crossings and exchange lines:
     // then these speeds are searched too.
-    const bool coarse = result.speeds.size() < naming.size();
+    const bool coarse = result.speeds.size() < nodes.size();
     if (!periodic && !coarse)
         keep_own(found, own);
     stage.emplace("crossings", 0.5, 0.75);

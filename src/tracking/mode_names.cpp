@@ -31,7 +31,8 @@ bool comes_from_beyond(const Line &line, const std::vector<modes::Spectrum> &spe
 ModeNames::ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRange &range, int modes,
                      bool follow, const ModesToName &wanted) {
     const std::vector<double> named_at = naming_speeds(range);
-    _speeds = named_at;
+    const std::vector<double> nodes = followed_speeds(solver.discretization().rotor(), range);
+    _speeds = nodes;
     for (const double speed : wanted.speeds) {
         const bool inside = speed >= named_at.front() && speed <= named_at.back();
         // Beyond standstill senses change their names.
@@ -52,7 +53,7 @@ ModeNames::ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRang
     std::optional<int> left = wanted.most_more;
     for (int attempt = 0; attempt < 4; ++attempt) {
         _spectra = spectra_alone(solver, _speeds, computed, follow);
-        tracking = track(solver, _spectra, modes, left, named_at);
+        tracking = track(solver, _spectra, modes, left, nodes);
         if (left && attempt > 0)
             *left -= static_cast<int>(_speeds.size());
         if (tracking.cut_short || left.value_or(0) < 0)
