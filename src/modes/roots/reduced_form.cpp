@@ -185,9 +185,14 @@ Eigen::VectorXcd ReducedForm::mirrored(const Eigen::VectorXcd &right) const {
 
 template <class Scalar>
 std::optional<Root> ReducedForm::iterated(const DenseQuadratic<Scalar> &p, Root guess) const {
-    constexpr int most = 3;
-    constexpr double near = 0.03;
-    constexpr double axis = 1e-6; // of |l|
+    constexpr int most = 3;   // shifts
+    constexpr int solves = 3; // with one shift, at most
+    /// What vectors may still turn: an eigenvalue is off by the product of both. The correction on
+    /// the whole rotor does not see it, but only what the shapes leave out.
+    constexpr double near = 1e-5;
+    constexpr double slow = 0.1;    // another shift is better
+    constexpr double beside = 1e-8; // of |l|, as for the whole rotor
+    constexpr double axis = 1e-6;   // of |l|
     const bool mirror = _whole.mirrored();
     Vector x = guess.right.normalized();
     Vector y = mirror ? mirrored(x) : Vector(guess.left.normalized());
@@ -195,42 +200,45 @@ std::optional<Root> ReducedForm::iterated(const DenseQuadratic<Scalar> &p, Root 
     linalg::ComplexFactors factors;
     Vector Mx = product(p.M, x);
     Vector Dx = product(p.D, x);
-    for (int k = 0; k < most; ++k) {
+    for (int shift = 0; shift < most; ++shift) {
         l = next_root(y.dot(Mx), y.dot(Dx), y.dot(product(p.K, x)), l);
         if (!(std::abs(l - guess.value) < 0.5 * std::abs(guess.value)) ||
-            !factors.factorize(value_at(p, l)))
+            !factors.factorize(value_at(p, l * (1 + beside))))
             return std::nullopt;
-        const Vector new_x = factors.solution(2.0 * l * Mx + Dx).normalized();
-        double turn = turned(x, new_x);
-        x = new_x;
-        if (mirror) {
-            y = mirrored(x);
-        } else {
-            const Vector new_y =
-                factors
-                    .adjoint_solution(2.0 * std::conj(l) * adjoint_product(p.M, y) +
-                                      adjoint_product(p.D, y))
-                    .normalized();
-            turn = std::max(turn, turned(y, new_y));
-            y = new_y;
-        }
-        if (!x.allFinite() || !y.allFinite())
-            return std::nullopt;
-        Mx = product(p.M, x);
-        Dx = product(p.D, x);
-        if (turn < near) {
-            // A pair may have met on the real axis on the way.
-            const auto on_axis = [](Complex of) {
-                return std::abs(of.imag()) <= axis * std::abs(of);
-            };
-            if (std::is_same_v<Scalar, double> && on_axis(l) != on_axis(guess.value))
+        double turn = 1;
+        for (int solve = 0; solve < solves && turn > near; ++solve) {
+            const Vector new_x = factors.solution(2.0 * l * Mx + Dx).normalized();
+            turn = turned(x, new_x);
+            x = new_x;
+            if (mirror) {
+                y = mirrored(x);
+            } else {
+                const Vector new_y =
+                    factors
+                        .adjoint_solution(2.0 * std::conj(l) * adjoint_product(p.M, y) +
+                                          adjoint_product(p.D, y))
+                        .normalized();
+                turn = std::max(turn, turned(y, new_y));
+                y = new_y;
+            }
+            if (!x.allFinite() || !y.allFinite())
                 return std::nullopt;
-            guess.value = l;
-            guess.slope = 2.0 * l * y.dot(Mx) + y.dot(Dx);
-            guess.right = std::move(x);
-            guess.left = std::move(y);
-            return guess;
+            Mx = product(p.M, x);
+            Dx = product(p.D, x);
+            if (turn > slow)
+                break;
         }
+        if (turn > near)
+            continue;
+        // A pair may have met on the real axis on the way.
+        const auto on_axis = [](Complex of) { return std::abs(of.imag()) <= axis * std::abs(of); };
+        if (std::is_same_v<Scalar, double> && on_axis(l) != on_axis(guess.value))
+            return std::nullopt;
+        guess.value = l;
+        guess.slope = 2.0 * l * y.dot(Mx) + y.dot(Dx);
+        guess.right = std::move(x);
+        guess.left = std::move(y);
+        return guess;
     }
     return std::nullopt;
 }
