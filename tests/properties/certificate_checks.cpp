@@ -121,8 +121,8 @@ struct DenseRotor {
 
 bool whirls(Complex value) { return value.imag() > modes::real_axis * std::abs(value); }
 
-void check_whirl_speeds(const modes::Spectrum &spectrum, bool refined, const DenseRotor &dense,
-                        bool rotating, int number, Findings &out) {
+void check_whirl_speeds(const modes::Spectrum &spectrum, const std::string &kind, bool refined,
+                        const DenseRotor &dense, bool rotating, int number, Findings &out) {
     double last = 0;
     int listed = 0;
     for (const modes::WhirlMode &mode : spectrum.modes) {
@@ -133,8 +133,8 @@ void check_whirl_speeds(const modes::Spectrum &spectrum, bool refined, const Den
         const double each = mode.rounding + (refined ? 0 : mode.residual);
         const double rounding = 2 * each + 4 * epsilon;
         const Complex whole = dense.next_to(value, (2 * stated + rounding) * size);
-        out.numbers.push_back({refined ? "whirl speed, refined" : "whirl speed, solved", number,
-                               spectrum.speed, std::abs(whole - value) / size, stated, rounding});
+        out.numbers.push_back({"whirl speed, " + kind, number, spectrum.speed,
+                               std::abs(whole - value) / size, stated, rounding});
         last = std::max(last, mode.eigenvalue.imag());
     }
     if (rotating || spectrum.modes.empty())
@@ -253,8 +253,9 @@ class DenseResponse {
 model::Case damped_scene(int number) {
     model::Case scene = random_scene(number);
     scene.rotor.shaft.order = number % 3 == 0 ? 2 : 1; // dense eigenvalues, by thousands
+    const int elements = number % 4 == 1 ? 4 : 1; // more unknowns than the shapes between speeds
     for (model::Segment &segment : scene.rotor.shaft.segments)
-        segment.elements = 1;
+        segment.elements = elements;
     Draw draw(static_cast<std::uint64_t>(number) + 77);
     for (model::Bearing &bearing : scene.rotor.bearings)
         for (model::BearingCoefficients &row : bearing.rows)
@@ -282,8 +283,16 @@ void check_eigenvalues(const model::Case &scene, int number, Findings &out) {
     for (const double speed : speeds) {
         const DenseRotor dense(d, form, speed);
         const modes::Spectrum spectrum = solver.at(speed, scene.campbell.modes);
-        check_whirl_speeds(spectrum, solver.refines(), dense, rotating, number, out);
+        check_whirl_speeds(spectrum, solver.refines() ? "refined" : "solved", solver.refines(),
+                           dense, rotating, number, out);
         check_growing(motions, shapes != nullptr, speed, dense, number, out);
+    }
+    if (!solver.refines())
+        return;
+    for (const double share : {0.07, 0.29, 0.43, 0.71}) { // none of the speeds solved at first
+        const double speed = speeds.front() + share * (speeds.back() - speeds.front());
+        check_whirl_speeds(solver.at(speed, scene.campbell.modes), "between", true,
+                           DenseRotor(d, form, speed), rotating, number, out);
     }
 }
 
