@@ -60,7 +60,7 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
           _supports(assembly::support_scale(d)), _elastic(assembly::elastic_scale(d)) {}
 
     void expect(const std::vector<double> &speeds, int wanted) override {
-        constexpr int steps = 6;
+        constexpr int steps = 4;
         Range range{std::ranges::min(speeds), std::ranges::max(speeds), wanted};
         if (_counted && _counted->covers(range))
             return;

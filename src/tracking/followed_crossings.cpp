@@ -101,7 +101,7 @@ std::optional<FollowedCrossing> settled(const modes::SpectrumSolver &solver, Sea
         last_speed = speed;
         last_distance = distance;
         search.found.speed -= distance / slope;
-        search.found.real = search.mode.eigenvalue.real();
+        search.found.real = modes::determined_value(search.mode).real();
         if (std::abs(distance) <= resolved * target &&
             std::abs(search.found.speed - speed) < 1e3 * resolved * std::abs(speed))
             return search.found;
