@@ -25,7 +25,7 @@ constexpr double hardly_fewer = 0.7;
 /// Of the largest speed.
 constexpr std::array shares{1.0, 0.04, 0.5, 0.25, 0.75, 0.12};
 /// Of the speed or the eigenvalue.
-constexpr double agreement = 1e-6;
+constexpr double agreement = 3e-6;
 /// For the number of harmonics of the series that modes are written in: vectors are not asked for.
 constexpr int few_harmonics = 1;
 
@@ -48,7 +48,7 @@ class Search {
            const std::vector<balancers::BalancerElement> &balancers,
            const periodic::WholeRotor &whole, double top, int wanted)
         : _d(d), _balancers(balancers), _whole(whole), _top(top), _wanted(wanted),
-          _planar(d, 2 * std::abs(top)) {}
+          _planar(d, 2 * std::abs(top), wanted) {}
 
     std::shared_ptr<const Eigen::MatrixXd> run() {
         constexpr int tries = 8;
@@ -116,7 +116,7 @@ class Search {
 
     void take(const Eigen::MatrixXd &parts) {
         const Eigen::Index before = _planar.matrix().cols();
-        for (const double part : {1e-3, 1e-4, 1e-5, 1e-6}) {
+        for (const double part : {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5, 1e-6}) {
             _planar.add_newest_first(above(part, parts), part);
             if (_planar.matrix().cols() > before)
                 return;
@@ -176,7 +176,7 @@ class Search {
         const auto principal = linalg::symmetric_eigenpairs(energies);
         const Eigen::VectorXd &values = principal.eigenvalues();
         Eigen::Index tried = 0;
-        for (const double part : {1e-3, 3e-4, 1e-4, 3e-5}) {
+        for (const double part : {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5}) {
             const Eigen::Index few = (values.array() > part * part * values.maxCoeff()).count();
             if (few == tried || few == values.size())
                 continue;

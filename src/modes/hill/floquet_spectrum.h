@@ -73,9 +73,18 @@ class FloquetSpectrum {
 
     [[nodiscard]] const periodic::System &system(double speed) const;
     [[nodiscard]] const Steady &steady(double speed) const;
-    /// Steps in time for motions up to a modulus as seen from the rotor; nothing where the matrix
-    /// cannot tell.
-    [[nodiscard]] std::optional<int> steps_for(double speed, double reach) const;
+    /// Modulus of the last of so many of them, the slowest ones, rad/s.
+    [[nodiscard]] double slowest(double speed, int wanted) const;
+    /// Steps in time for motions up to a modulus as seen from the rotor, and the logarithm of how
+    /// far half a turn leads them apart; nothing where they would be too many.
+    struct Steps {
+        int count;
+        double spread;
+    };
+    [[nodiscard]] std::optional<Steps> steps_for(double speed, double reach) const;
+    /// Motions of frequencies up to `fastest` by these steps.
+    [[nodiscard]] std::optional<std::vector<periodic::FloquetSeries>>
+    motions(double speed, const Steps &steps, double fastest) const;
     [[nodiscard]] Spectrum shown(double speed, const std::vector<periodic::FloquetSeries> &motions,
                                  double complete_radius) const;
     [[nodiscard]] std::optional<Spectrum> up_to(double speed, double reach, bool all) const;

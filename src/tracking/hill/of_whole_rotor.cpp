@@ -15,7 +15,7 @@ namespace whirl::tracking {
 namespace {
 
 /// Of what a rotor on few shapes has wrong, over the speed or the eigenvalue.
-constexpr double farthest = 1e-5;
+constexpr double farthest = 1e-4;
 
 bool near(std::complex<double> a, std::complex<double> b, double speed) {
     return std::abs(a - b) <= farthest * std::max(std::abs(speed), std::abs(a));
