@@ -34,9 +34,9 @@ constexpr double together = 18;
 class TriangularTurn {
   public:
     /// @param groups  none of which leads motions too far apart
-    /// @param least   logarithm of what is left after half a turn of motions that matter: those of
-    ///                which far less is left are dropped
-    TriangularTurn(const std::vector<Rows> &parts, std::size_t groups, double least)
+    /// @param least   logarithm of what is left after half a turn of motions that matter
+    /// @param columns  directions to begin with
+    TriangularTurn(const std::vector<Rows> &parts, std::size_t groups, double least, Index columns)
         : _least(least) {
         const Index size = parts.front().rows();
         Rows next(size, size);
@@ -50,7 +50,7 @@ class TriangularTurn {
             _maps.push_back(std::move(map));
         }
         _begins.push_back(parts.size());
-        _settled = settle(true) || settle(false);
+        _settled = (columns < size && settle(columns)) || settle(size);
     }
 
     /// Whether motions that matter are told from one another.
@@ -90,24 +90,16 @@ class TriangularTurn {
     Eigen::VectorXd _left; ///< logarithms of what is left of each direction
     std::vector<Index> _borders;
 
-    /// @param drop  motions of which far less is left than matters: fewer columns, which settle
-    ///              where there is a gap between the two
-    bool settle(bool drop) {
-        constexpr double far_less = 8;
-        const int sweeps = drop ? 8 : 20;
+    /// @param columns  directions that are followed; fewer than all settle where there is a gap
+    ///                 between what is left of them and of the others
+    bool settle(Index columns) {
         const Index size = _maps.front().rows();
-        Rows Q = Rows::Identity(size, size);
+        const int sweeps = columns < size ? 10 : 20;
+        Rows Q = Rows::Identity(size, size).leftCols(columns);
         for (int sweep = 0; sweep < sweeps; ++sweep) {
             Q = iterate(std::move(Q));
-            Index kept = size;
-            while (drop && sweep == 0 && kept > 1 && _left(kept - 1) < _least - far_less)
-                --kept;
-            if (kept < size) {
-                Q = Rows(Q.leftCols(kept));
-                continue;
-            }
             take_blocks();
-            if (worst_spread() <= together)
+            if (sweep > 0 && worst_spread() <= together)
                 return true;
         }
         return false;
@@ -146,7 +138,9 @@ class TriangularTurn {
 
     /// Within a block, of motions that matter; infinite where some are in none.
     [[nodiscard]] double worst_spread() const {
-        if ((_left.tail(_left.size() - _borders.back()).array() > _least).any())
+        const bool fewer = _left.size() < _maps.front().rows();
+        if ((_left.tail(_left.size() - _borders.back()).array() > _least).any() ||
+            (fewer && _left.minCoeff() > _least))
             return std::numeric_limits<double>::infinity();
         double worst = 0;
         for (std::size_t b = 0; b + 1 < _borders.size(); ++b) {
@@ -310,11 +304,12 @@ std::optional<FloquetSeries> terms_of(const System &system, const MatrixXd &M, d
 /// @returns nothing where some need more parts
 std::optional<std::vector<FloquetSeries>> series_by(const System &system, double speed, int steps,
                                                     int parts, std::size_t groups, double least,
-                                                    double fastest) {
+                                                    Index columns, double fastest) {
     const System::Steady steady = system.steady(speed);
     const Eigen::VectorXd unweighted = weights_of(steady, speed).cwiseInverse();
     const std::vector<Rows> maps = turn_in_parts(system, speed, steps, parts);
-    const TriangularTurn turn(maps, groups, least);
+    const TriangularTurn turn(maps, groups, least,
+                              std::min(columns, 2 * static_cast<Index>(system.size())));
     if (!turn.settled())
         return std::nullopt;
     const std::vector<Index> &borders = turn.borders();
@@ -340,7 +335,8 @@ std::optional<std::vector<FloquetSeries>> series_by(const System &system, double
 } // namespace
 
 std::optional<std::vector<FloquetSeries>> damped_series(const System &system, double speed,
-                                                        int steps, double spread, double fastest) {
+                                                        int steps, double spread, int columns,
+                                                        double fastest) {
     constexpr int fewest = 24;
     constexpr int most = 400;
     constexpr double in_a_group = 8; // of the spread: rounding is small beside exp(-8)
@@ -348,7 +344,7 @@ std::optional<std::vector<FloquetSeries>> damped_series(const System &system, do
     const int first = std::max(fewest, groups);
     for (int parts = first; parts <= most; parts *= 2)
         if (auto found = series_by(system, speed, std::max(steps, parts), parts,
-                                   static_cast<std::size_t>(groups), -spread, fastest))
+                                   static_cast<std::size_t>(groups), -spread, columns, fastest))
             return found;
     return std::nullopt;
 }

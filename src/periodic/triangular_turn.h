@@ -25,10 +25,14 @@ namespace whirl::periodic {
 /// about as fast. Motions follow from the triangular factors backwards in time, in which those that
 /// die out less do not grow.
 /// @param spread  of what is left of the motions listed after half a turn, the logarithm
+/// @param columns  directions that are followed at first, those of motions that die out far faster
+///                 left out
 /// @returns those that can be told; nothing where the parts that their terms would need are too
 ///          many
 /// @throws linalg::SolverError
-[[nodiscard]] std::optional<std::vector<FloquetSeries>>
-damped_series(const System &system, double speed, int steps, double spread, double fastest);
+[[nodiscard]] std::optional<std::vector<FloquetSeries>> damped_series(const System &system,
+                                                                      double speed, int steps,
+                                                                      double spread, int columns,
+                                                                      double fastest);
 
 } // namespace whirl::periodic

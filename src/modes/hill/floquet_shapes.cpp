@@ -25,7 +25,7 @@ constexpr double hardly_fewer = 0.7;
 /// Of the largest speed.
 constexpr std::array shares{1.0, 0.04, 0.5, 0.25, 0.75, 0.12};
 /// Of the speed or the eigenvalue.
-constexpr double agreement = 3e-6;
+constexpr double agreement = 1e-5;
 /// For the number of harmonics of the series that modes are written in: vectors are not asked for.
 constexpr int few_harmonics = 1;
 

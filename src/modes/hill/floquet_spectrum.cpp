@@ -76,13 +76,19 @@ std::optional<FloquetSpectrum::Steps> FloquetSpectrum::steps_for(double speed, d
         std::max<double>(fewest_steps, std::ceil(angle / periodic::resolved_angle));
     if (!(steps <= most_steps))
         return std::nullopt;
-    return Steps{static_cast<int>(steps), (growth + damping) * half_turn};
+    constexpr double far_faster = 8; // its exponential is left out of them
+    const double spread = (growth + damping) * half_turn;
+    const auto matter = std::ranges::count_if(steady(speed).values, [&](const auto &value) {
+        return (growth - value.real()) * half_turn <= spread + far_faster;
+    });
+    return Steps{static_cast<int>(steps), spread, static_cast<int>(matter)};
 }
 
 std::optional<std::vector<periodic::FloquetSeries>>
 FloquetSpectrum::motions(double speed, const Steps &steps, double fastest) const {
     if (steps.spread > drowned)
-        return periodic::damped_series(system(speed), speed, steps.count, steps.spread, fastest);
+        return periodic::damped_series(system(speed), speed, steps.count, steps.spread,
+                                       steps.matter, fastest);
     return periodic::floquet_series(system(speed), speed, steps.count, fastest);
 }
 
@@ -230,6 +236,12 @@ double FloquetSpectrum::slowest(double speed, int wanted) const {
     std::sort(moduli.begin(), moduli.end());
     const auto last = std::min(static_cast<std::size_t>(wanted), moduli.size());
     return last == 0 ? 0 : moduli[last - 1];
+}
+
+bool FloquetSpectrum::drowns(double speed, int wanted) const {
+    const auto steps =
+        speed != 0 ? steps_for(speed, slowest(speed, wanted) + std::abs(speed)) : std::nullopt;
+    return steps && steps->spread > drowned;
 }
 
 bool FloquetSpectrum::tells(double speed, int wanted) const {

@@ -41,6 +41,10 @@ class FloquetSpectrum {
     /// motion there that it is slow, or does not find all.
     [[nodiscard]] bool tells(double speed, int wanted) const;
 
+    /// Whether some motions are drowned in the matrix, so that a spectrum is found by the
+    /// triangular factors of half a turn, which cost more.
+    [[nodiscard]] bool drowns(double speed, int wanted) const;
+
     /// At speeds up to this one all motions are at least five times as fast, rad/s; 0: nowhere.
     [[nodiscard]] double slow() const;
 
@@ -80,6 +84,7 @@ class FloquetSpectrum {
     struct Steps {
         int count;
         double spread;
+        int matter; ///< motions that do not die out far faster
     };
     [[nodiscard]] std::optional<Steps> steps_for(double speed, double reach) const;
     /// Motions of frequencies up to `fastest` by these steps.
