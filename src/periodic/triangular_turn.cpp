@@ -125,7 +125,7 @@ class TriangularTurn {
     /// Blocks end where nothing of the directions before turns into those behind or into dropped
     /// ones: what is set to zero is an error of one group's map of that size beside it.
     void take_blocks() {
-        constexpr double nothing = 1e-11;
+        constexpr double nothing = 1e-10;
         const MatrixXd first = _Q.front();
         const MatrixXd outside = MatrixXd(_Q.back()) - linalg::times(first, _turned);
         const Index size = _turned.cols();
@@ -339,7 +339,7 @@ std::optional<std::vector<FloquetSeries>> damped_series(const System &system, do
                                                         double fastest) {
     constexpr int fewest = 24;
     constexpr int most = 400;
-    constexpr double in_a_group = 8; // of the spread: rounding is small beside exp(-8)
+    constexpr double in_a_group = 10; // of the spread: rounding is small beside exp(-10)
     const int groups = std::max(1, static_cast<int>(std::ceil(spread / in_a_group)));
     const int first = std::max(fewest, groups);
     for (int parts = first; parts <= most; parts *= 2)

@@ -17,7 +17,7 @@ namespace {
 
 /// A = Q R by the Cholesky factors of A^T A; none where A is nearly singular.
 std::optional<OrthogonalFactors> by_cholesky(const Rows &A) {
-    constexpr double nearly = 1e-6; // rounding of the squares is felt below 1e-8
+    constexpr double nearly = 1e-7; // its square is above rounding: the second factors are good
     Rows gram(A.cols(), A.cols());
     set_product(Rows(A.transpose()), A, gram);
     const Eigen::LLT<Eigen::MatrixXd> factors{Eigen::MatrixXd(gram)};
