@@ -19,9 +19,10 @@ namespace whirl::modes {
 /// Whirl modes of a rotor whose equations stay periodic in time (form hill) by its monodromy matrix
 /// (periodic/): all motions of a speed at once, each shown by the copy that Hill's series would
 /// show (series_pair.h). At speeds far below all frequencies, where half a turn takes long, they
-/// are followed down from where the matrix tells them (periodic/slow_motions.h). Of motions that
-/// die out within half a turn the matrix knows nothing; where they cannot be followed, as at rest,
-/// modes are those of Hill's series.
+/// are followed down from where the matrix tells them (periodic/slow_motions.h). Where some die out
+/// far within half a turn it is taken in triangular factors (periodic/triangular_turn.h). Where
+/// half a turn takes too long and motions cannot be followed, as at rest, modes are those of Hill's
+/// series.
 class FloquetSpectrum {
   public:
     /// @param rotor      of form hill, on the same shapes; kept by reference
@@ -36,8 +37,8 @@ class FloquetSpectrum {
     /// @throws linalg::SolverError
     [[nodiscard]] Spectrum modes(double speed, int wanted) const;
 
-    /// Whether the matrix can tell that many modes at a speed: not next to rest, where half a turn
-    /// takes so long that damped motions die out in it. Hill's series has so many copies of each
+    /// Whether half a turn tells that many modes at a speed: not next to rest, where it takes too
+    /// many steps. Hill's series has so many copies of each
     /// motion there that it is slow, or does not find all.
     [[nodiscard]] bool tells(double speed, int wanted) const;
 
