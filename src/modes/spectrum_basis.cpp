@@ -122,7 +122,9 @@ ModeBasis SpectrumSolver::hill_basis(const Spectrum &spectrum) const {
     ModeBasis out = series_basis(
         _data->matrices().mass(), 2 * (shapes ? shapes->cols() : _data->d.planar_size()),
         _data->rotating->harmonics(), std::abs(spectrum.speed) <= slow(), spectrum);
-    if (!_data->floquet || spectrum.speed == 0)
+    // Where a spectrum costs much, slopes are those between speeds (tracking).
+    if (!_data->floquet || spectrum.speed == 0 ||
+        _data->floquet->drowns(spectrum.speed, static_cast<int>(spectrum.modes.size())))
         return out;
     out.rate_below = rates(spectrum);
     out.rate_above = out.rate_below;

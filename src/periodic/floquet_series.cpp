@@ -1,4 +1,5 @@
 #include "linalg/dense/products.h"
+#include "periodic/fourier.h"
 #include "periodic/half_turn.h"
 #include "periodic/monodromy.h"
 #include "periodic/step_maps.h"
@@ -58,7 +59,8 @@ MatrixXcd over_period(const System &system, double speed, int steps, const Floqu
     return out;
 }
 
-/// exp(-2 i k speed t) / steps at the beginnings of the steps, a column for each k = from, ..., to.
+} // namespace
+
 MatrixXcd fourier(Eigen::Index steps, Eigen::Index from, Eigen::Index to, bool backwards) {
     Eigen::VectorXcd circle(steps);
     for (Eigen::Index j = 0; j < steps; ++j)
@@ -72,7 +74,6 @@ MatrixXcd fourier(Eigen::Index steps, Eigen::Index from, Eigen::Index to, bool b
     return out;
 }
 
-/// Number of the term that the motion turns with on average over the period.
 Eigen::Index mean_term(const MatrixXd &M, const MatrixXcd &states, Complex value, double speed) {
     const Eigen::Index n = M.rows();
     const MatrixXcd q = states.topRows(n);
@@ -82,8 +83,6 @@ Eigen::Index mean_term(const MatrixXd &M, const MatrixXcd &states, Complex value
         weighted.conjugate().cwiseProduct(rates).sum() / weighted.conjugate().cwiseProduct(q).sum();
     return static_cast<Eigen::Index>(std::lround((mean - value).imag() / (2 * speed)));
 }
-
-} // namespace
 
 double frequency_of(const MatrixXd &M, const MatrixXcd &states) {
     const auto square = [&M](const MatrixXcd &x) {

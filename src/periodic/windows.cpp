@@ -1,11 +1,14 @@
+#include "linalg/check.h"
 #include "linalg/dense/products.h"
 #include "periodic/half_turn.h"
 #include "periodic/step_maps.h"
+#include "periodic/triangular_turn.h"
 
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace whirl::periodic {
 
@@ -64,6 +67,15 @@ MatrixXd highest(Index places) {
     return out;
 }
 
+/// maps * weights, by rows of what is stored by columns.
+MatrixXd combined(const MatrixXd &maps, const MatrixXd &weights) {
+    MatrixXd out(maps.rows(), weights.cols());
+    linalg::set_product(Rows(weights.transpose()),
+                        Eigen::Map<const Rows>(maps.data(), maps.cols(), maps.rows()),
+                        Eigen::Map<Rows>(out.data(), out.cols(), out.rows()));
+    return out;
+}
+
 /// Maps of windows of equally many steps, of states with entries of one size: a column each for
 /// those that begin at even places, by rows.
 class Windows {
@@ -83,7 +95,7 @@ class Windows {
     /// Whether so many places tell the maps.
     [[nodiscard]] bool told() const {
         constexpr double nothing = 3e-15;
-        return _maps.allFinite() && linalg::times(_maps, highest(_maps.cols())).norm() <=
+        return _maps.allFinite() && combined(_maps, highest(_maps.cols())).norm() <=
                                         nothing * _maps.colwise().norm().maxCoeff();
     }
 
@@ -95,15 +107,35 @@ class Windows {
             const MatrixXd before = _maps;
             double_them();
             if (!told()) {
-                _maps = linalg::times(before, at_places(before.cols(), 2 * before.cols() + 1));
+                _maps = combined(before, at_places(before.cols(), 2 * before.cols() + 1));
                 continue;
             }
             _left /= 2;
         }
     }
 
+    /// Windows as wide as a part; nothing where too many places are needed to tell them.
+    [[nodiscard]] std::optional<std::vector<Rows>> parts(Index count) {
+        while (_left > count) {
+            const MatrixXd before = _maps;
+            double_them();
+            if (told()) {
+                _left /= 2;
+                continue;
+            }
+            if (2 * before.cols() + 1 > _left / 2)
+                return std::nullopt;
+            _maps = combined(before, at_places(before.cols(), 2 * before.cols() + 1));
+        }
+        _maps = combined(_maps, at_places(_maps.cols(), _left));
+        std::vector<Rows> out;
+        for (Index i = 0; i < _left; ++i)
+            out.emplace_back(at(_maps, i));
+        return out;
+    }
+
     [[nodiscard]] MatrixXd product() {
-        _maps = linalg::times(_maps, at_places(_maps.cols(), _left));
+        _maps = combined(_maps, at_places(_maps.cols(), _left));
         Rows out = at(_maps, 0);
         Rows next = out;
         for (Index i = 1; i < _left; ++i) {
@@ -126,7 +158,7 @@ class Windows {
     void double_them() {
         const Index places = _maps.cols();
         const double shift = static_cast<double>(places) / static_cast<double>(_left);
-        MatrixXd behind = linalg::times(_maps, moved_on(places, shift));
+        MatrixXd behind = combined(_maps, moved_on(places, shift));
         MatrixXd products(_maps.rows(), places);
         for (Index i = 0; i < places; ++i)
             linalg::set_product(at(behind, i), at(_maps, i), at(products, i));
@@ -135,6 +167,37 @@ class Windows {
 };
 
 } // namespace
+
+std::vector<Rows> turn_in_parts(const System &system, double speed, int steps, int parts) {
+    int each = (steps + parts - 1) / parts;
+    constexpr int least_gain = 4;
+    if (each * parts >= least_gain * first_places && each > 1) {
+        each = 1 << static_cast<int>(std::ceil(std::log2(each)));
+        Windows windows(system, speed, each * parts);
+        if (windows.told())
+            if (auto found = windows.parts(parts))
+                return *std::move(found);
+    }
+    const Eigen::VectorXd weights = weights_of(system.steady(speed), speed);
+    const double length = period(speed) / (each * parts);
+    const StepMaps step(system, speed, length);
+    const Index size = 2 * system.size();
+    std::vector<Rows> out;
+    Rows map(size, size);
+    Rows next = map;
+    for (int part = 0; part < parts; ++part) {
+        Rows product = Rows::Identity(size, size);
+        for (int k = 0; k < each; ++k) {
+            step.set_map((part * each + k) * length, map);
+            linalg::set_product(map, product, next);
+            std::swap(product, next);
+        }
+        out.emplace_back(weights.asDiagonal() * product * weights.cwiseInverse().asDiagonal());
+        if (!out.back().allFinite())
+            throw linalg::SolverError("the motion over half a turn cannot be found");
+    }
+    return out;
+}
 
 std::optional<MatrixXd> half_turn_by_windows(const System &system, double speed, int steps) {
     constexpr int least_gain = 8;

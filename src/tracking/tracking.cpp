@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <tuple>
@@ -347,6 +348,37 @@ void set_absence(Line &line, Absence before, Absence after) {
         line.absence[k - 1] = after;
 }
 
+/// Of a line at its k-th speed that of the parabola through it and its neighbours on the line, or
+/// between it and the one neighbour; not a number where it has none.
+std::complex<double> slope_between(const std::vector<modes::Spectrum> &spectra, const Line &line,
+                                   std::size_t k) {
+    const auto value = [&](std::size_t i) {
+        return spectra[i].modes[static_cast<std::size_t>(line.place[i])].eigenvalue;
+    };
+    const auto secant = [&](std::size_t i) {
+        return (value(i + 1) - value(i)) / (spectra[i + 1].speed - spectra[i].speed);
+    };
+    const bool below = k > 0 && line.place[k - 1] != Line::absent;
+    const bool above = k + 1 < spectra.size() && line.place[k + 1] != Line::absent;
+    if (!below && !above)
+        return {std::numeric_limits<double>::quiet_NaN(), 0};
+    if (!below || !above)
+        return secant(below ? k - 1 : k);
+    const double before = spectra[k].speed - spectra[k - 1].speed;
+    const double behind = spectra[k + 1].speed - spectra[k].speed;
+    return (behind * secant(k - 1) + before * secant(k)) / (before + behind);
+}
+
+/// Rates that no eigenvector tells (form hill, drowned motions: modes::SpectrumSolver::basis).
+void add_slopes(const std::vector<modes::Spectrum> &spectra, Tracking &out) {
+    for (std::size_t k = 0; k < spectra.size(); ++k)
+        for (const Line &line : out.lines)
+            if (const int place = line.place[k]; place != Line::absent && spectra[k].speed != 0)
+                for (Eigen::VectorXcd *rates : {&out.rates[k].below, &out.rates[k].above})
+                    if (!std::isfinite((*rates)(place).real()))
+                        (*rates)(place) = slope_between(spectra, line, k);
+}
+
 /// Which of the speeds lines are to be followed through.
 std::vector<char> are_nodes(const std::vector<modes::Spectrum> &spectra,
                             const std::vector<double> &nodes) {
@@ -427,6 +459,8 @@ Tracking track(const modes::SpectrumSolver &solver, const std::vector<modes::Spe
         return std::ranges::all_of(line.place, [](int place) { return place == Line::absent; });
     });
     out.lines.insert(out.lines.end(), alone.begin(), alone.end());
+    if (results::Form::hill == solver.form())
+        add_slopes(spectra, out);
     return out;
 }
 

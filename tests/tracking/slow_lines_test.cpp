@@ -91,8 +91,9 @@ void expect_errors_that_hold(bool reduction) {
             else
                 ++without;
         }
-        EXPECT_EQ(without, 2) << count;
-        EXPECT_TRUE(has_note(result, "modes may be missing"));
+        // Hill's series alone does not find all so near to rest.
+        EXPECT_EQ(without, reduction ? 0 : 2) << count;
+        EXPECT_NE(has_note(result, "modes may be missing"), reduction);
     }
 }
 

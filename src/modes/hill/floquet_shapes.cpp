@@ -24,8 +24,10 @@ constexpr int few_unknowns = 16;
 constexpr double hardly_fewer = 0.7;
 /// Of the largest speed.
 constexpr std::array shares{1.0, 0.04, 0.5, 0.25, 0.75, 0.12};
-/// Of the speed or the eigenvalue.
+/// Of the speed or the eigenvalue. Narrow bands need the first; where some motions die out far
+/// within half a turn a spectrum costs more, the more the more shapes there are.
 constexpr double agreement = 1e-6;
+constexpr double agreement_if_drowned = 1e-5;
 /// For the number of harmonics of the series that modes are written in: vectors are not asked for.
 constexpr int few_harmonics = 1;
 
@@ -36,9 +38,9 @@ struct Wanted {
     double noise = 0;
     Eigen::MatrixXd parts; ///< its planar shapes, N x any number
 
-    [[nodiscard]] bool is(std::complex<double> other) const {
+    [[nodiscard]] bool is(std::complex<double> other, double near) const {
         return std::abs(other - value) <=
-               agreement * std::max(std::abs(speed), std::abs(value)) + 10 * noise;
+               near * std::max(std::abs(speed), std::abs(value)) + 10 * noise;
     }
 };
 
@@ -48,7 +50,7 @@ class Search {
            const std::vector<balancers::BalancerElement> &balancers,
            const periodic::WholeRotor &whole, double top, int wanted)
         : _d(d), _balancers(balancers), _whole(whole), _top(top), _wanted(wanted),
-          _planar(d, 2 * std::abs(top)) {}
+          _planar(d, 2 * std::abs(top), wanted) {}
 
     std::shared_ptr<const Eigen::MatrixXd> run() {
         constexpr int tries = 8;
@@ -74,6 +76,7 @@ class Search {
     reduction::PlanarShapes _planar;
     std::vector<double> _speeds;
     std::vector<Wanted> _met;
+    double _near = agreement;
 
     /// Of slow speeds those that are not far slower than all motions: nearer to rest these ride on
     /// the same shapes, and it takes long to follow them there.
@@ -81,12 +84,14 @@ class Search {
         constexpr double slowest = 0.25;
         const auto shapes = std::make_shared<const Eigen::MatrixXd>(_planar.matrix());
         const RotatingSpectrum rotor(_d, 0, _balancers, few_harmonics, shapes.get());
-        const double slow = std::min(
-            slowest * FloquetSpectrum(_d, rotor, _balancers, shapes).slow(), std::abs(_top));
+        const FloquetSpectrum spectrum(_d, rotor, _balancers, shapes);
+        const double slow = std::min(slowest * spectrum.slow(), std::abs(_top));
         for (const double share : shares) {
             const double speed = std::copysign(std::max(share * std::abs(_top), slow), _top);
             if (std::find(_speeds.begin(), _speeds.end(), speed) == _speeds.end())
                 _speeds.push_back(speed);
+            if (spectrum.drowns(speed, _wanted))
+                _near = agreement_if_drowned;
         }
     }
 
@@ -116,7 +121,7 @@ class Search {
 
     void take(const Eigen::MatrixXd &parts) {
         const Eigen::Index before = _planar.matrix().cols();
-        for (const double part : {1e-3, 1e-4, 1e-5, 1e-6}) {
+        for (const double part : {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5, 1e-6}) {
             _planar.add_newest_first(above(part, parts), part);
             if (_planar.matrix().cols() > before)
                 return;
@@ -141,7 +146,7 @@ class Search {
             met.push_back({speed, root->value, root->noise,
                            reduction::planar_parts(root->terms, N,
                                                    2 * (N + balancers::unknowns_of(_balancers)))});
-            if (!met.back().is(mode.rotating_value))
+            if (!met.back().is(mode.rotating_value, _near))
                 take(met.back().parts);
         }
         if (_planar.matrix().cols() > before)
@@ -156,7 +161,7 @@ class Search {
             for (const Wanted &one : _met)
                 if (one.speed == speed &&
                     std::none_of(found.begin(), found.end(), [&](const WhirlMode &mode) {
-                        return one.is(mode.rotating_value);
+                        return one.is(mode.rotating_value, _near);
                     }))
                     return false;
         }
@@ -176,7 +181,7 @@ class Search {
         const auto principal = linalg::symmetric_eigenpairs(energies);
         const Eigen::VectorXd &values = principal.eigenvalues();
         Eigen::Index tried = 0;
-        for (const double part : {1e-3, 3e-4, 1e-4, 3e-5}) {
+        for (const double part : {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5}) {
             const Eigen::Index few = (values.array() > part * part * values.maxCoeff()).count();
             if (few == tried || few == values.size())
                 continue;

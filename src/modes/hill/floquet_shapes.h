@@ -13,7 +13,7 @@ namespace whirl::modes {
 
 /// Planar shapes, N x r, with which the slowest modes of a rotor of form hill
 /// (hill/floquet_spectrum.h) are nearly those of the whole one over a range of speeds: at six of
-/// them to 1e-6 of the speed or the eigenvalue.
+/// them to 1e-6 of the speed or the eigenvalue, 1e-5 where motions die out far within half a turn.
 /// @param balancers  at their balanced positions
 /// @param whole      the same with all unknowns
 /// @param from,to    rad/s

@@ -3,6 +3,7 @@
 #include "modes/hill/series_pair.h"
 #include "periodic/collocation.h"
 #include "periodic/monodromy.h"
+#include "periodic/triangular_turn.h"
 #include "reduction/projection.h"
 
 #include <algorithm>
@@ -61,7 +62,7 @@ const FloquetSpectrum::Steady &FloquetSpectrum::steady(double speed) const {
     return out;
 }
 
-std::optional<int> FloquetSpectrum::steps_for(double speed, double reach) const {
+std::optional<FloquetSpectrum::Steps> FloquetSpectrum::steps_for(double speed, double reach) const {
     const double half_turn = std::numbers::pi / std::abs(speed);
     double growth = 0;
     double damping = 0;
@@ -73,9 +74,22 @@ std::optional<int> FloquetSpectrum::steps_for(double speed, double reach) const 
     const double angle = half_turn * (reach + turning * std::abs(speed));
     const double steps =
         std::max<double>(fewest_steps, std::ceil(angle / periodic::resolved_angle));
-    if ((growth + damping) * half_turn > drowned || !(steps <= most_steps))
+    if (!(steps <= most_steps))
         return std::nullopt;
-    return static_cast<int>(steps);
+    constexpr double far_faster = 8; // its exponential is left out of them
+    const double spread = (growth + damping) * half_turn;
+    const auto matter = std::ranges::count_if(steady(speed).values, [&](const auto &value) {
+        return (growth - value.real()) * half_turn <= spread + far_faster;
+    });
+    return Steps{static_cast<int>(steps), spread, static_cast<int>(matter)};
+}
+
+std::optional<std::vector<periodic::FloquetSeries>>
+FloquetSpectrum::motions(double speed, const Steps &steps, double fastest) const {
+    if (steps.spread > drowned)
+        return periodic::damped_series(system(speed), speed, steps.count, steps.spread,
+                                       steps.matter, fastest);
+    return periodic::floquet_series(system(speed), speed, steps.count, fastest);
 }
 
 Spectrum FloquetSpectrum::shown(double speed, const std::vector<periodic::FloquetSeries> &motions,
@@ -95,11 +109,11 @@ Spectrum FloquetSpectrum::shown(double speed, const std::vector<periodic::Floque
 
 /// @param all  there are none beyond
 std::optional<Spectrum> FloquetSpectrum::up_to(double speed, double reach, bool all) const {
-    const std::optional<int> steps = steps_for(speed, reach);
-    if (!steps)
+    const std::optional<Steps> steps = steps_for(speed, reach);
+    const auto found = steps ? motions(speed, *steps, of_average * reach) : std::nullopt;
+    if (!found)
         return std::nullopt;
-    return shown(speed, periodic::floquet_series(system(speed), speed, *steps, of_average * reach),
-                 all ? std::numeric_limits<double>::infinity() : reach);
+    return shown(speed, *found, all ? std::numeric_limits<double>::infinity() : reach);
 }
 
 std::optional<Spectrum> FloquetSpectrum::by_monodromy(double speed, int wanted) const {
@@ -108,6 +122,8 @@ std::optional<Spectrum> FloquetSpectrum::by_monodromy(double speed, int wanted) 
     const double size = std::abs(speed);
     const double all = of_average * steady(speed).fastest + turning * size;
     double &usual = _usual[wanted];
+    if (usual == 0)
+        usual = margin * (slowest(speed, wanted) + size);
     double reach = std::min(all, std::max(usual, 2 * size));
     while (true) {
         std::optional<Spectrum> found = up_to(speed, reach, reach >= all);
@@ -158,13 +174,14 @@ FloquetSpectrum::Followed &FloquetSpectrum::followed(double speed, int wanted) c
         usual > 0 ? usual : of_average * steady(from).fastest + turning * std::abs(from);
     // A few more, as they may come nearer at other speeds; all of them must be resolved.
     constexpr double more = 1.2;
-    const std::optional<int> steps = steps_for(from, of_average * reach);
-    if (!steps)
+    const std::optional<Steps> steps = steps_for(from, of_average * reach);
+    const auto first = steps ? motions(from, *steps, more * reach) : std::nullopt;
+    if (!first)
         return out;
     out.from = from;
     out.reach = reach;
     out.motions.emplace([this](double at) -> const periodic::System & { return system(at); }, from,
-                        periodic::floquet_series(system(from), from, *steps, more * reach));
+                        *first);
     return out;
 }
 
@@ -211,16 +228,24 @@ Spectrum FloquetSpectrum::by_series(double speed, int wanted) const {
     }
 }
 
-bool FloquetSpectrum::tells(double speed, int wanted) const {
-    if (speed == 0)
-        return false;
+double FloquetSpectrum::slowest(double speed, int wanted) const {
     std::vector<double> moduli; // one of each conjugate pair
     for (const std::complex<double> &value : steady(speed).values)
         if (value.imag() >= 0)
             moduli.push_back(std::abs(value));
     std::sort(moduli.begin(), moduli.end());
     const auto last = std::min(static_cast<std::size_t>(wanted), moduli.size());
-    return last == 0 || steps_for(speed, moduli[last - 1] + std::abs(speed)).has_value();
+    return last == 0 ? 0 : moduli[last - 1];
+}
+
+bool FloquetSpectrum::drowns(double speed, int wanted) const {
+    const auto steps =
+        speed != 0 ? steps_for(speed, slowest(speed, wanted) + std::abs(speed)) : std::nullopt;
+    return steps && steps->spread > drowned;
+}
+
+bool FloquetSpectrum::tells(double speed, int wanted) const {
+    return speed != 0 && steps_for(speed, slowest(speed, wanted) + std::abs(speed)).has_value();
 }
 
 Spectrum FloquetSpectrum::modes(double speed, int wanted) const {

@@ -19,9 +19,10 @@ namespace whirl::modes {
 /// Whirl modes of a rotor whose equations stay periodic in time (form hill) by its monodromy matrix
 /// (periodic/): all motions of a speed at once, each shown by the copy that Hill's series would
 /// show (series_pair.h). At speeds far below all frequencies, where half a turn takes long, they
-/// are followed down from where the matrix tells them (periodic/slow_motions.h). Of motions that
-/// die out within half a turn the matrix knows nothing; where they cannot be followed, as at rest,
-/// modes are those of Hill's series.
+/// are followed down from where the matrix tells them (periodic/slow_motions.h). Where some die out
+/// far within half a turn it is taken in triangular factors (periodic/triangular_turn.h). Where
+/// half a turn takes too long and motions cannot be followed, as at rest, modes are those of Hill's
+/// series.
 class FloquetSpectrum {
   public:
     /// @param rotor      of form hill, on the same shapes; kept by reference
@@ -36,10 +37,14 @@ class FloquetSpectrum {
     /// @throws linalg::SolverError
     [[nodiscard]] Spectrum modes(double speed, int wanted) const;
 
-    /// Whether the matrix can tell that many modes at a speed: not next to rest, where half a turn
-    /// takes so long that damped motions die out in it. Hill's series has so many copies of each
+    /// Whether half a turn tells that many modes at a speed: not next to rest, where it takes too
+    /// many steps. Hill's series has so many copies of each
     /// motion there that it is slow, or does not find all.
     [[nodiscard]] bool tells(double speed, int wanted) const;
+
+    /// Whether some motions are drowned in the matrix, so that a spectrum is found by the
+    /// triangular factors of half a turn, which cost more.
+    [[nodiscard]] bool drowns(double speed, int wanted) const;
 
     /// At speeds up to this one all motions are at least five times as fast, rad/s; 0: nowhere.
     [[nodiscard]] double slow() const;
@@ -73,9 +78,19 @@ class FloquetSpectrum {
 
     [[nodiscard]] const periodic::System &system(double speed) const;
     [[nodiscard]] const Steady &steady(double speed) const;
-    /// Steps in time for motions up to a modulus as seen from the rotor; nothing where the matrix
-    /// cannot tell.
-    [[nodiscard]] std::optional<int> steps_for(double speed, double reach) const;
+    /// Modulus of the last of so many of them, the slowest ones, rad/s.
+    [[nodiscard]] double slowest(double speed, int wanted) const;
+    /// Steps in time for motions up to a modulus as seen from the rotor, and the logarithm of how
+    /// far half a turn leads them apart; nothing where they would be too many.
+    struct Steps {
+        int count;
+        double spread;
+        int matter; ///< motions that do not die out far faster
+    };
+    [[nodiscard]] std::optional<Steps> steps_for(double speed, double reach) const;
+    /// Motions of frequencies up to `fastest` by these steps.
+    [[nodiscard]] std::optional<std::vector<periodic::FloquetSeries>>
+    motions(double speed, const Steps &steps, double fastest) const;
     [[nodiscard]] Spectrum shown(double speed, const std::vector<periodic::FloquetSeries> &motions,
                                  double complete_radius) const;
     [[nodiscard]] std::optional<Spectrum> up_to(double speed, double reach, bool all) const;

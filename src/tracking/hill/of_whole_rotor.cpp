@@ -15,7 +15,7 @@ namespace whirl::tracking {
 namespace {
 
 /// Of what a rotor on few shapes has wrong, over the speed or the eigenvalue.
-constexpr double farthest = 1e-5;
+constexpr double farthest = 1e-4;
 
 bool near(std::complex<double> a, std::complex<double> b, double speed) {
     return std::abs(a - b) <= farthest * std::max(std::abs(speed), std::abs(a));
@@ -163,8 +163,8 @@ std::optional<Place> crossing(const WholeAndFew &rotors, double multiple, double
     return out ? out : crossing(rotors, multiple, speed, speed + step, step);
 }
 
-/// Outside a band the square of the distance is smooth up to its end and beyond: there, what both
-/// rotors differ by moves the end by that over the slope.
+/// Outside a band the square of the distance is smooth up to its end and beyond, and so is what
+/// both rotors differ by: the end of the whole one's is where the sum of both is zero.
 std::optional<Place> end_of_band(const WholeAndFew &rotors, double multiple, double speed,
                                  double outwards) {
     const auto few = leaving(rotors, multiple, speed, outwards / 4, outwards);
@@ -176,11 +176,16 @@ std::optional<Place> end_of_band(const WholeAndFew &rotors, double multiple, dou
         return std::nullopt;
     const auto square = [](const Next &a) { return a.distance * a.distance; };
     const auto at_end = [](double a, double b) { return (4 * a - b) / 3; }; // a line's at 0
-    const double difference =
-        at_end(square(*near) - square(few->first), square(*far) - square(few->second));
-    const double slope =
-        at_end(square(few->first) / (outwards / 4), square(few->second) / outwards);
-    const double change = -difference / slope;
+    const double off_near = square(*near) - square(few->first);
+    const double off_far = square(*far) - square(few->second);
+    const double difference = at_end(off_near, off_far);
+    const double steep_near = square(few->first) / (outwards / 4);
+    const double steep_far = square(few->second) / outwards;
+    const double slope = at_end(steep_near, steep_far) + (off_far - off_near) / (0.75 * outwards);
+    const double bend = (steep_far - steep_near) / (0.75 * outwards);
+    double change = 0; // difference + slope change + bend change^2 = 0, of its roots the small one
+    for (int step = 0; step < 4; ++step)
+        change = -(difference + bend * change * change) / slope;
     if (!(std::abs(change) <= std::min(std::abs(outwards), farthest * std::abs(speed))))
         return std::nullopt;
     return Place{speed + change, at_end(near->mode.eigenvalue.real(), far->mode.eigenvalue.real())};
