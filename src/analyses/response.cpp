@@ -8,6 +8,7 @@
 #include "forced/response_error.h"
 #include "forced/response_gravity.h"
 #include "forced/response_places.h"
+#include "forced/response_receptance.h"
 #include "forced/station_motion.h"
 #include "mesh_error/estimate.h"
 #include "model/case.h"
@@ -23,11 +24,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace whirl::analyses {
 
@@ -40,15 +45,28 @@ using forced::no_value;
 using forced::unlimited;
 
 void refuse_what_is_missing(const model::Case &scene) {
-    if (scene.rotor.imbalances.empty() && scene.response.gravity == 0)
+    if (scene.rotor.imbalances.empty() && scene.rotor.forces.empty() &&
+        scene.response.gravity == 0 && scene.response.receptances.empty())
         throw model::BadInput(fmt::format("{}: imbalance: expected at least one [[imbalance]], or "
-                                          "the imbalance of a balancer, or response.gravity, to "
-                                          "drive the response, got none",
+                                          "the imbalance of a balancer, [[force]], "
+                                          "response.gravity or response.receptance, to drive the "
+                                          "response, got none",
                                           scene.file.string()));
+    model::Rotor without = scene.rotor; // the response leaves balancers out
+    without.balancers.clear();
+    if (!without.rotating_anisotropy())
+        return;
+    const bool forces = !scene.rotor.forces.empty();
+    if (forces || !scene.response.receptances.empty())
+        throw model::BadInput(fmt::format(
+            "{}: {}: expected a rotor that is the same from every direction, got one with "
+            "[[anisotropy]] or two bending stiffnesses: a force of one frequency moves it at "
+            "several, which is not computed",
+            scene.file.string(), forces ? "force" : "response.receptance"));
 }
 
 /// The lists of a result, in the order of a row: one value of each a speed.
-std::vector<std::vector<double> *> lists_of(results::ResponseResult &result) {
+std::vector<std::vector<double> *> lists_of(results::HarmonicMotion &result) {
     std::vector<std::vector<double> *> lists;
     for (results::ResponseNode &node : result.nodes)
         lists.insert(lists.end(),
@@ -78,8 +96,8 @@ double inclination_of(const forced::Phasor &u, double rounding) {
 class Response {
   public:
     Response(const assembly::Discretization &d, results::Form form,
-             const std::map<int, std::string> &nodes)
-        : _discretization(d), _nodes(nodes), _forced(d, form), _finer(d, form) {}
+             const std::map<int, std::string> &nodes, const forced::Drive &drive = {})
+        : _discretization(d), _nodes(nodes), _forced(d, form, drive), _finer(d, form, drive) {}
 
     [[nodiscard]] int unknowns() const { return _forced.unknowns(); }
 
@@ -147,13 +165,14 @@ class Response {
         return out;
     }
 
-    /// A resonance of a motion that the imbalances do not excite: a little beside it the rotor
+    /// A resonance of a motion that nothing excites: a little beside it the rotor
     /// moves in the same way, where an excited one would be smaller by orders of magnitude.
     [[nodiscard]] bool unexcited(double speed) {
         constexpr double beside = 1e-8;
+        constexpr double beside_rest = 1e-6; // rad/s
         constexpr double same = 1e-4;
         const std::vector<forced::Phasor> here = motions();
-        _forced.solve(speed * (1 + beside));
+        _forced.solve(speed != 0 ? speed * (1 + beside) : beside_rest);
         const std::vector<forced::Phasor> there = motions();
         _forced.solve(speed);
         double difference = 0;
@@ -212,7 +231,7 @@ class Response {
 };
 
 /// Empty lists with places and names.
-void prepare_lists(results::ResponseResult &result, const assembly::Discretization &d,
+void prepare_lists(results::HarmonicMotion &result, const assembly::Discretization &d,
                    const std::map<int, std::string> &nodes) {
     for (const auto &[index, name] : nodes) {
         results::ResponseNode node;
@@ -226,15 +245,17 @@ void prepare_lists(results::ResponseResult &result, const assembly::Discretizati
         result.probes.push_back({probe.z, probe.angle, probe.name, {}, {}, {}});
 }
 
-void note_resonances(results::ResponseResult &result) {
+/// @param drive  what moves the rotor
+void note_resonances(results::ResponseResult &result, const results::HarmonicMotion &motion,
+                     const Sentence &drive) {
     const std::vector<double> speeds =
-        forced::speeds_without_limit(result.speeds, result.nodes.front().amplitude);
+        forced::speeds_without_limit(result.speeds, motion.nodes.front().amplitude);
     if (!speeds.empty())
         result.model.notes.emplace_back(
             "no steady motion at {}: the rotor is at a resonance without damping, or free to move "
-            "under its imbalance; amplitudes there have no limit, or are not determined where the "
-            "imbalance does not drive that mode",
-            as::speed.list(speeds));
+            "under its {}; amplitudes there have no limit, or are not determined where the "
+            "{} does not drive that mode",
+            as::speed.list(speeds), drive, drive);
 }
 
 /// Coefficients of bearings bend at the rows of their tables, and curves with them: a largest value
@@ -242,11 +263,17 @@ void note_resonances(results::ResponseResult &result) {
 void note_bends(const model::Rotor &rotor, results::ResponseResult &result) {
     constexpr double at_row = 1e-7; // of the speed
     std::set<double> bends;
+    const auto peaks_at = [](const results::HarmonicMotion &motion, double row) {
+        return std::ranges::any_of(motion.peaks, [row](const auto &peak) {
+            return std::abs(peak.speed - row) <= at_row * std::abs(row);
+        });
+    };
     for (const model::Bearing &bearing : rotor.supports())
         if (bearing.depends_on_speed())
             for (const double row : bearing.speeds)
-                if (std::ranges::any_of(result.peaks, [row](const auto &peak) {
-                        return std::abs(peak.speed - row) <= at_row * std::abs(row);
+                if (peaks_at(result, row) ||
+                    std::ranges::any_of(result.forces, [&](const results::ForceResponse &forces) {
+                        return peaks_at(forces, row);
                     }))
                     bends.insert(row);
     if (!bends.empty())
@@ -256,19 +283,68 @@ void note_bends(const model::Rotor &rotor, results::ResponseResult &result) {
             as::speed.list({bends.begin(), bends.end()}));
 }
 
-/// The case with the imbalances that its balancers are for.
+/// The case with the imbalances that its balancers are for, and nodes between which receptances are
+/// asked for.
 model::Case driven(model::Case scene) {
     scene.rotor = model::with_balancer_imbalances(std::move(scene.rotor));
     refuse_what_is_missing(scene);
+    for (const model::Receptance &asked : scene.response.receptances)
+        scene.rotor.stations.insert(scene.rotor.stations.end(), {{asked.from}, {asked.to}});
     return scene;
+}
+
+constexpr std::array direction_names{"x", "y", "forward", "backward"};
+
+/// Re(x exp(i w t)), Re(y exp(i w t)): y a quarter turn behind x where it turns with the spin.
+forced::Push push_of(const model::HarmonicForce &force) {
+    const std::complex<double> f = std::polar(force.amplitude, force.phase);
+    switch (force.direction) {
+    case model::ForceDirection::x:
+        return {force.z, {f, 0}};
+    case model::ForceDirection::y:
+        return {force.z, {0, f}};
+    case model::ForceDirection::forward:
+        return {force.z, {f, -forced::imaginary_unit * f}};
+    case model::ForceDirection::backward:
+        return {force.z, {f, forced::imaginary_unit * f}};
+    }
+    return {};
+}
+
+/// It has the frequency of the imbalances of the case, and acts together with them.
+bool joins_imbalances(const model::HarmonicForce &force, const model::Case &scene) {
+    return force.multiple == 1.0 && !scene.rotor.imbalances.empty();
+}
+
+/// The imbalances, with the forces that have their frequency.
+forced::Drive synchronous_drive(const model::Case &scene) {
+    forced::Drive drive;
+    for (const model::HarmonicForce &force : scene.rotor.forces)
+        if (joins_imbalances(force, scene))
+            drive.forces.push_back(push_of(force));
+    drive.unbalanced = !drive.forces.empty();
+    return drive;
 }
 
 /// Form of the equations and order of the elements.
 void choose_model(const model::Case &scene, results::ModelSummary &model) {
     model.formulation = forced::response_formulation(scene);
+    if ((scene.rotor.imbalances.empty() && scene.response.gravity == 0) ||
+        synchronous_drive(scene).unbalanced)
+        model.formulation = {results::Form::general,
+                             "forces of one frequency: forced motion in x and y"};
     model::Case bare = scene; // the order is judged by frequencies
     bare.rotor.balancers.clear();
     model.order = mesh_error::resolve_order_in_best_form(bare);
+}
+
+/// Stations, bearings and probes.
+forced::Watched watched_places(const assembly::Discretization &d) {
+    forced::Watched all = forced::watched(d, forced::attached_nodes(d));
+    for (const model::Probe &probe : d.rotor().probes)
+        all.add({d.deflection_at(probe.z), forced::Quantity::deflection, probe.angle}, "probe",
+                probe.z, probe.name);
+    return all;
 }
 
 /// Of stations, bearings and probes.
@@ -276,15 +352,33 @@ void choose_model(const model::Case &scene, results::ModelSummary &model) {
 std::vector<results::ResponsePeak> add_imbalance_peaks(results::ResponseResult &result,
                                                        const assembly::Discretization &d,
                                                        const model::Case &scene, bool with_errors) {
-    forced::Watched all = forced::watched(d, forced::attached_nodes(d));
-    for (const model::Probe &probe : d.rotor().probes)
-        all.add({d.deflection_at(probe.z), forced::Quantity::deflection, probe.angle}, "probe",
-                probe.z, probe.name);
+    forced::Watched all = watched_places(d);
     const std::size_t others = all.quantities.size();
     watch_clearances(all, d);
     forced::add_peaks(result.peaks, result.curves, d, result.model.formulation.form, all,
-                      model::required_speeds(scene), {{}, with_errors, scene.reduction});
+                      model::required_speeds(scene),
+                      {synchronous_drive(scene), with_errors, scene.reduction});
     return clearance_peaks(result, others);
+}
+
+/// The motion at all speeds, for process 0.
+/// @returns whether this is process 0
+bool add_rows(results::HarmonicMotion &motion, const std::vector<double> &speeds,
+              Response &response, const assembly::Discretization &d,
+              const std::map<int, std::string> &nodes) {
+    double done = 0;
+    const std::vector<std::vector<double>> rows = process::rows_at(speeds, [&](double speed) {
+        process::report_progress(done++ / static_cast<double>(speeds.size()));
+        return response.row(speed);
+    });
+    if (rows.empty())
+        return false;
+    prepare_lists(motion, d, nodes);
+    const std::vector<std::vector<double> *> lists = lists_of(motion);
+    for (const std::vector<double> &row : rows)
+        for (std::size_t i = 0; i < lists.size(); ++i)
+            lists[i]->push_back(row.at(i));
+    return true;
 }
 
 /// Lists over the speeds, peaks and curves.
@@ -292,28 +386,70 @@ void add_imbalance_response(results::ResponseResult &result, const assembly::Dis
                             const model::Case &scene) {
     const results::Form form = result.model.formulation.form;
     const std::map<int, std::string> nodes = forced::attached_nodes(d);
-    Response response(d, form, nodes);
+    const forced::Drive drive = synchronous_drive(scene);
+    Response response(d, form, nodes, drive);
     std::optional<process::Stage> stage(std::in_place, "response at the speeds", 0.0, 0.6);
-    double done = 0;
-    const std::vector<std::vector<double>> rows =
-        process::rows_at(result.speeds, [&](double speed) {
-            process::report_progress(done++ / static_cast<double>(result.speeds.size()));
-            return response.row(speed);
-        });
-    if (rows.empty())
+    if (!add_rows(result, result.speeds, response, d, nodes))
         return;
     result.model.unknowns = response.unknowns();
-    prepare_lists(result, d, nodes);
-    const std::vector<std::vector<double> *> lists = lists_of(result);
-    for (const std::vector<double> &row : rows)
-        for (std::size_t i = 0; i < lists.size(); ++i)
-            lists[i]->push_back(row.at(i));
-    note_resonances(result);
+    note_resonances(result, result, "imbalance");
+    if (drive.unbalanced)
+        result.model.notes.emplace_back(
+            "forces at 1x, {} of them, act together with the imbalances: the response is to both",
+            drive.forces.size());
     stage.emplace("peaks", 0.6, 1.0);
     const std::vector<results::ResponsePeak> peaks = add_imbalance_peaks(result, d, scene, true);
     add_orbits(result, d, scene, nodes, peaks, [&response](double speed) {
         return response.solve(speed) ? std::optional(response.solved()) : std::nullopt;
     });
+}
+
+/// What forces of one frequency do together, of each frequency of its own; but for those that have
+/// the frequency of the imbalances.
+void add_force_responses(results::ResponseResult &result, const assembly::Discretization &d,
+                         const model::Case &scene) {
+    std::vector<forced::Drive> drives;
+    for (const model::HarmonicForce &force : scene.rotor.forces) {
+        if (joins_imbalances(force, scene))
+            continue;
+        auto same = std::ranges::find_if(result.forces, [&force](const auto &response) {
+            return response.multiple == force.multiple && response.frequency == force.frequency;
+        });
+        if (same == result.forces.end()) {
+            results::ForceResponse response;
+            response.multiple = force.multiple;
+            response.frequency = force.frequency;
+            same = result.forces.insert(same, response);
+            forced::Drive &drive = drives.emplace_back();
+            drive.sweep.frequency = force.frequency.value_or(0);
+            drive.sweep.frequency_rate = force.multiple.value_or(0);
+        }
+        const auto place = static_cast<std::size_t>(same - result.forces.begin());
+        same->forces.push_back({force.z, force.name, force.amplitude, force.phase,
+                                direction_names.at(static_cast<std::size_t>(force.direction))});
+        drives[place].forces.push_back(push_of(force));
+    }
+    const std::map<int, std::string> nodes = forced::attached_nodes(d);
+    bool first_process = true;
+    for (std::size_t i = 0; i < drives.size(); ++i) {
+        const auto share = [&](double part) {
+            return (static_cast<double>(i) + part) / static_cast<double>(drives.size());
+        };
+        results::ForceResponse &out = result.forces[i];
+        Response response(d, results::Form::general, nodes, drives[i]);
+        std::optional<process::Stage> stage(std::in_place, "response to the forces", share(0),
+                                            share(0.6));
+        first_process = add_rows(out, result.speeds, response, d, nodes);
+        if (!first_process)
+            continue;
+        result.model.unknowns = std::max(result.model.unknowns, response.unknowns());
+        note_resonances(result, out, "force");
+        stage.emplace("peaks under the forces", share(0.6), share(1));
+        forced::add_peaks(out.peaks, out.curves, d, results::Form::general, watched_places(d),
+                          model::required_speeds(scene), {drives[i], true, scene.reduction});
+    }
+    if (!first_process)
+        result.forces.clear();
 }
 
 void add_margins(results::ResponseResult &result, const model::Case &scene) {
@@ -332,6 +468,12 @@ void add_margins(results::ResponseResult &result, const model::Case &scene) {
 
 results::ResponseResult response_peaks(const model::Case &asked, bool with_errors) {
     const model::Case scene = driven(asked);
+    if (scene.rotor.imbalances.empty() && scene.response.gravity == 0)
+        throw model::BadInput(
+            fmt::format("{}: imbalance: expected at least one [[imbalance]], or "
+                        "the imbalance of a balancer, to drive the response whose "
+                        "peaks are looked for, got none",
+                        scene.file.string()));
     results::ResponseResult result;
     choose_model(scene, result.model);
     const assembly::Discretization d(scene.rotor, result.model.order);
@@ -348,19 +490,32 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
     choose_model(scene, result.model);
     const assembly::Discretization d(scene.rotor, result.model.order);
     result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
-    const bool weight = scene.response.gravity != 0;
-    if (!scene.rotor.imbalances.empty()) {
-        const process::Stage stage("response to the imbalances", 0.0, weight ? 0.5 : 1.0);
-        add_imbalance_response(result, d, scene);
+    std::vector<std::pair<const char *, std::function<void()>>> parts;
+    if (!scene.rotor.imbalances.empty())
+        parts.emplace_back("response to the imbalances",
+                           [&] { add_imbalance_response(result, d, scene); });
+    if (!scene.rotor.forces.empty())
+        parts.emplace_back("response to the forces",
+                           [&] { add_force_responses(result, d, scene); });
+    if (scene.response.gravity != 0)
+        parts.emplace_back("motion under the weight",
+                           [&] { forced::add_gravity_response(result, d, scene); });
+    if (!scene.response.receptances.empty())
+        parts.emplace_back("receptances", [&] { forced::add_receptances(result, d, scene); });
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto share = [&parts](std::size_t part) {
+            return static_cast<double>(part) / static_cast<double>(parts.size());
+        };
+        const process::Stage stage(parts[i].first, share(i), share(i + 1));
+        parts[i].second();
     }
-    if (weight) {
-        const process::Stage stage("motion under the weight",
-                                   scene.rotor.imbalances.empty() ? 0.0 : 0.5, 1.0);
-        forced::add_gravity_response(result, d, scene);
-    }
-    if (result.nodes.empty() && !result.gravity) // not process 0
-        return {};
-    name_modes(result.peaks, asked, result.model.order);
+    if (result.nodes.empty() && !result.gravity && result.forces.empty() && !result.receptance)
+        return {}; // not process 0
+    name_modes(result.peaks, asked, result.model.order,
+               {1, 0, !synchronous_drive(scene).unbalanced});
+    for (results::ForceResponse &response : result.forces)
+        name_modes(response.peaks, asked, result.model.order,
+                   {response.multiple.value_or(0), response.frequency.value_or(0), false});
     note_bends(scene.rotor, result);
     if (scene.operation && !result.nodes.empty())
         add_margins(result, scene);

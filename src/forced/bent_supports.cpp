@@ -90,20 +90,22 @@ BentSupports::Change BentSupports::at(Complex s) const {
         const BearingCoefficients slope = slope_of(bearing, place);
         const BearingCoefficients a = bearing.at(_from);
         const BearingCoefficients b = bearing.at(_to);
-        const auto beside = [&](auto part, auto block) { // at the place, and per rad/s
-            const Eigen::Matrix2d gap = now.*part - (1 - t) * (a.*part) - t * (b.*part);
-            const Eigen::Matrix2d rate = slope.*part - (b.*part - a.*part) / (_to - _from);
-            return std::pair(block_of(_terms, block(gap)), block_of(_terms, block(rate)));
+        const auto gap = [&](auto part) -> Eigen::Matrix2d {
+            return now.*part - (1 - t) * (a.*part) - t * (b.*part);
         };
-        const auto [k, k_rate] = beside(&BearingCoefficients::k, [this](const Eigen::Matrix2d &m) {
-            return _terms.stiffness_block(m);
-        });
-        const auto [c, c_rate] = beside(&BearingCoefficients::c, [this](const Eigen::Matrix2d &m) {
-            return _terms.damping_block(m);
-        });
+        const auto rate = [&](auto part) -> Eigen::Matrix2d { // per rad/s
+            return slope.*part - (b.*part - a.*part) / (_to - _from);
+        };
+        constexpr auto k = &BearingCoefficients::k;
+        constexpr auto c = &BearingCoefficients::c;
+        const Eigen::MatrixXcd Z0 = block_of(_terms, _terms.constant_block(gap(k), gap(c)));
+        const Eigen::MatrixXcd Z0_rate = block_of(_terms, _terms.constant_block(rate(k), rate(c)));
+        const Eigen::MatrixXcd Z1 = block_of(_terms, _terms.linear_block(gap(c)));
+        const Eigen::MatrixXcd Z1_rate = block_of(_terms, _terms.linear_block(rate(c)));
         const Complex off = s - place;
-        out.Z.block(first, first, planes, planes) = k + off * k_rate + s * (c + off * c_rate);
-        out.slope.block(first, first, planes, planes) = k_rate + (c + off * c_rate) + s * c_rate;
+        out.Z.block(first, first, planes, planes) = Z0 + off * Z0_rate + s * (Z1 + off * Z1_rate);
+        out.slope.block(first, first, planes, planes) =
+            Z0_rate + (Z1 + off * Z1_rate) + s * Z1_rate;
         first += planes;
     }
     return out;
@@ -126,18 +128,19 @@ BentSupports::solution(double s, const QuadraticResolvent::Solution &numbers,
     Eigen::MatrixXcd equations = linalg::times(change.Z, A);
     equations.diagonal().array() += 1;
     const Eigen::PartialPivLU<Eigen::MatrixXcd> system(equations);
-    Eigen::VectorXcd a = stretch.y.col(0);
-    const Eigen::VectorXcd f = linalg::solved(system, linalg::times(change.Z, a));
+    const Eigen::Index loads = stretch.y.cols() - n;
+    Eigen::MatrixXcd a = stretch.y.leftCols(loads);
+    const Eigen::MatrixXcd f = linalg::solved(system, linalg::times(change.Z, a));
     a -= linalg::times(A, f);
-    const Eigen::VectorXcd moved = stretch.slope.col(0) - linalg::times(A_slope, f);
-    const Eigen::VectorXcd forces = linalg::times(change.slope, a) + linalg::times(change.Z, moved);
-    const Eigen::VectorXcd f_slope = linalg::solved(system, forces);
+    const Eigen::MatrixXcd moved = stretch.slope.leftCols(loads) - linalg::times(A_slope, f);
+    const Eigen::MatrixXcd forces = linalg::times(change.slope, a) + linalg::times(change.Z, moved);
+    const Eigen::MatrixXcd f_slope = linalg::solved(system, forces);
     const Eigen::MatrixXcd read = numbers.y.rightCols(n);
     const Eigen::MatrixXcd read_slope = numbers.slope.rightCols(n);
-    QuadraticResolvent::Solution out{numbers.y.col(0), numbers.slope.col(0)};
-    out.y.col(0) -= linalg::times(read, f);
-    out.slope.col(0) -= linalg::times(read_slope, f);
-    out.slope.col(0) -= linalg::times(read, f_slope);
+    QuadraticResolvent::Solution out{numbers.y.leftCols(loads), numbers.slope.leftCols(loads)};
+    out.y -= linalg::times(read, f);
+    out.slope -= linalg::times(read_slope, f);
+    out.slope -= linalg::times(read, f_slope);
     return out;
 }
 

@@ -4,15 +4,14 @@
 #include "assembly/planes.h"
 #include "assembly/system.h"
 #include "linalg/check.h"
-#include "linalg/sparse_factor.h"
-#include "linalg/unit_scales.h"
 #include "model/errors.h"
 #include "modes/formulation.h"
 #include "results/formulation.h"
 #include "synchronous/parts.h"
 
 #include <cmath>
-#include <limits>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace whirl::forced {
@@ -26,6 +25,17 @@ Eigen::VectorXcd imbalance_loads(const assembly::Discretization &discretization)
     for (const model::Imbalance &imbalance : discretization.rotor().imbalances)
         for (const auto &[unknown, value] : discretization.deflection_at(imbalance.z))
             out(unknown) += value * imbalance.mr * std::polar(1.0, imbalance.phase);
+    return out;
+}
+
+Eigen::VectorXcd force_loads(const assembly::Discretization &discretization,
+                             const std::vector<Push> &forces) {
+    Eigen::VectorXcd out = Eigen::VectorXcd::Zero(2 * discretization.planar_size());
+    for (const Push &push : forces)
+        for (const auto &[unknown, value] : discretization.deflection_at(push.z)) {
+            out(2 * unknown) += value * push.force.x;
+            out(2 * unknown + 1) += value * push.force.y;
+        }
     return out;
 }
 
@@ -45,13 +55,15 @@ assembly::Combination stretch_of_bearing(const assembly::Discretization &discret
 
 ForcedMotion::ForcedMotion(const assembly::Discretization &discretization, results::Form form,
                            Drive drive)
-    : _discretization(discretization), _drive(drive),
-      _planar(!drive.weight() &&
+    : _discretization(discretization), _drive(std::move(drive)),
+      _planar(_drive.imbalances() &&
               (form == results::Form::planar || form == results::Form::rotating)),
       _rotating(form == results::Form::rotating),
       _rows(synchronous::table_speeds(discretization.rotor())) {
-    if (drive.weight())
+    if (_drive.weight())
         _weight = weight_loads(discretization);
+    if (!_drive.forces.empty() && form != results::Form::general)
+        throw std::logic_error("forces of one frequency are solved in x and y of the fixed frame");
 }
 
 namespace {
@@ -68,108 +80,70 @@ void split(double from, linalg::Matrix &A, double to, const linalg::Matrix &A_to
 
 } // namespace
 
-assembly::RotatingSystem ForcedMotion::rotating_system(double from, double to) const {
-    assembly::RotatingSystem out = assembly::assemble_rotating(_discretization, from, {});
-    if (to > from) { // (K + s dK) + s (Ks + s dKs) + s^2 Kss, C + s (Cs + dC)
-        const assembly::RotatingSystem end = assembly::assemble_rotating(_discretization, to, {});
-        split(from, out.Ks, to, end.Ks, out.Kss);
-        split(from, out.K, to, end.K, out.Ks);
-        split(from, out.C, to, end.C, out.Cs);
-    }
-    return out;
-}
-
-assembly::FixedSystem ForcedMotion::fixed_system(double from, double to) const {
-    assembly::FixedSystem out = synchronous::turned_system(_discretization, _planar, from);
-    if (to > from) { // (K + s dK) + s Kc + i s (C + s dC + s G) - s^2 M
-        const assembly::FixedSystem end = synchronous::turned_system(_discretization, _planar, to);
-        split(from, out.K, to, end.K, out.Kc);
-        split(from, out.C, to, end.C, out.G);
-    }
-    if (_drive.weight()) // stands still
-        for (linalg::Matrix *moving : {&out.M, &out.C, &out.G})
-            *moving = linalg::Matrix::from_entries(out.K.size(), {});
-    return out;
-}
-
-void ForcedMotion::assemble(double from, double to) {
-    if (!_rotating) {
-        _solver = std::make_unique<linalg::HarmonicSolver>(fixed_system(from, to));
-        return;
-    }
-    assembly::RotatingSystem s = rotating_system(from, to);
-    if (!_drive.weight()) {
-        _turning = std::make_unique<assembly::RotatingSystem>(std::move(s));
-        return;
-    }
-    _solver = std::make_unique<linalg::HarmonicSolver>(
-        linalg::HarmonicTerms{linalg::Matrix::sum(1, s.M, -1, s.Kss), std::move(s.C),
-                              std::move(s.Cs), std::move(s.K), std::move(s.Ks)});
+linalg::HarmonicTerms ForcedMotion::terms(double bearing_speed) const {
+    if (!_rotating)
+        return synchronous::turned_system(_discretization, _planar, bearing_speed);
+    assembly::RotatingSystem s = assembly::assemble_rotating(_discretization, bearing_speed, {});
+    return {std::move(s.M), std::move(s.C),  std::move(s.Cs),
+            std::move(s.K), std::move(s.Ks), std::move(s.Kss)};
 }
 
 void ForcedMotion::enter_piece(double speed) {
     const synchronous::TablePiece piece = synchronous::table_piece(_rows, speed);
     if (piece.index == _piece)
         return;
-    assemble(piece.from, piece.to);
+    linalg::HarmonicTerms all = terms(piece.from);
+    if (piece.to > piece.from) { // (K + s dK) + s (Kc + s dKc) + s^2 Kss, C + s (G + dC)
+        const linalg::HarmonicTerms end = terms(piece.to);
+        if (_rotating)
+            split(piece.from, all.Kc, piece.to, end.Kc, all.Kss);
+        split(piece.from, all.K, piece.to, end.K, all.Kc);
+        split(piece.from, all.C, piece.to, end.C, all.G);
+    }
+    _solver = std::make_unique<linalg::HarmonicSolver>(all);
     _piece = piece.index;
 }
 
 int ForcedMotion::size() const { return (_planar ? 1 : 2) * _discretization.planar_size(); }
 
-Eigen::VectorXcd ForcedMotion::imbalance_forces(double speed) const {
-    const Eigen::VectorXcd planar = (speed * speed) * imbalance_loads(_discretization);
+/// Imbalances: speed^2 on w, standing still in rotating axes. Weight: -i g on w, in rotating axes
+/// -i g exp(-i Omega t) on u: x = Re(conj(-i g) exp(i Omega t)), y a quarter turn ahead.
+Eigen::VectorXcd ForcedMotion::forces(double speed) const {
+    if (_drive.weight()) {
+        const Eigen::VectorXcd load = imaginary_unit * _drive.gravity * _weight;
+        return assembly::in_pairs((_rotating ? 1 : 0) * load, imaginary_unit * load);
+    }
+    const Eigen::VectorXcd w = (speed * speed) * imbalance_loads(_discretization);
+    if (!_drive.forces.empty()) {
+        Eigen::VectorXcd load = force_loads(_discretization, _drive.forces);
+        if (_drive.unbalanced)
+            load += assembly::in_pairs(w, -imaginary_unit * w);
+        return load;
+    }
+    if (_rotating)
+        return assembly::in_pairs(w.real().cast<std::complex<double>>(),
+                                  w.imag().cast<std::complex<double>>());
     if (_planar)
-        return planar;
-    return assembly::in_pairs(planar, -imaginary_unit * planar); // sin = Re(-i exp)
-}
-
-/// -i g on w, in rotating axes -i g exp(-i Omega t) on u: x = Re(conj(-i g) exp(i Omega t)), y a
-/// quarter turn ahead.
-Eigen::VectorXcd ForcedMotion::weight_forces() const {
-    const Eigen::VectorXcd load = imaginary_unit * _drive.gravity * _weight;
-    return assembly::in_pairs((_rotating ? 1 : 0) * load, imaginary_unit * load);
-}
-
-void ForcedMotion::solve_in_rotating_axes(double speed) {
-    const Eigen::VectorXcd f = imbalance_forces(speed);
-    Eigen::VectorXd real(2 * f.size());
-    real(Eigen::seqN(0, f.size(), 2)) = f.real();
-    real(Eigen::seqN(1, f.size(), 2)) = f.imag();
-    const linalg::Matrix stiffness = _turning->stiffness(speed);
-    const Eigen::VectorXd scales = linalg::unit_scales(_turning->K, _turning->M);
-    const Eigen::SparseMatrix<double> K =
-        linalg::scaled(Eigen::SparseMatrix<double>(stiffness.view()), scales);
-    real.array() *= scales.array();
-    linalg::SparseFactor<double> factors;
-    if (!factors.factorize(K))
-        throw linalg::SolverError("singular stiffness in rotating axes");
-    const Eigen::VectorXd u = factors.solution(real);
-    // A small change of the entries of K by rounding moves u by so much of itself.
-    const Eigen::VectorXd change = factors.solution(K.cwiseAbs() * u.cwiseAbs());
-    _rounding = std::numeric_limits<double>::epsilon() * change.norm() /
-                std::max(u.norm(), std::numeric_limits<double>::min());
-    const Eigen::VectorXd motion = scales.cwiseProduct(u);
-    _displacements.resize(f.size());
-    _displacements.real() = motion(Eigen::seqN(0, f.size(), 2));
-    _displacements.imag() = motion(Eigen::seqN(1, f.size(), 2));
+        return w;
+    return assembly::in_pairs(w, -imaginary_unit * w); // sin = Re(-i exp)
 }
 
 void ForcedMotion::solve(double speed) {
     _speed = speed;
-    if (speed == 0 && !_drive.weight()) { // no force; a free rotor's matrix would be singular
+    if (speed == 0 && _drive.imbalances()) { // no force; a free rotor's matrix would be singular
         _displacements = Eigen::VectorXcd::Zero(size());
         _rounding = 0;
         return;
     }
-    enter_piece(speed);
-    if (_rotating && !_drive.weight()) {
-        solve_in_rotating_axes(speed);
-        return;
-    }
-    const Eigen::VectorXcd forces = _drive.weight() ? weight_forces() : imbalance_forces(speed);
-    _displacements = _solver->solve(speed, forces);
-    _rounding = _solver->rounding(forces, _displacements);
+    const double spin = _drive.sweep.spin_at(speed);
+    enter_piece(spin);
+    const Eigen::VectorXcd load = forces(speed);
+    _displacements = _solver->solve(spin, frequency(speed), load);
+    _rounding = _solver->rounding(load, _displacements);
+    if (_rotating && _drive.imbalances()) // (x, y) stand still: w = x + i y
+        _displacements = (_displacements(Eigen::seq(0, Eigen::last, 2)) +
+                          imaginary_unit * _displacements(Eigen::seq(1, Eigen::last, 2)))
+                             .eval();
 }
 
 Phasor ForcedMotion::pair(const assembly::Combination &combination) const {
@@ -193,6 +167,13 @@ Phasor ForcedMotion::motion(const assembly::Combination &combination) const {
     return {w, -imaginary_unit * w};
 }
 
+Phasor ForcedMotion::of(const Quantity &quantity) const {
+    if (quantity.film)
+        return stretch(*quantity.film);
+    return quantity.bearing == Quantity::deflection ? quantity.seen(at(quantity.z))
+                                                    : bearing_force(quantity.bearing);
+}
+
 std::complex<double> ForcedMotion::at_rest(const assembly::Combination &combination) const {
     const Phasor q = pair(combination);
     return _rotating ? std::conj(WhirlParts(q).d) : q.x.real() + imaginary_unit * q.y.real();
@@ -213,10 +194,11 @@ Eigen::MatrixXcd ForcedMotion::planar_motion() const {
 }
 
 Phasor ForcedMotion::bearing_force(int bearing) const {
-    const Phasor u = motion(stretch_of_bearing(_discretization, bearing));
+    const Phasor u = stretch(bearing);
     const model::BearingCoefficients at =
-        _discretization.rotor().bearings[static_cast<std::size_t>(bearing)].at(_speed);
-    const double frequency = (_drive.weight() ? 2 : 1) * _speed;
+        _discretization.rotor().bearings[static_cast<std::size_t>(bearing)].at(
+            _drive.sweep.spin_at(_speed));
+    const double frequency = _drive.frequency_at(_speed);
     const Eigen::Vector2cd force =
         (at.k - frequency * frequency * at.m + imaginary_unit * frequency * at.c) *
         Eigen::Vector2cd(u.x, u.y);

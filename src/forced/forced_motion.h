@@ -11,6 +11,7 @@
 
 #include <complex>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace whirl::forced {
@@ -34,12 +35,60 @@ struct WhirlParts {
 /// What a probe sees that looks along `angle`, from x towards y: x cos(angle) + y sin(angle).
 [[nodiscard]] std::complex<double> reading(const Phasor &motion, double angle);
 
-/// What drives the steady motion: the imbalances of the rotor, or its weight.
+/// What is looked at: a deflection, or the force that a bearing has from this stretch of it.
+struct Quantity {
+    static constexpr int deflection = -1;
+    assembly::Combination stretch; ///< of planar unknowns
+    int bearing = deflection;
+    /// Direction in which a probe looks, from x towards y, rad; none: in all, the whole orbit.
+    std::optional<double> angle{};
+    double z = 0; ///< of a place on the shaft, m
+    /// The deflection is this bearing's stretch, shaft against pedestal; none: that of a place.
+    std::optional<int> film{};
+
+    /// What is seen of a motion: all of it, or what the probe reads, as a motion in x.
+    [[nodiscard]] Phasor seen(const Phasor &motion) const {
+        return angle ? Phasor{reading(motion, *angle), 0} : motion;
+    }
+};
+
+/// A force of one frequency on a station in the fixed frame: Re(x exp(i w t)), Re(y exp(i w t)), N.
+struct Push {
+    double z = 0; ///< m
+    Phasor force;
+};
+
+/// What a motion is looked at over, in rad/s: the spin speed, or the frequency of a force, with the
+/// other a multiple of it or constant.
+struct Sweep {
+    double spin = 0, spin_rate = 1;           ///< spin speed: spin + spin_rate s
+    double frequency = 0, frequency_rate = 1; ///< that of the forces likewise
+
+    [[nodiscard]] double spin_at(double s) const { return spin + spin_rate * s; }
+    [[nodiscard]] double frequency_at(double s) const { return frequency + frequency_rate * s; }
+};
+
+/// What drives the steady motion: the imbalances of the rotor, its weight, or forces of one
+/// frequency.
 struct Drive {
-    double gravity = 0; ///< m/s2 towards -y; 0: the imbalances
+    double gravity = 0;         ///< m/s2 towards -y; 0: the imbalances or forces
+    std::vector<Push> forces{}; ///< in place of the imbalances, or with them
+    Sweep sweep{};              ///< of forces; else over the spin speed
+    bool unbalanced = false;    ///< the imbalances too, where forces turn with the spin speed
 
     [[nodiscard]] bool weight() const { return gravity != 0; }
+    /// Nothing but the imbalances.
+    [[nodiscard]] bool imbalances() const { return !weight() && forces.empty(); }
+    /// Of the motion in the fixed frame (rad/s), and what it changes with the sweep.
+    [[nodiscard]] double frequency_at(double s) const {
+        return weight() ? 2 * s : sweep.frequency_at(s);
+    }
+    [[nodiscard]] double frequency_rate() const { return weight() ? 2 : sweep.frequency_rate; }
 };
+
+/// The forces of a drive on the unknowns in pairs (x, y), N.
+[[nodiscard]] Eigen::VectorXcd force_loads(const assembly::Discretization &discretization,
+                                           const std::vector<Push> &forces);
 
 /// The imbalances of the rotor as forces on w = x + i y, over planar unknowns, by the spin speed
 /// squared: kg m.
@@ -53,31 +102,45 @@ struct Drive {
 [[nodiscard]] assembly::Combination
 stretch_of_bearing(const assembly::Discretization &discretization, int bearing);
 
-/// Steady motion of a discretised rotor under its imbalances, or under its weight.
+/// Steady motion of a discretised rotor under its imbalances, under its weight, or under forces of
+/// one frequency.
 ///
 /// Planar (isotropic bearings), w = u exp(i Omega t): [K + i Omega C_e - Omega^2 (M - G)] u = f;
 /// internal damping drops out, since nothing flexes in rotating axes. General, (x, y):
 /// [K + Omega Kc + i Omega (C + Omega G) - Omega^2 M] q = f. Rotating (asymmetric rotor): the
 /// motion stands still in rotating axes, [K + Omega Ks + Omega^2 Kss] u = f. docs/theory.md, "The
-/// forms".
+/// forms". All are one system at a spin speed and a frequency (linalg/harmonic_solve.h), the
+/// frequency that of the load in the axes that it is solved in: Omega or 0.
 ///
 /// Weight: seen from an asymmetric rotor it turns backwards once a revolution,
 /// [K + Omega Ks + Omega^2 Kss + i Omega (C + Omega Cs) - Omega^2 M] q = f exp(i Omega t); in the
 /// fixed frame w = w0 + a exp(2 i Omega t), nothing else. A rotor on a shaft that is equally stiff
 /// in all directions (any other form) stands still in the fixed frame, [K + Omega Kc] q = f.
 /// docs/theory.md, "Weight".
+///
+/// Forces of any frequency w in the fixed frame: general form at the spin speed Omega,
+/// [K + Omega Kc + i w (C + Omega G) - w^2 M] q = f.
 class ForcedMotion {
   public:
     ForcedMotion(const assembly::Discretization &discretization, results::Form form,
                  Drive drive = {});
 
-    /// Solves under the forward synchronous imbalances of the rotor, or its weight.
+    /// Solves under the forward synchronous imbalances of the rotor, its weight, or the forces.
+    /// @param speed  the spin speed; under forces the place along their sweep
     /// @throws linalg::SolverError where the rotor is at an undamped resonance.
     void solve(double speed);
 
     /// Deflection of a combination of planar unknowns in the last solution, m: at the spin speed,
     /// under the weight at twice the spin speed.
     [[nodiscard]] Phasor motion(const assembly::Combination &combination) const;
+    /// At a place on the shaft.
+    [[nodiscard]] Phasor at(double z) const { return motion(_discretization.deflection_at(z)); }
+    /// Of the shaft in a bearing, from the pedestal where there is one.
+    [[nodiscard]] Phasor stretch(int bearing) const {
+        return motion(stretch_of_bearing(_discretization, bearing));
+    }
+    /// The same quantity of this discretisation, which need not be the one that it was made for.
+    [[nodiscard]] Phasor of(const Quantity &quantity) const;
     /// Force k u + c u' of a bearing on the shaft's support in the last solution, N.
     [[nodiscard]] Phasor bearing_force(int bearing) const;
     /// Under the weight: what stands still in the fixed frame, x + i y of a combination (m) and of
@@ -100,21 +163,24 @@ class ForcedMotion {
     bool _rotating;            ///< solved in rotating axes
     std::vector<double> _rows; ///< of bearing tables, rad/s
     int _piece = -1;           ///< rows below the speeds that the matrices hold for
-    std::unique_ptr<assembly::RotatingSystem> _turning;
     std::unique_ptr<linalg::HarmonicSolver> _solver;
-    double _speed = 0;
+    double _speed = 0; ///< of the last solution, as given
     Eigen::VectorXcd _displacements;
     double _rounding = 0;
 
-    /// Between two rows of bearing tables, in which the coefficients are linear; equal: constant.
-    void assemble(double from, double to);
-    [[nodiscard]] assembly::RotatingSystem rotating_system(double from, double to) const;
-    [[nodiscard]] assembly::FixedSystem fixed_system(double from, double to) const;
+    /// With the bearings as at a speed.
+    [[nodiscard]] linalg::HarmonicTerms terms(double bearing_speed) const;
+    /// Goes to the piece between two rows of bearing tables that a speed lies in: the coefficients
+    /// are linear there.
     void enter_piece(double speed);
-    void solve_in_rotating_axes(double speed);
+    [[nodiscard]] Eigen::VectorXcd forces(double speed) const;
+    /// Of the motion in the axes that it is solved in.
+    [[nodiscard]] double frequency(double speed) const {
+        if (!_drive.forces.empty())
+            return _drive.frequency_at(speed);
+        return _rotating == _drive.weight() ? speed : 0;
+    }
     [[nodiscard]] int size() const; ///< of the displacements
-    [[nodiscard]] Eigen::VectorXcd imbalance_forces(double speed) const;
-    [[nodiscard]] Eigen::VectorXcd weight_forces() const;
     /// x and y of a combination of the unknowns in pairs.
     [[nodiscard]] Phasor pair(const assembly::Combination &combination) const;
 };

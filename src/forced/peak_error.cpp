@@ -74,7 +74,7 @@ constexpr double reach = 2; ///< in widths, of a local curve
 } // namespace
 
 PeakError::PeakError(const assembly::Discretization &coarse, results::Form form,
-                     const std::vector<Quantity> &quantities, Drive drive)
+                     const std::vector<Quantity> &quantities, const Drive &drive)
     : _quantities(quantities), _finer(coarse, form, drive) {}
 
 void PeakError::solve_about(double middle, double width) {

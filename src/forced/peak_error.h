@@ -20,7 +20,7 @@ struct PeakErrors {
 class PeakError {
   public:
     PeakError(const assembly::Discretization &coarse, results::Form form,
-              const std::vector<Quantity> &quantities, Drive drive = {});
+              const std::vector<Quantity> &quantities, const Drive &drive = {});
 
     /// Errors of peaks of the reduced rotor, which is that of the coarse one; NaN where the finer
     /// rotor's peak was not found.

@@ -54,9 +54,12 @@ double Reading::major_slope() const {
 ReducedMotion::ReducedMotion(const assembly::Discretization &discretization, results::Form form,
                              double top, std::vector<Quantity> quantities, Drive drive,
                              bool reduction)
-    : _discretization(discretization), _form(form), _drive(drive),
-      _quantities(std::move(quantities)), _rows(rows_of_straight_pieces(discretization.rotor())) {
-    make_shapes(drive.weight() ? 2 * top : top, reduction);
+    : _discretization(discretization), _form(form), _drive(std::move(drive)),
+      _quantities(std::move(quantities)) {
+    if (_drive.sweep.spin_rate != 0)
+        _rows = rows_of_straight_pieces(discretization.rotor());
+    make_shapes(std::max(std::abs(_drive.frequency_at(0)), std::abs(_drive.frequency_at(top))),
+                reduction);
     take_in(Eigen::MatrixXcd(discretization.planar_size(), 0), 1);
 }
 
@@ -73,7 +76,10 @@ void ReducedMotion::make_shapes(double top, bool reduction) {
                 loaded.emplace_back();
                 for (int i = 0; i < n; ++i)
                     loaded.back().emplace_back(i, load(i));
-            } else {
+            }
+            for (const Push &push : _drive.forces)
+                loaded.push_back(_discretization.deflection_at(push.z));
+            if (_drive.imbalances() || _drive.unbalanced) {
                 for (const model::Imbalance &imbalance : _discretization.rotor().imbalances)
                     loaded.push_back(_discretization.deflection_at(imbalance.z));
             }
@@ -97,9 +103,8 @@ void ReducedMotion::take_in(const Eigen::MatrixXcd &motions, double newness) {
     _pieces.clear();
     _piece = nullptr;
     _at_first_row.reset();
-    _terms =
-        std::make_unique<ShapeTerms>(_discretization, _form, _drive.weight(), _shapes->matrix());
-    _b = _drive.weight() ? weight() : imbalances();
+    _terms = std::make_unique<ShapeTerms>(_discretization, _form, _drive, _shapes->matrix());
+    _b = loads();
     const Eigen::MatrixXd &V = _shapes->matrix();
     _stretches.setZero(static_cast<Eigen::Index>(_quantities.size()), V.cols());
     for (std::size_t i = 0; i < _quantities.size(); ++i)
@@ -138,8 +143,8 @@ std::vector<double> ReducedMotion::cuts(double from, double to) const {
 }
 
 QuadraticTerms ReducedMotion::terms(double bearing_speed) const {
-    if (_rows.empty())
-        return _terms->at(bearing_speed);
+    if (_rows.empty()) // constant coefficients, or a constant spin speed
+        return _terms->at(_drive.sweep.spin_at(bearing_speed));
     if (!_at_first_row) // nothing but the bearings changes from row to row
         _at_first_row = _terms->at(_rows.front());
     QuadraticTerms out = *_at_first_row;
@@ -148,6 +153,37 @@ QuadraticTerms ReducedMotion::terms(double bearing_speed) const {
         _terms->add_bearings(bearing_speed, 1, out);
     }
     return out;
+}
+
+Eigen::MatrixXcd ReducedMotion::loads() const {
+    if (_drive.weight())
+        return weight();
+    if (_drive.imbalances())
+        return imbalances();
+    Eigen::MatrixXcd out = forces();
+    if (_drive.unbalanced) {
+        out.conservativeResize(Eigen::NoChange, 2);
+        out.col(1) = imbalances();
+    }
+    return out;
+}
+
+std::pair<Eigen::VectorXcd, Eigen::VectorXcd> ReducedMotion::factors_of_loads(double s) const {
+    Eigen::VectorXcd value = Eigen::VectorXcd::Ones(_b.cols());
+    Eigen::VectorXcd slope = Eigen::VectorXcd::Zero(_b.cols());
+    if (_drive.imbalances() || _drive.unbalanced) { // the last
+        value(_b.cols() - 1) = s * s;
+        slope(_b.cols() - 1) = 2 * s;
+    }
+    return {value, slope};
+}
+
+Eigen::VectorXcd ReducedMotion::forces() const {
+    const Eigen::VectorXcd f = force_loads(_discretization, _drive.forces);
+    const Eigen::VectorXcd x = f(Eigen::seq(0, Eigen::last, 2));
+    const Eigen::VectorXcd y = f(Eigen::seq(1, Eigen::last, 2));
+    const Eigen::MatrixXcd across = _shapes->matrix().transpose().cast<Complex>();
+    return assembly::in_pairs(linalg::times(across, x), linalg::times(across, y));
 }
 
 Eigen::VectorXcd ReducedMotion::imbalances() const {
@@ -201,7 +237,7 @@ const QuadraticResolvent &ReducedMotion::resolvent(double from, double to) {
     Eigen::MatrixXd rows = _read;
     if (_piece->bent) {
         const Eigen::MatrixXd &B = _piece->bent->columns();
-        sides.conservativeResize(Eigen::NoChange, 1 + B.cols());
+        sides.conservativeResize(Eigen::NoChange, _b.cols() + B.cols());
         sides.rightCols(B.cols()) = B.cast<Complex>();
         rows.conservativeResize(rows.rows() + B.cols(), Eigen::NoChange);
         rows.bottomRows(B.cols()) = B.transpose();
@@ -258,8 +294,8 @@ std::vector<Reading> ReducedMotion::at(double speed) const {
     const auto [known, missing] = _piece->readings.try_emplace(speed);
     if (missing) {
         const Factors &of = factors(speed);
-        const Eigen::VectorXcd u = linalg::solved(of.P, _b);
-        const Eigen::VectorXcd slope = -linalg::solved(of.P, linalg::times(of.slope, u));
+        const Eigen::MatrixXcd u = linalg::solved(of.P, _b);
+        const Eigen::MatrixXcd slope = -linalg::solved(of.P, linalg::times(of.slope, u));
         known->second = readings({_read * u, _read * slope}, speed);
     }
     return known->second;
@@ -304,11 +340,12 @@ Phasor ReducedMotion::stretched(std::size_t quantity, const Eigen::VectorXcd &nu
 
 Reading ReducedMotion::reading(std::size_t quantity, const QuadraticResolvent::Solution &unit,
                                double speed) const {
-    const double push = _drive.weight() ? 1 : speed * speed;
-    const double push_slope = _drive.weight() ? 0 : 2 * speed;
-    const Eigen::VectorXcd u = push * unit.y;
+    const auto [push, push_slope] = factors_of_loads(speed);
+    const Eigen::VectorXcd u = linalg::times(unit.y, push);
+    const Eigen::VectorXcd u_slope =
+        linalg::times(unit.slope, push) + linalg::times(unit.y, push_slope);
     const Phasor value = stretched(quantity, u);
-    const Phasor change = stretched(quantity, push * unit.slope + push_slope * unit.y);
+    const Phasor change = stretched(quantity, u_slope);
     const Quantity &of = _quantities[quantity];
     const int bearing = of.bearing;
     double cancelled = 0;
@@ -318,16 +355,17 @@ Reading ReducedMotion::reading(std::size_t quantity, const QuadraticResolvent::S
     if (bearing == Quantity::deflection)
         return {of.seen(value), of.seen(change), cancelled};
     const model::Bearing &b = _discretization.rotor().bearings[static_cast<std::size_t>(bearing)];
-    const model::BearingCoefficients now = b.at(speed);
+    const double spin = _drive.sweep.spin_at(speed);
+    const model::BearingCoefficients now = b.at(spin);
     // At the end of the piece those of its last rows.
     const double inside = std::clamp(speed, _piece->from, std::nextafter(_piece->to, _piece->from));
     const model::BearingCoefficients slope =
         _piece->to > _piece->from ? slope_of(b, inside) : model::BearingCoefficients{};
-    const Complex turns = (_drive.weight() ? 2.0 : 1.0) * imaginary_unit; // over the spin speed
-    const Complex square = turns * turns;
-    const Eigen::Matrix2cd z = now.k + turns * speed * now.c + square * speed * speed * now.m;
+    const double w = _drive.frequency_at(speed);
+    const double w_rate = _drive.frequency_rate();
+    const Eigen::Matrix2cd z = now.k + imaginary_unit * w * now.c - w * w * now.m;
     const Eigen::Matrix2cd z_slope =
-        slope.k + turns * (now.c + speed * slope.c) + 2.0 * square * speed * now.m;
+        slope.k + imaginary_unit * (w_rate * now.c + w * slope.c) - 2 * w * w_rate * now.m;
     const Eigen::Vector2cd xy(value.x, value.y);
     const Eigen::Vector2cd force = z * xy;
     const Eigen::Vector2cd force_slope = z_slope * xy + z * Eigen::Vector2cd(change.x, change.y);

@@ -2,8 +2,8 @@
 
 #include "assembly/discretization.h"
 #include "forced/bent_supports.h"
+#include "forced/forced_motion.h"
 #include "forced/quadratic_resolvent.h"
-#include "forced/station_motion.h"
 #include "reduction/planar_shapes.h"
 #include "results/formulation.h"
 
@@ -38,11 +38,12 @@ struct Reading {
 /// Between two rows of bearing tables (a piece) the equations are P(s) u = s^2 b with
 /// P = P0 + s P1 + s^2 P2: the poles of the response are the roots of a small quadratic
 /// eigenproblem. Of many rows along a curve a piece has several (BentSupports). Under the weight
-/// P(s) u = b, and the quantities are the parts at twice the spin speed (rotating form).
+/// P(s) u = b, and the quantities are the parts at twice the spin speed (rotating form). Under
+/// forces of one frequency s is the place along their sweep, P(s) u = b (general form).
 class ReducedMotion {
   public:
     /// @param discretization  must outlive this
-    /// @param top             rad/s, the highest speed asked for
+    /// @param top             rad/s, the highest s asked for
     /// @param reduction       false: all there are, from the beginning
     ReducedMotion(const assembly::Discretization &discretization, results::Form form, double top,
                   std::vector<Quantity> quantities, Drive drive = {}, bool reduction = true);
@@ -107,7 +108,7 @@ class ReducedMotion {
     Eigen::MatrixXd _read;
     std::map<int, Piece> _pieces; ///< seen so far, by their numbers
     Piece *_piece = nullptr;
-    Eigen::VectorXcd _b;
+    Eigen::MatrixXcd _b; ///< a column a load
 
     [[nodiscard]] QuadraticTerms terms(double bearing_speed) const;
     [[nodiscard]] const QuadraticResolvent &resolvent(double from, double to);
@@ -127,6 +128,10 @@ class ReducedMotion {
     void make_shapes(double top, bool reduction);
     [[nodiscard]] Eigen::VectorXcd imbalances() const;
     [[nodiscard]] Eigen::VectorXcd weight() const;
+    [[nodiscard]] Eigen::VectorXcd forces() const;
+    [[nodiscard]] Eigen::MatrixXcd loads() const;
+    /// What each of the loads is multiplied by at s, and what that changes per rad/s.
+    [[nodiscard]] std::pair<Eigen::VectorXcd, Eigen::VectorXcd> factors_of_loads(double s) const;
     /// Deflection of a quantity's stretch that its numbers mean.
     [[nodiscard]] Phasor stretched(std::size_t quantity, const Eigen::VectorXcd &numbers) const;
 };

@@ -30,7 +30,7 @@ double orbit_error(const Phasor &a, const Phasor &b) {
 } // namespace
 
 ResponseError::ResponseError(const assembly::Discretization &coarse, results::Form form,
-                             Drive drive) {
+                             const Drive &drive) {
     if (coarse.rigid())
         return;
     const int order = mesh_error::finer_order(coarse.order());
@@ -62,6 +62,13 @@ double ResponseError::of_force(int bearing, const Phasor &coarse) const {
 
 double ResponseError::of_stretch(int bearing, const Phasor &coarse) const {
     return _motion ? orbit_error(coarse, _motion->stretch(bearing)) : 0;
+}
+
+std::array<double, 2> ResponseError::of_components(double z, const Phasor &coarse) const {
+    if (!_motion)
+        return {0, 0};
+    const Phasor fine = _motion->at(z);
+    return {share(coarse.x, fine.x), share(coarse.y, fine.y)};
 }
 
 double ResponseError::of_probe(double z, double angle, const Phasor &coarse) const {

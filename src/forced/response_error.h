@@ -3,6 +3,7 @@
 #include "forced/station_motion.h"
 #include "results/formulation.h"
 
+#include <array>
 #include <complex>
 #include <memory>
 #include <optional>
@@ -14,7 +15,8 @@ namespace whirl::forced {
 /// order 30, which is the highest, elements of half the length. A rigid shaft has no such error.
 class ResponseError {
   public:
-    ResponseError(const assembly::Discretization &coarse, results::Form form, Drive drive = {});
+    ResponseError(const assembly::Discretization &coarse, results::Form form,
+                  const Drive &drive = {});
 
     /// @throws linalg::SolverError where the finer rotor is at an undamped resonance.
     void solve(double speed);
@@ -29,6 +31,9 @@ class ResponseError {
     [[nodiscard]] double of_stretch(int bearing, const Phasor &coarse) const;
     /// The same of the reading x cos(angle) + y sin(angle) alone, relative to that.
     [[nodiscard]] double of_probe(double z, double angle, const Phasor &coarse) const;
+
+    /// The same of x and of y alone, each relative to itself.
+    [[nodiscard]] std::array<double, 2> of_components(double z, const Phasor &coarse) const;
 
     /// There is no finer rotor: the shaft is rigid.
     [[nodiscard]] bool none() const { return _fine == nullptr; }

@@ -22,7 +22,8 @@ namespace {
 /// The motion under the weight at one speed, as rows for lists_of().
 class Weighed {
   public:
-    Weighed(const assembly::Discretization &d, const std::map<int, std::string> &nodes, Drive drive)
+    Weighed(const assembly::Discretization &d, const std::map<int, std::string> &nodes,
+            const Drive &drive)
         : _discretization(d), _nodes(nodes), _form(form_under_weight(d.rotor())),
           _motion(d, _form, drive), _finer(d, _form, drive) {}
 

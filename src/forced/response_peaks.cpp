@@ -26,7 +26,7 @@ class Comparison {
     };
 
     Comparison(const assembly::Discretization &discretization, results::Form form,
-               const std::vector<Quantity> &quantities, Drive drive)
+               const std::vector<Quantity> &quantities, const Drive &drive)
         : _quantities(quantities), _full(discretization, form, drive, agreed / 10) {}
 
     /// Solves the whole rotor; false at a resonance without damping.

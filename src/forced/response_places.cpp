@@ -41,6 +41,7 @@ std::map<int, std::string> attached_nodes(const assembly::Discretization &d) {
     collect(rotor.bearings);
     collect(rotor.anisotropies);
     collect(rotor.imbalances);
+    collect(rotor.forces);
     collect(rotor.balancers);
     collect(rotor.planes);
     collect(rotor.probes);

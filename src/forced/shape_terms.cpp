@@ -64,13 +64,16 @@ Eigen::Matrix2d all_round(const Eigen::Matrix2d &block) {
 
 } // namespace
 
-Eigen::Matrix2cd ShapeTerms::stiffness_block(const Eigen::Matrix2d &k) const {
-    return (_form == results::Form::rotating ? all_round(k) : k).cast<Complex>();
+Eigen::Matrix2cd ShapeTerms::constant_block(const Eigen::Matrix2d &k,
+                                            const Eigen::Matrix2d &c) const {
+    if (_form == results::Form::rotating)
+        return all_round(k).cast<Complex>();
+    return k.cast<Complex>() + imaginary_unit * _sweep.frequency * c.cast<Complex>();
 }
 
-Eigen::Matrix2cd ShapeTerms::damping_block(const Eigen::Matrix2d &c) const {
+Eigen::Matrix2cd ShapeTerms::linear_block(const Eigen::Matrix2d &c) const {
     if (_form != results::Form::rotating)
-        return imaginary_unit * c.cast<Complex>();
+        return imaginary_unit * _sweep.frequency_rate * c.cast<Complex>();
     const Eigen::Matrix2d b = all_round(c); // of the axes that turn: i times the block
     Eigen::Matrix2cd out =
         Eigen::Matrix2d{{-b(1, 0), -b(0, 0)}, {b(0, 0), -b(1, 0)}}.cast<Complex>();
@@ -98,13 +101,16 @@ void ShapeTerms::add_bearings(double bearing_speed, double share, QuadraticTerms
                 target(Eigen::seqN(p, _V.cols(), planes()), Eigen::seqN(q, _V.cols(), planes())) +=
                     block(p, q) * product;
     };
+    const Eigen::Matrix2d none = Eigen::Matrix2d::Zero();
     assembly::assemble_bearings(
         _discretization, bearing_speed,
         [&](assembly::Term term, int i, int j, const Eigen::Matrix2d &block) {
             if (term == assembly::Term::stiffness)
-                add(out.P0, i, j, stiffness_block(block));
-            if (term == assembly::Term::damping)
-                add(out.P1, i, j, damping_block(block));
+                add(out.P0, i, j, constant_block(block, none));
+            if (term == assembly::Term::damping) {
+                add(out.P0, i, j, constant_block(none, block));
+                add(out.P1, i, j, linear_block(block));
+            }
         });
 }
 
@@ -122,8 +128,15 @@ QuadraticTerms ShapeTerms::at(double bearing_speed) const {
     }
     const assembly::FixedSystem s =
         synchronous::turned_system(_discretization, _form == results::Form::planar, bearing_speed);
-    return {product(s.K), product(s.Kc) + imaginary_unit * product(s.C),
-            imaginary_unit * mass(s.G) - mass(s.M)};
+    // K + W Kc + i w (C + W G) - w^2 M, W and w linear in s.
+    const auto &[W, W_rate, w, w_rate] = _sweep;
+    const Eigen::MatrixXcd Kc = product(s.Kc);
+    const Eigen::MatrixXcd iC = imaginary_unit * product(s.C);
+    const Eigen::MatrixXcd iG = imaginary_unit * mass(s.G);
+    const Eigen::MatrixXcd M = mass(s.M);
+    return {product(s.K) + W * Kc + w * iC + w * W * iG - w * w * M,
+            W_rate * Kc + w_rate * iC + (w * W_rate + w_rate * W) * iG - 2 * w * w_rate * M,
+            w_rate * W_rate * iG - w_rate * w_rate * M};
 }
 
 } // namespace whirl::forced

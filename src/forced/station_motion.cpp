@@ -3,10 +3,10 @@
 namespace whirl::forced {
 
 StationMotion::StationMotion(const assembly::Discretization &discretization, results::Form form,
-                             Drive drive, double acceptable)
+                             const Drive &drive, double acceptable)
     : _discretization(discretization), _whole(discretization, form, drive),
       _acceptable(acceptable) {
-    if (!drive.weight() && CondensedMotion::describes(discretization))
+    if (drive.imbalances() && CondensedMotion::describes(discretization))
         _condensed.emplace(discretization, form);
 }
 

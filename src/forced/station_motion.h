@@ -8,23 +8,6 @@
 
 namespace whirl::forced {
 
-/// What is looked at: a deflection, or the force that a bearing has from this stretch of it.
-struct Quantity {
-    static constexpr int deflection = -1;
-    assembly::Combination stretch; ///< of planar unknowns
-    int bearing = deflection;
-    /// Direction in which a probe looks, from x towards y, rad; none: in all, the whole orbit.
-    std::optional<double> angle{};
-    double z = 0; ///< of a place on the shaft, m
-    /// The deflection is this bearing's stretch, shaft against pedestal; none: that of a place.
-    std::optional<int> film{};
-
-    /// What is seen of a motion: all of it, or what the probe reads, as a motion in x.
-    [[nodiscard]] Phasor seen(const Phasor &motion) const {
-        return angle ? Phasor{forced::reading(motion, *angle), 0} : motion;
-    }
-};
-
 /// Steady motion like ForcedMotion under the imbalances, looked at where something is attached to
 /// the shaft: all other nodes are eliminated (CondensedMotion) unless that may leave more rounding
 /// than is acceptable; then, and where something acts across elements, by the whole system.
@@ -35,7 +18,7 @@ class StationMotion {
     /// @param discretization  must outlive this
     /// @param acceptable      relative rounding
     StationMotion(const assembly::Discretization &discretization, results::Form form,
-                  Drive drive = {}, double acceptable = usual_rounding);
+                  const Drive &drive = {}, double acceptable = usual_rounding);
 
     /// @throws linalg::SolverError where the rotor is at an undamped resonance.
     void solve(double speed);

@@ -167,6 +167,7 @@ void check_angles(const model::Rotor &rotor, const Node &tree, Remarks &remarks)
     all("imbalance", rotor.imbalances.size(), "phase");
     all("anisotropy", rotor.anisotropies.size(), "angle");
     all("balancer", rotor.balancers.size(), "imbalance_phase");
+    all("force", rotor.forces.size(), "phase");
     all("probe", rotor.probes.size(), "angle");
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i)
         for (const std::string &list :

@@ -134,6 +134,7 @@ std::vector<std::string> usual_units(Quantity quantity) {
     case Quantity::angular_momentum:
     case Quantity::energy:
     case Quantity::power:
+    case Quantity::receptance:
     case Quantity::inverse_mass:
         break; // no key of a case has it, or it has no unit
     }

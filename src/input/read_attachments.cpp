@@ -150,6 +150,25 @@ void read_imbalances(CheckedTable &root, model::Case &scene) {
               });
 }
 
+void read_forces(CheckedTable &root, model::Rotor &rotor) {
+    read_each(root, "force", rotor.forces, [](CheckedTable &table, model::HarmonicForce &force) {
+        read_place(table, force);
+        force.amplitude = table.number("amplitude", Quantity::force, Range::not_negative());
+        force.phase = table.number_or("phase", 0, Quantity::angle);
+        force.multiple = table.optional_number("multiple", Quantity::number, Range::positive());
+        force.frequency = table.optional_number("frequency", Quantity::speed, Range::positive());
+        if (table.has("multiple") && table.has("frequency"))
+            table.fail("frequency", "expected either multiple (of the spin speed) or frequency, "
+                                    "got both");
+        if (!table.has("multiple") && !table.has("frequency"))
+            table.fail("multiple", "missing, expected the multiple of the spin speed at which the "
+                                   "force acts, or its frequency in rad/s");
+        // What is a multiple of the spin comes from the rotor, and turns with it.
+        force.direction = static_cast<model::ForceDirection>(table.choice(
+            "direction", {"x", "y", "forward", "backward"}, table.has("multiple") ? 2 : 0));
+    });
+}
+
 void read_probes(CheckedTable &root, model::Rotor &rotor) {
     read_each(root, "probe", rotor.probes, [](CheckedTable &table, model::Probe &probe) {
         read_place(table, probe);

@@ -54,6 +54,7 @@ constexpr std::array written{
     Written{Quantity::frequency, {"rad/s", "Hz", "Hz"}},
     Written{Quantity::force, {"N", "N", "lbf"}},
     Written{Quantity::stiffness, {"N/m", "N/mm", "lbf/in"}},
+    Written{Quantity::receptance, {"m/N", "um/N", "mil/lbf"}},
     Written{Quantity::damping, {"N s/m", "N s/mm", "lbf s/in"}},
     Written{Quantity::mass, {"kg", "kg", "lb"}},
     Written{Quantity::inertia, {"kg m2", "kg mm2", "lb in2"}},
@@ -144,10 +145,52 @@ void read_modes(CheckedTable &table, model::Case &scene) {
     scene.modes.speed = table.optional_number("speed", Quantity::speed);
 }
 
+namespace {
+
+/// Between which stations, and over which frequencies.
+void read_receptances(CheckedTable &table, model::Case &scene) {
+    const auto read = [](CheckedTable &one, model::Receptance &asked) {
+        asked.from = one.number("from", Quantity::length);
+        asked.to = one.number("to", Quantity::length);
+    };
+    const Node *node = table.find("receptance");
+    if (node != nullptr && node->kind == Node::Kind::table) {
+        auto one = table.table("receptance");
+        read(*one, scene.response.receptances.emplace_back());
+        one->refuse_unknown();
+    } else {
+        read_each(table, "receptance", scene.response.receptances, read);
+    }
+    constexpr std::size_t most = 1000; // each is solved for along two directions
+    if (scene.response.receptances.size() > most)
+        table.fail("receptance", fmt::format("expected up to {} pairs of stations, got {}", most,
+                                             scene.response.receptances.size()));
+    if (auto range = table.table("frequencies")) {
+        model::SpeedRange &frequencies = scene.response.frequencies;
+        frequencies.from = range->number_or("from", 0, Quantity::speed, Range::not_negative());
+        frequencies.to = range->number("to", Quantity::speed, Range::positive());
+        frequencies.count = range->whole_or("count", 201, 2, largest_count);
+        if (frequencies.to <= frequencies.from)
+            range->fail("to", fmt::format("expected more than from = {}, got {}",
+                                          as_written(range->find("from"), frequencies.from, "rad/s",
+                                                     frequencies.to),
+                                          as_written(range->find("to"), frequencies.to, "rad/s",
+                                                     frequencies.from)));
+        range->refuse_unknown();
+    }
+    if (table.has("receptance") != table.has("frequencies"))
+        table.fail(table.has("receptance") ? "frequencies" : "receptance",
+                   "missing, expected receptance (between which stations) and frequencies (of the "
+                   "force) together");
+}
+
+} // namespace
+
 void read_response(CheckedTable &table, model::Case &scene) {
     scene.response.gravity = table.number_or("gravity", 0, Quantity::acceleration);
     scene.response.orbits_at = table.numbers("orbits_at", Quantity::speed);
     scene.response.shape_at = table.numbers("shape_at", Quantity::speed);
+    read_receptances(table, scene);
 }
 
 void read_balance(CheckedTable &table, model::Case &scene) {

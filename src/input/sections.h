@@ -34,6 +34,7 @@ void read_balancers(CheckedTable &root, model::Rotor &rotor);
 void read_planes(CheckedTable &root, model::Rotor &rotor);
 /// Rules for imbalances want the mass of the rotor and [speeds]: both must be there.
 void read_imbalances(CheckedTable &root, model::Case &scene);
+void read_forces(CheckedTable &root, model::Rotor &rotor);
 void read_probes(CheckedTable &root, model::Rotor &rotor);
 
 /// Read a section of that name; last [map] and [samples], which may name any numeric entry read

@@ -40,7 +40,7 @@ constexpr double answer = 40;
 std::size_t places(const model::Rotor &rotor) {
     return rotor.discs.size() + rotor.bearings.size() + rotor.anisotropies.size() +
            rotor.balancers.size() + rotor.planes.size() + rotor.imbalances.size() +
-           rotor.probes.size();
+           rotor.forces.size() + rotor.probes.size();
 }
 
 double elements(const model::Rotor &rotor) {
@@ -76,9 +76,16 @@ Answers answers_of(const model::Case &scene, const std::string &command) {
     if (command == "campbell")
         return {speeds * scene.campbell.modes * 8, "speeds.count",
                 fmt::format("{:.0f} speeds with {} modes each", speeds, scene.campbell.modes)};
-    if (command == "response")
+    if (command == "response") {
+        const double frequencies = scene.response.frequencies.count;
+        const auto receptances = static_cast<double>(scene.response.receptances.size());
+        if (receptances * frequencies * 12 > speeds * stations * 6) // three numbers a direction
+            return {
+                receptances * frequencies * 12, "response.frequencies.count",
+                fmt::format("{:.0f} frequencies of {:.0f} receptances", frequencies, receptances)};
         return {speeds * stations * 6, "speeds.count",
                 fmt::format("{:.0f} speeds at {:.0f} stations each", speeds, stations)};
+    }
     if (command == "stability" && scene.map)
         return {static_cast<double>(scene.map->x.count) * scene.map->y.count, "map",
                 fmt::format("{} times {} points", scene.map->x.count, scene.map->y.count)};
@@ -104,13 +111,14 @@ Answers answers_of(const model::Case &scene, const std::string &command) {
 void check_counts(const model::Case &scene, const Check &check) {
     const model::Rotor &rotor = scene.rotor;
     if (places(rotor) > most_places) {
-        const std::array<std::pair<const char *, std::size_t>, 7> lists{
+        const std::array<std::pair<const char *, std::size_t>, 8> lists{
             {{"disc", rotor.discs.size()},
              {"bearing", rotor.bearings.size()},
              {"anisotropy", rotor.anisotropies.size()},
              {"balancer", rotor.balancers.size()},
              {"plane", rotor.planes.size()},
              {"imbalance", rotor.imbalances.size()},
+             {"force", rotor.forces.size()},
              {"probe", rotor.probes.size()}}};
         const auto longest =
             std::ranges::max_element(lists, {}, [](auto &list) { return list.second; });

@@ -54,6 +54,7 @@ constexpr std::array infos{
     QuantityInfo{"an acceleration"},
     QuantityInfo{"a pressure"},
     QuantityInfo{"a density"},
+    QuantityInfo{"a receptance"},
     QuantityInfo{"an inverse mass"},
 };
 static_assert(infos.size() == model::quantities);

@@ -106,7 +106,17 @@ void validate(model::Case &scene, const Check &check) {
         check_positions(rotor.balancers, "balancer", length, check);
         check_positions(rotor.planes, "plane", length, check);
         check_positions(rotor.imbalances, "imbalance", length, check);
+        check_positions(rotor.forces, "force", length, check);
         check_positions(rotor.probes, "probe", length, check);
+        for (std::size_t i = 0; i < scene.response.receptances.size(); ++i) {
+            model::Receptance &asked = scene.response.receptances[i];
+            // A single one may stand without a list around it.
+            const std::string path = find_path(check.tree, "response.receptance.from")
+                                         ? "response.receptance"
+                                         : fmt::format("response.receptance[{}]", i);
+            check_position(asked.from, path + ".from", length, check);
+            check_position(asked.to, path + ".to", length, check);
+        }
         check_positions(scene.simulate.imbalances, "simulate.imbalance", length, check);
         check_positions(scene.simulate.forces, "simulate.force", length, check);
         if (scene.level1)

@@ -40,8 +40,14 @@ double largest_part(const Eigen::VectorXcd &x) {
 HarmonicSolver::HarmonicSolver(const HarmonicTerms &terms)
     : _scales(unit_scales(terms.K, terms.M)) {
     using RealSparse = Eigen::SparseMatrix<double>;
-    std::array<RealSparse, factor_count> of{terms.K.view(), terms.Kc.view(), terms.M.view(),
-                                            terms.C.view(), terms.G.view()};
+    std::array<RealSparse, factor_count> of;
+    of[one] = terms.K.view();
+    of[spin_once] = terms.Kc.view();
+    of[spin_squared] =
+        terms.Kss.size() > 0 ? RealSparse(terms.Kss.view()) : RealSparse(size(), size());
+    of[minus_frequency_squared] = terms.M.view();
+    of[i_frequency] = terms.C.view();
+    of[i_frequency_spin] = terms.G.view();
     RealSparse pattern(size(), size());
     for (RealSparse &term : of) {
         term.prune(0.0);
@@ -56,15 +62,21 @@ HarmonicSolver::HarmonicSolver(const HarmonicTerms &terms)
     _sizes = _A;
 }
 
-void HarmonicSolver::set(double speed) {
-    const double square = speed * speed;
-    const double size = std::abs(speed);
-    _A.coeffs().real() =
-        _terms[one] + speed * _terms[speed_once] - square * _terms[minus_speed_squared];
-    _A.coeffs().imag() = speed * _terms[i_speed] + square * _terms[i_speed_squared];
-    _sizes.coeffs().real() = _terms[one].abs() + size * _terms[speed_once].abs() +
-                             square * _terms[minus_speed_squared].abs();
-    _sizes.coeffs().imag() = size * _terms[i_speed].abs() + square * _terms[i_speed_squared].abs();
+void HarmonicSolver::set(double spin, double frequency) {
+    const std::array<double, factor_count> factors{
+        1, spin, spin * spin, -frequency * frequency, frequency, frequency * spin};
+    _A.coeffs().setZero();
+    _sizes.coeffs().setZero();
+    const auto add = [&](Factor f, auto &&A, auto &&sizes) {
+        if (factors[f] != 0) {
+            A += factors[f] * _terms[f];
+            sizes += std::abs(factors[f]) * _terms[f].abs();
+        }
+    };
+    for (const Factor f : {one, spin_once, spin_squared, minus_frequency_squared})
+        add(f, _A.coeffs().real(), _sizes.coeffs().real());
+    for (const Factor f : {i_frequency, i_frequency_spin})
+        add(f, _A.coeffs().imag(), _sizes.coeffs().imag());
 }
 
 /// |A| |q| + |f| of real and imaginary parts: what K and s^2 M lose against each other counts as
@@ -78,24 +90,43 @@ Eigen::VectorXcd HarmonicSolver::sizes_of(const Eigen::VectorXcd &f,
     return out;
 }
 
-Eigen::MatrixXcd HarmonicSolver::solve(double speed, const Eigen::MatrixXcd &forces) {
-    // A backward stable solution leaves some 1e-15; far more means that elimination went wrong.
-    constexpr double residual_allowed = 1e-8;
-    set(speed);
-    const Eigen::MatrixXcd f = _scales.asDiagonal() * forces;
-    Eigen::MatrixXcd q = f;
-    if (_lu.factorize(_A))
-        _lu.solve(q);
-    else
-        q.setConstant(std::numeric_limits<double>::quiet_NaN());
+double HarmonicSolver::solved(const Eigen::MatrixXcd &f, Eigen::MatrixXcd &q) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (!_lu.factorize(_A))
+        return infinity;
+    q = f;
+    _lu.solve(q);
     if (!q.allFinite())
-        throw SolverError("the dynamic stiffness matrix is singular");
+        return infinity;
+    double out = 0;
     for (Eigen::Index column = 0; column < q.cols(); ++column) {
         const Eigen::VectorXcd rest = f.col(column) - _A * q.col(column);
         const double size = largest_part(sizes_of(f.col(column), q.col(column)));
-        if (!(largest_part(rest) <= residual_allowed * size))
-            throw SolverError("the linear system of the forced motion left a large residual");
+        if (size > 0)
+            out = std::max(out, largest_part(rest) / size);
     }
+    return out;
+}
+
+Eigen::MatrixXcd HarmonicSolver::solve(double spin, double frequency,
+                                       const Eigen::MatrixXcd &forces) {
+    // A backward stable solution leaves some 1e-15. With the pivots of the A before, which serve
+    // as long as A changes little, it may be more: then A gets its own.
+    constexpr double residual_of_old_pivots = 1e-14;
+    // Far more means that elimination went wrong.
+    constexpr double residual_allowed = 1e-8;
+    set(spin, frequency);
+    const Eigen::MatrixXcd f = _scales.asDiagonal() * forces;
+    Eigen::MatrixXcd q;
+    double residual = solved(f, q);
+    if (!(residual <= residual_of_old_pivots)) {
+        _lu.forget_pivots();
+        residual = solved(f, q);
+    }
+    if (std::isinf(residual))
+        throw SolverError("the dynamic stiffness matrix is singular");
+    if (!(residual <= residual_allowed))
+        throw SolverError("the linear system of the forced motion left a large residual");
     return _scales.asDiagonal() * q;
 }
 
@@ -120,7 +151,7 @@ double HarmonicSolver::absolute_form(const Eigen::VectorXcd &displacements) cons
 }
 
 bool HarmonicSolver::conserves() const {
-    return _terms[i_speed].isZero(0) && _terms[speed_once].isZero(0);
+    return _terms[i_frequency].isZero(0) && _terms[spin_once].isZero(0);
 }
 
 } // namespace whirl::linalg

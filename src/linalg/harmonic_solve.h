@@ -11,13 +11,15 @@
 
 namespace whirl::linalg {
 
-/// M q'' + (C + s G) q' + (K + s Kc) q = f, real, all matrices of one size.
+/// M q'' + (C + W G) q' + (K + W Kc + W^2 Kss) q = f at the spin speed W, real, all matrices of one
+/// size.
 struct HarmonicTerms {
     Matrix M, C, G, K, Kc;
+    Matrix Kss{}; ///< none: zero
 };
 
-/// Solves A(s) q = f, A(s) = K + s Kc - s^2 M + i s (C + s G), for many speeds s: the steady
-/// motion Re(q exp(i s t)) of M q'' + (C + s G) q' + (K + s Kc) q = Re(f exp(i s t)).
+/// Solves A q = f, A = K + W Kc + W^2 Kss - w^2 M + i w (C + W G), for many spin speeds W and
+/// frequencies w: the steady motion Re(q exp(i w t)) of HarmonicTerms under Re(f exp(i w t)).
 ///
 /// The pattern of nonzeros is that of all speeds together, so that KLU (SuiteSparse) orders and
 /// analyses it once.
@@ -26,18 +28,24 @@ class HarmonicSolver {
     explicit HarmonicSolver(const HarmonicTerms &terms);
 
     /// Complex displacements, one column for each column of forces.
-    /// @param forces  one load case a column
-    /// @throws SolverError where A(speed) is singular or the residual exceeds 1e-8: the largest
-    ///         |f - A q| over the largest |A| |q| + |f|.
-    [[nodiscard]] Eigen::MatrixXcd solve(double speed, const Eigen::MatrixXcd &forces);
+    /// @param spin, frequency  W and w, rad/s
+    /// @param forces           one load case a column
+    /// @throws SolverError where A is singular or the residual exceeds 1e-8: the largest |f - A q|
+    ///         over the largest |A| |q| + |f|.
+    [[nodiscard]] Eigen::MatrixXcd solve(double spin, double frequency,
+                                         const Eigen::MatrixXcd &forces);
+    /// What turns with the rotor: w = W.
+    [[nodiscard]] Eigen::MatrixXcd solve(double speed, const Eigen::MatrixXcd &forces) {
+        return solve(speed, speed, forces);
+    }
 
-    /// Estimated relative error of a solution at the speed of the last one by rounding of the
+    /// Estimated relative error of a solution with the A of the last one by rounding of the
     /// entries of A, in comparable unknowns (unit_scales.h); large where A is singular (an undamped
     /// resonance).
     [[nodiscard]] double rounding(const Eigen::VectorXcd &forces,
                                   const Eigen::VectorXcd &displacements) const;
 
-    /// |q|^T |A| |q| at the speed of the last solution, |A| the sum of the moduli of the terms.
+    /// |q|^T |A| |q| with the A of the last solution, |A| the sum of the moduli of the terms.
     [[nodiscard]] double absolute_form(const Eigen::VectorXcd &displacements) const;
 
     /// Nothing takes energy out or feeds it in.
@@ -48,15 +56,26 @@ class HarmonicSolver {
 
   private:
     using Sparse = Eigen::SparseMatrix<std::complex<double>>;
-    enum Factor { one, speed_once, minus_speed_squared, i_speed, i_speed_squared, factor_count };
+    enum Factor {
+        one,
+        spin_once,
+        spin_squared,
+        minus_frequency_squared,
+        i_frequency,
+        i_frequency_spin,
+        factor_count
+    };
 
     Eigen::VectorXd _scales;                         ///< of the unknowns, powers of two
     std::array<Eigen::ArrayXd, factor_count> _terms; ///< entries on the pattern of all, scaled
     Sparse _A;
     Sparse _sizes; ///< real and imaginary part: moduli of the real and of the imaginary terms
-    SparseFactor<std::complex<double>> _lu;
+    SparseFactor<std::complex<double>> _lu{true};
 
-    void set(double speed);
+    void set(double spin, double frequency);
+    /// Largest |f - A q| over the largest |A| |q| + |f| of the columns; infinite where A is
+    /// singular.
+    [[nodiscard]] double solved(const Eigen::MatrixXcd &f, Eigen::MatrixXcd &q);
     [[nodiscard]] Eigen::VectorXcd sizes_of(const Eigen::VectorXcd &f,
                                             const Eigen::VectorXcd &q) const;
 };

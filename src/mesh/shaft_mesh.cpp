@@ -19,7 +19,9 @@ std::vector<double> attachment_positions(const model::Rotor &rotor) {
     collect(rotor.balancers);
     collect(rotor.planes);
     collect(rotor.imbalances);
+    collect(rotor.forces);
     collect(rotor.probes);
+    collect(rotor.stations);
     return positions;
 }
 

@@ -43,6 +43,11 @@ struct Anisotropy {
     double angle = 0; ///< direction of the axis of smaller inertia in the rotor, rad
 };
 
+/// A place that a result is asked for of, with nothing there.
+struct Station {
+    double z = 0; ///< m
+};
+
 /// A correction plane for the empirical criterion.
 struct CorrectionPlane {
     std::string name;

@@ -56,11 +56,19 @@ struct CriticalMapSettings {
     std::optional<std::size_t> bearing; ///< place among the supports; none: all together
 };
 
+/// A harmonic force at one place, the deflection at another.
+struct Receptance {
+    double from = 0; ///< z of the force, m
+    double to = 0;   ///< z of the deflection, m
+};
+
 /// Entries of [response].
 struct ResponseSettings {
     double gravity = 0; ///< m/s2 towards -y; 0: the motion under the weight is not asked for
-    std::vector<double> orbits_at; ///< spin speeds, rad/s; empty: those of the peaks
-    std::vector<double> shape_at;  ///< the same of deflected shapes; empty: as the orbits
+    std::vector<double> orbits_at;       ///< spin speeds, rad/s; empty: those of the peaks
+    std::vector<double> shape_at;        ///< the same of deflected shapes; empty: as the orbits
+    std::vector<Receptance> receptances; ///< at the first speed of the case
+    SpeedRange frequencies{};            ///< of their excitation, rad/s
 };
 
 /// Entries of [simulate].

@@ -16,6 +16,22 @@ struct SuddenImbalance {
     double phase = 0; ///< direction of the imbalance (opposite to what has left), rad
 };
 
+enum class ForceDirection { x, y, forward, backward };
+
+/// A harmonic force on a station in the fixed frame, of a frequency that is a multiple of the spin
+/// speed or the same at every one: amplitude cos(frequency t + phase) along x or y, or an amplitude
+/// that turns with the frequency in the sense of the spin or against it, at t = 0 at `phase` from x
+/// towards y, or towards -y.
+struct HarmonicForce {
+    std::string name;
+    double z = 0;                    ///< m
+    double amplitude = 0;            ///< N
+    double phase = 0;                ///< rad
+    std::optional<double> multiple;  ///< of the spin speed
+    std::optional<double> frequency; ///< rad/s; one of the two is there
+    ForceDirection direction = ForceDirection::x;
+};
+
 /// A force that acts on a station in the fixed frame: x cos(frequency t + phase),
 /// y cos(frequency t + phase_y).
 struct StationForce {

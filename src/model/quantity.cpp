@@ -33,6 +33,7 @@ QuantityNames names_of(Quantity quantity) {
          {"acceleration", "m/s2", ""},
          {"pressure", "Pa", ""},
          {"density", "kg/m3", ""},
+         {"receptance", "m/N", "receptance"},
          {"inverse_mass", "1/kg", ""}}};
     return names.at(static_cast<std::size_t>(quantity));
 }

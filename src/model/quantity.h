@@ -33,6 +33,7 @@ enum class Quantity {
     acceleration,
     pressure,
     density,
+    receptance,  ///< deflection over force
     inverse_mass ///< deflection over imbalance and the square of the speed: the criterion
 };
 

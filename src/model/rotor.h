@@ -3,6 +3,7 @@
 #include "model/attachments.h"
 #include "model/balancer.h"
 #include "model/bearing.h"
+#include "model/excitation.h"
 #include "model/shaft.h"
 
 #include <algorithm>
@@ -33,7 +34,9 @@ struct Rotor {
     std::vector<HeldBalancer> held;
     std::vector<CorrectionPlane> planes;
     std::vector<Imbalance> imbalances;
+    std::vector<HarmonicForce> forces;
     std::vector<Probe> probes;
+    std::vector<Station> stations;
 
     /// The bearings without the seals behind them.
     [[nodiscard]] std::span<const Bearing> supports() const;

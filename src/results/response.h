@@ -103,15 +103,70 @@ struct GravityResponse {
     ResponseCurves curves;           ///< the same, of stations and bearings
 };
 
-struct ResponseResult {
-    ModelSummary model;
-    std::vector<double> speeds; ///< rad/s
+/// Motion of one frequency over the spin speed.
+struct HarmonicMotion {
     std::vector<ResponseNode> nodes;
     std::vector<ResponseBearing> bearings;
     std::vector<ResponseProbe> probes;
     /// Every local maximum strictly inside the range, by place, then by speed.
     std::vector<ResponsePeak> peaks;
     ResponseCurves curves; ///< empty where the range is one speed
+};
+
+/// What all forces of one frequency do together. Phases count from cos(frequency t).
+struct ForceResponse : HarmonicMotion {
+    std::optional<double> multiple;  ///< of the spin speed
+    std::optional<double> frequency; ///< rad/s; one of the two is there
+    struct Acting {
+        double z = 0; ///< m
+        std::string name;
+        double amplitude = 0;  ///< N
+        double phase = 0;      ///< rad
+        std::string direction; ///< "x", "y", "forward" or "backward"
+    };
+    std::vector<Acting> forces;
+};
+
+/// A deflection over a harmonic force, at one spin speed: x over a force along x (xx), x over one
+/// along y (xy), and so on. One entry a frequency; infinite or NaN at a resonance without damping.
+struct ReceptanceDirection {
+    std::string name;              ///< "xx", "xy", "yx" or "yy": deflection, then force
+    std::vector<double> amplitude; ///< m/N
+    std::vector<double> phase;     ///< of the deflection before the force, rad
+    std::vector<double> error;     ///< estimated, relative
+    ResponseCurves curve;          ///< to draw: of this direction alone, over the frequency
+};
+
+struct Receptance {
+    double from = 0; ///< z of the force, m
+    double to = 0;   ///< z of the deflection, m
+    std::vector<ReceptanceDirection> directions;
+};
+
+/// A local maximum of a receptance over the frequency.
+struct ReceptancePeak {
+    int receptance = 0; ///< among those of the result
+    std::string direction;
+    double from = 0, to = 0; ///< m
+    double frequency = 0;    ///< rad/s
+    double value = 0;        ///< m/N; infinite: no damping
+    double phase = 0;        ///< rad; NaN without damping
+    std::optional<double> amplification;
+    std::optional<double> lower, upper; ///< half-power points, rad/s
+    double error = 0;                   ///< estimated, relative, of the value; NaN: not known
+    double frequency_error = 0;         ///< the same of the frequency
+};
+
+struct ReceptanceResponse {
+    double speed = 0;                ///< spin speed, rad/s
+    std::vector<double> frequencies; ///< rad/s
+    std::vector<Receptance> receptances;
+    std::vector<ReceptancePeak> peaks; ///< by receptance, direction, frequency
+};
+
+struct ResponseResult : HarmonicMotion { ///< to the imbalances
+    ModelSummary model;
+    std::vector<double> speeds; ///< rad/s
     /// At the speeds of the case, or at peaks; resonances without damping have none.
     std::vector<Orbits> orbits;
     std::vector<DeflectedShape> shapes;
@@ -120,6 +175,9 @@ struct ResponseResult {
     std::optional<std::vector<SeparationMargin>> margins;
     /// Where the case asks for it; the lists above are empty without an imbalance.
     std::optional<GravityResponse> gravity;
+    /// Forces of each frequency of their own: the motions add, their amplitudes do not.
+    std::vector<ForceResponse> forces;
+    std::optional<ReceptanceResponse> receptance;
 };
 
 } // namespace whirl::results

@@ -68,6 +68,7 @@ look critical critical "$cases/friswell_5_9_2"
 look stability stability "$cases/keyway_shaft" --set speeds.count=11
 look response response "$jeffcott" --set speeds.count=11
 look gravity response "$cases/keyway_gravity" --set speeds.count=11
+look forces response "$cases/harmonic_forces" --set speeds.count=11
 look balance balance "$cases/pendulum_planar" --set speeds.count=11 --set balance.balanced_position=false
 look rigid-limit rigid-limit "$cases/rigid_limit"
 look simulate simulate "$jeffcott" --set speeds.count=1 --set simulate.time=13

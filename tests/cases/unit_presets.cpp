@@ -37,7 +37,9 @@ double size_of(const std::string &unit) {
         {"kg m2/s", 1},   {"kg m²/s", 1},
         {"m/s2", 1},      {"m/s²", 1},
         {"N m/rad", 1},   {"N m s/rad", 1},
-        {"N m", 1}};
+        {"N m", 1},       {"m/N", 1},
+        {"um/N", 1e-6},   {"µm/N", 1e-6},
+        {"mm/kN", 1e-6},  {"mil/lbf", inch / 1000 / lbf}};
     const auto found = sizes.find(unit);
     if (found == sizes.end())
         throw std::runtime_error("no unit that this test knows: " + unit);
@@ -58,9 +60,9 @@ std::string Preset::unit(model::Quantity quantity) const {
 
 const std::vector<Preset> &presets() {
     static const std::map<std::string, std::string> metric{
-        {"length", "mm"},      {"amplitude", "um"},   {"deflection", "um"},
-        {"speed", "rpm"},      {"frequency", "Hz"},   {"stiffness", "N/mm"},
-        {"damping", "N s/mm"}, {"inertia", "kg mm2"}, {"imbalance", "g mm"}};
+        {"length", "mm"},      {"amplitude", "um"},   {"deflection", "um"},   {"speed", "rpm"},
+        {"frequency", "Hz"},   {"stiffness", "N/mm"}, {"receptance", "um/N"}, {"damping", "N s/mm"},
+        {"inertia", "kg mm2"}, {"imbalance", "g mm"}};
     static const std::vector<Preset> all{
         {"si", {"units.preset=si"}, {}},
         {"mm-rpm", {"units.preset=mm-rpm"}, metric},
@@ -73,14 +75,16 @@ const std::vector<Preset> &presets() {
           {"frequency", "Hz"},
           {"force", "lbf"},
           {"stiffness", "lbf/in"},
+          {"receptance", "mil/lbf"},
           {"damping", "lbf s/in"},
           {"mass", "lb"},
           {"inertia", "lb in2"},
           {"imbalance", "oz in"}}},
         {"mixed",
          {"units.speed=Hz", "units.frequency=rpm", "units.length=cm", "units.amplitude=mm",
-          "units.force=kN", "units.stiffness=kN/mm", "units.damping=kN s/m", "units.mass=g",
-          "units.inertia=kg cm2", "units.imbalance=kg mm", "units.peak_to_peak=true"},
+          "units.force=kN", "units.stiffness=kN/mm", "units.receptance=mm/kN",
+          "units.damping=kN s/m", "units.mass=g", "units.inertia=kg cm2", "units.imbalance=kg mm",
+          "units.peak_to_peak=true"},
          {{"speed", "Hz"},
           {"frequency", "rpm"},
           {"length", "cm"},
@@ -88,6 +92,7 @@ const std::vector<Preset> &presets() {
           {"deflection", "mm"},
           {"force", "kN"},
           {"stiffness", "kN/mm"},
+          {"receptance", "mm/kN"},
           {"damping", "kN s/m"},
           {"mass", "g"},
           {"inertia", "kg cm2"},
@@ -104,7 +109,7 @@ std::string mark_of(model::Quantity quantity) {
 
 double mark_size(model::Quantity quantity) {
     using enum model::Quantity;
-    return quantity == amplitude || quantity == deflection ? 1e-6 : 1;
+    return quantity == amplitude || quantity == deflection || quantity == receptance ? 1e-6 : 1;
 }
 
 model::OutputUnits marked_units() {

@@ -4,13 +4,47 @@
 
 namespace whirl::tests {
 
-/// Mistakes in what moves a rotor in time, and in balls that touch or resist rolling.
+/// Mistakes in what moves a rotor, and in balls that touch or resist rolling.
 inline std::vector<BrokenCase> broken_motion() {
     const std::string &base = sound_case;
-    const std::string motion = base + "[simulate]\ntime = 1\n";         // next is line 10
-    const std::string force = motion + "[[simulate.force]]\nz = 0.5\n"; // next is line 12
+    const std::string motion = base + "[simulate]\ntime = 1\n";                // next is line 10
+    const std::string force = motion + "[[simulate.force]]\nz = 0.5\n";        // next is line 12
+    const std::string harmonic = base + "[[force]]\nz = 0.5\namplitude = 1\n"; // next is line 11
     const std::string ball = base + "[[balancer]]\nz = 0.5\nmass = 0.1\nradius = 0.1\n"; // 8-11
     return {
+        {"harmonic force of no frequency", 8, "force[0].multiple",
+         "missing, expected the multiple of the spin speed at which the force acts, or its "
+         "frequency",
+         harmonic},
+        {"harmonic force of two frequencies", 12, "force[0].frequency",
+         "expected either multiple (of the spin speed) or frequency, got both",
+         harmonic + "multiple = 2\nfrequency = \"50 Hz\"\n"},
+        {"harmonic force against itself", 10, "force[0].amplitude", "0 or more, got -1",
+         base + "[[force]]\nz = 0.5\namplitude = -1\nmultiple = 2\n"},
+        {"harmonic force at rest", 11, "force[0].frequency", "greater than 0, got 0",
+         harmonic + "frequency = 0\n"},
+        {"harmonic force along z", 12, "force[0].direction",
+         "expected \"x\" or \"y\" or \"forward\" or \"backward\", got \"z\"",
+         harmonic + "multiple = 2\ndirection = \"z\"\n"},
+        {"harmonic force beside the shaft", 9, "force[0].z", "expected a place on the shaft",
+         base + "[[force]]\nz = 1.5\namplitude = 1\nmultiple = 2\n"},
+        {"harmonic force with a torque's unit", 10, "force[0].amplitude",
+         "expected a force in N, 0 or more, got \"5 N m\"",
+         base + "[[force]]\nz = 0.5\namplitude = \"5 N m\"\nmultiple = 2\n"},
+        {"receptance at no frequency", 8, "response.frequencies",
+         "missing, expected receptance (between which stations) and frequencies",
+         base + "[response]\nreceptance = {from = 0, to = 1}\n"},
+        {"receptance from beside the shaft", 9, "response.receptance.from",
+         "expected a place on the shaft, 0 to 1 m, got -1",
+         base + "[response]\nreceptance = {from = -1, to = 1}\nfrequencies = {to = 100}\n"},
+        {"second receptance to beside the shaft", 9, "response.receptance[1].to",
+         "expected a place on the shaft, 0 to 1 m, got 2",
+         base + "[response]\nreceptance = [{from = 0, to = 1}, {from = 0, to = 2}]\n"
+                "frequencies = {to = 100}\n"},
+        {"receptance over falling frequencies", 10, "response.frequencies.to",
+         "expected more than from = 200 rad/s, got 100",
+         base + "[response]\nreceptance = {from = 0, to = 1}\n"
+                "frequencies = {from = 200, to = 100}\n"},
         {"run-up to nowhere", 10, "simulate.run_up.to", "missing, expected an angular speed",
          motion + "run_up = {from = 0, duration = 5}\n"},
         {"run-up in no time", 10, "simulate.run_up.duration", "greater than 0, got 0",

@@ -63,6 +63,17 @@ TEST(Sizes, WhatDoesNotFitIsRefusedWithItsNumbers) {
                 "campbell", 8);
     EXPECT_NE(speeds.find("speeds.count: "), std::string::npos) << speeds;
     EXPECT_NE(speeds.find("1000000 speeds with 500 modes each"), std::string::npos) << speeds;
+    std::string pairs;
+    for (int i = 0; i < 500; ++i)
+        pairs += "{from = 0, to = 0.5}, ";
+    const std::string frequencies =
+        refused(long_shaft,
+                {"shaft.elements=1", "response.receptance=[" + pairs + "]",
+                 "response.frequencies={to = 200, count = 1000000}"},
+                "response", 8);
+    EXPECT_NE(frequencies.find("response.frequencies.count: "), std::string::npos) << frequencies;
+    EXPECT_NE(frequencies.find("1000000 frequencies of 500 receptances"), std::string::npos)
+        << frequencies;
 }
 
 TEST(Sizes, CountsThatNoMachineGoesThroughAreRefused) {

@@ -63,6 +63,36 @@ TEST(HarmonicSolve, agrees_with_a_dense_complex_solution_at_every_speed) {
     }
 }
 
+/// The frequency need not be the spin speed, and terms with the square of that are there; pivots of
+/// a matrix that has changed by orders of magnitude since do not serve, and are not kept.
+TEST(HarmonicSolve, agrees_with_a_dense_solution_at_any_spin_speed_and_frequency) {
+    const int n = 9;
+    const Eigen::MatrixXd M = numbers(n, 0.3);
+    const Eigen::MatrixXd C = numbers(n, 0.7);
+    const Eigen::MatrixXd G = numbers(n, 1.1);
+    const Eigen::MatrixXd K = numbers(n, 1.9) + 8 * Eigen::MatrixXd::Identity(n, n);
+    const Eigen::MatrixXd Kc = numbers(n, 2.9);
+    const Eigen::MatrixXd Kss = numbers(n, 3.7);
+    HarmonicSolver solver({sparse(M), sparse(C), sparse(G), sparse(K), sparse(Kc), sparse(Kss)});
+    Eigen::MatrixXcd f(n, 1);
+    f.real() = numbers(n, 4.1).leftCols(1);
+    f.imag() = numbers(n, 5.3).leftCols(1);
+    const std::complex<double> i(0, 1);
+    for (const double spin : {0.0, 0.4, -1.3, 2.5, 900.0})
+        for (const double w : {0.0, 0.7, 3.1, -2.0, 4000.0, 1e-3}) {
+            const Eigen::MatrixXcd A =
+                (K + spin * Kc + spin * spin * Kss - w * w * M) + i * w * (C + spin * G);
+            const Eigen::MatrixXcd found = solver.solve(spin, w, f);
+            const Eigen::PartialPivLU<Eigen::MatrixXcd> dense(A);
+            const Eigen::MatrixXcd expected = dense.solve(f);
+            // What rounding of the entries of A does to either solution.
+            EXPECT_LT((found - expected).norm(), 1e-15 / dense.rcond() * expected.norm())
+                << spin << ' ' << w;
+            EXPECT_LT((A * found - f).cwiseAbs().maxCoeff(),
+                      1e-14 * (A.cwiseAbs() * found.cwiseAbs() + f.cwiseAbs()).maxCoeff());
+        }
+}
+
 TEST(HarmonicSolve, singular_matrix_is_refused_or_seen_in_the_rounding) {
     Eigen::MatrixXd stiffness(2, 2);
     stiffness << 2, -1, -1, 2; // eigenvalues 1 and 3

@@ -3,6 +3,7 @@
 #include "oracles/answers.h"
 #include "oracles/continuum_spectrum.h"
 #include "oracles/dense_rotor.h"
+#include "oracles/forces.h"
 #include "oracles/influence.h"
 #include "oracles/rigid_rotor.h"
 #include "oracles/weight.h"
@@ -200,6 +201,37 @@ Answer under_weight(const Request &request) {
     return out;
 }
 
+/// Numbers of the disc under each of the forces, and of its receptance, at JSON pointers.
+Answer of_forces(const Request &request) {
+    const CaseRotor &rotor = request.rotor;
+    const Real speed = rotor.speed_from;
+    const std::string &path = request.path;
+    const std::string key = path.substr(path.rfind('/') + 1);
+    Answer out;
+    out.oracle = "massless shaft, a force and its image that turn";
+    const auto number_of = [&key](Complex value) {
+        return key.find("phase") == std::string::npos ? std::abs(value) : std::arg(value);
+    };
+    if (path.rfind("/receptance/receptances/0/", 0) == 0) {
+        for (const double frequency : rotor.frequencies) {
+            const DiscReceptance at = disc_receptance(rotor, speed, frequency);
+            out.values.push_back(
+                number_of(path.find("/yx/") == std::string::npos ? at.along : at.across));
+        }
+        return out;
+    }
+    const std::size_t which = path.rfind("/forces/1/", 0) == 0 ? 1 : 0;
+    const HarmonicForce &force = rotor.forces.at(which);
+    const Real frequency = force.multiple > 0 ? force.multiple * speed : Real(force.frequency);
+    const DiscReceptance at = disc_receptance(rotor, speed, frequency);
+    const Complex push = std::polar(static_cast<Real>(force.amplitude), Real(force.phase));
+    const bool y = key.front() == 'y';
+    if (force.turns && y)
+        no_answer("y of a circle");
+    out.values = {number_of(push * (force.turns ? at.round : y ? at.across : at.along))};
+    return out;
+}
+
 } // namespace
 
 Answer answer_response(const Request &request) {
@@ -208,6 +240,8 @@ Answer answer_response(const Request &request) {
         return answer_operation(request);
     if (request.path == "static" || request.path.rfind("twice", 0) == 0)
         return under_weight(request);
+    if (request.path.rfind("/forces/", 0) == 0 || request.path.rfind("/receptance/", 0) == 0)
+        return of_forces(request);
     if (request.path == "peak_speeds" || request.path == "peak_values") {
         if (!rotor.classical)
             no_answer("response: peaks of classical elements only");

@@ -62,6 +62,16 @@ struct Imbalance {
     double phase = 0; ///< rad
 };
 
+/// A force in the fixed frame of one frequency.
+struct HarmonicForce {
+    double z = 0;
+    double amplitude = 0; ///< N
+    double phase = 0;     ///< rad
+    double multiple = 0;  ///< of the spin speed; 0: a fixed frequency
+    double frequency = 0; ///< rad/s
+    bool turns = false;   ///< with its frequency; else along x
+};
+
 /// What a support has besides stiffness and damping: mass coefficients and a pedestal.
 struct Mount {
     Block m{};                             ///< kg

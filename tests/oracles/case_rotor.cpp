@@ -139,6 +139,14 @@ void read_attached(const toml::table &root, const std::filesystem::path &folder,
             rotor.planes.push_back(b.z);
     for (const toml::table *t : tables_of(root, "imbalance"))
         rotor.imbalances.push_back({number(*t, "z"), number(*t, "mr"), number(*t, "phase")});
+    for (const toml::table *t : tables_of(root, "force")) {
+        const std::string direction = word(*t, "direction");
+        const bool turns = direction.empty() ? t->contains("multiple") : direction == "forward";
+        if (!turns && !direction.empty() && direction != "x")
+            throw std::runtime_error("the oracles know forces forward and along x");
+        rotor.forces.push_back({number(*t, "z"), number(*t, "amplitude"), number(*t, "phase"),
+                                number(*t, "multiple"), number(*t, "frequency"), turns});
+    }
 }
 
 /// Lists of numbers, one in the other.
@@ -158,6 +166,11 @@ void read_analyses(const toml::table &root, CaseRotor &rotor) {
     rotor.speed_to = number(speeds, "to", rotor.speed_from);
     rotor.speed_count = static_cast<int>(number(speeds, "count", 1));
     rotor.gravity = number(part(root, "response"), "gravity");
+    const toml::table &frequencies = part(part(root, "response"), "frequencies");
+    const double first = number(frequencies, "from");
+    const int count = static_cast<int>(number(frequencies, "count"));
+    for (int i = 0; i < count; ++i)
+        rotor.frequencies.push_back(first + (number(frequencies, "to") - first) * i / (count - 1));
     const toml::table &operation = part(root, "operation");
     const toml::table &level1 = part(root, "level1");
     rotor.operation = {number(operation, "from"), number(operation, "to"), number(level1, "z"),

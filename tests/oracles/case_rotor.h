@@ -25,12 +25,14 @@ struct CaseRotor {
     std::vector<Balancer> balancers;
     std::vector<double> planes; ///< m; the balancers' where the case has none
     std::vector<Imbalance> imbalances;
+    std::vector<HarmonicForce> forces;
     double speed_from = 0; ///< rad/s
     double speed_to = 0;   ///< rad/s
     int speed_count = 1;
     std::vector<PendulumDesign> designs;
     std::vector<double> external_dampings; ///< H of [balance]
     double gravity = 0;                    ///< m/s2, of [response]
+    std::vector<double> frequencies;       ///< rad/s, of receptances
     double time = 0;                       ///< s, of [simulate]
     RunUp run_up;
     std::vector<std::vector<double>> ball_angles; ///< at the start, one list a balancer

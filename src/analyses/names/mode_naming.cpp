@@ -95,23 +95,30 @@ void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const mode
         critical_speeds[i].mode = std::move(found[i]);
 }
 
-void name_modes(std::vector<results::ResponsePeak> &peaks, const model::Case &scene, int order) {
+void name_modes(std::vector<results::ResponsePeak> &peaks, const model::Case &scene, int order,
+                const PeakDrive &drive) {
     const auto form = peaks.empty() ? std::nullopt : form_for_names(scene);
     if (!form)
         return;
     const std::vector<double> solved = few_speeds(speeds_of(peaks));
-    const auto names = names_of(scene, *form, order, {solved, false, tracking::near_spin});
+    const auto near_drive = [&drive](const modes::Spectrum &spectrum, std::size_t place) {
+        const std::complex<double> driven(0, drive.frequency_at(spectrum.speed));
+        return std::abs(spectrum.modes[place].eigenvalue - driven) <
+               tracking::resonant * driven.imag();
+    };
+    const auto names = names_of(scene, *form, order, {solved, false, near_drive});
     if (!names)
         return;
     // What turns with an isotropic rotor on isotropic bearings drives no backward whirl.
-    const auto driven = [planar = results::is_planar(*form)](const modes::WhirlMode &mode) {
-        return !planar || mode.whirl == results::Whirl::forward;
+    const bool forward = drive.imbalances && results::is_planar(*form);
+    const auto driven = [forward](const modes::WhirlMode &mode) {
+        return !forward || mode.whirl == results::Whirl::forward;
     };
     for (results::ResponsePeak &peak : peaks) {
-        const double spin = std::abs(peak.speed);
+        const double frequency = drive.frequency_at(peak.speed);
         if (const auto near = next_to(solved, peak.speed))
             peak.mode = names->nearest(
-                *near, {peak.speed, {0, spin}, tracking::resonant * spin, 1, driven});
+                *near, {peak.speed, {0, frequency}, tracking::resonant * frequency, 1, driven});
     }
 }
 

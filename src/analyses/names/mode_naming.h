@@ -6,6 +6,7 @@
 #include "results/response.h"
 #include "results/stability.h"
 
+#include <cmath>
 #include <vector>
 
 namespace whirl::analyses {
@@ -16,10 +17,21 @@ namespace whirl::analyses {
 void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const model::Case &scene,
                 int order);
 
-/// Names the mode that is nearest to resonance at each peak: the least |l - i speed|; none where
-/// critical speeds get none.
+/// What drives the peaks whose modes are to be named.
+struct PeakDrive {
+    double multiple = 1;    ///< frequency over spin speed, of a fixed one 0
+    double frequency = 0;   ///< rad/s, where it is fixed
+    bool imbalances = true; ///< alone: what turns with the rotor drives forward whirl
+
+    [[nodiscard]] double frequency_at(double speed) const {
+        return multiple * std::abs(speed) + frequency;
+    }
+};
+/// Names the mode that is nearest to resonance at each peak: the least |l - i frequency|; none
+/// where critical speeds get none.
 /// @param order  of the shaft elements
-void name_modes(std::vector<results::ResponsePeak> &peaks, const model::Case &scene, int order);
+void name_modes(std::vector<results::ResponsePeak> &peaks, const model::Case &scene, int order,
+                const PeakDrive &drive = {});
 
 /// Names the mode that passes the imaginary axis at each end of kind pair; none at other ends,
 /// where a motion stands still or two meet, nor where critical speeds get none, nor where the lines

@@ -6,13 +6,14 @@
 namespace whirl::cli {
 
 Command response_command() {
-    return {"response",
-            "unbalance response over speed, forces at bearings",
-            {"speeds", "imbalance", "probe", "response", "operation"},
-            {},
-            {"cases/compressor_margins --units mm-rpm --peak-to-peak",
-             "cases/compressor_margins --set \"imbalance[0].mr=50 g mm\""},
-            on_case(analyses::unbalance_response)};
+    return {
+        "response",
+        "unbalance response over speed, forces at bearings; forces of any frequency, receptances",
+        {"speeds", "imbalance", "force", "probe", "response", "operation"},
+        {},
+        {"cases/compressor_margins --units mm-rpm --peak-to-peak",
+         "cases/compressor_margins --set \"imbalance[0].mr=50 g mm\"", "cases/harmonic_forces"},
+        on_case(analyses::unbalance_response)};
 }
 
 } // namespace whirl::cli

@@ -17,11 +17,14 @@ struct BalanceResult;
 struct CampbellMode;
 struct CampbellResult;
 struct CriticalMap;
+struct ForceResponse;
+struct HarmonicMotion;
 struct Level1;
 struct ModeShape;
 struct ModesResult;
 struct PendulumBalance;
 struct Placement;
+struct ReceptanceResponse;
 struct ResponseResult;
 struct RigidLimitResult;
 struct SamplesResult;
@@ -46,6 +49,21 @@ namespace whirl::report {
 [[nodiscard]] Figure response_figure(const model::Case &scene,
                                      const results::ResponseResult &result, const Units &units);
 
+/// The same under forces of one frequency.
+[[nodiscard]] Figure force_figure(const model::Case &scene, const std::vector<double> &speeds,
+                                  const results::ForceResponse &response, const Units &units);
+/// "2x" or "50 Hz": the frequency of forces.
+[[nodiscard]] std::string excitation_text(const Units &units,
+                                          const results::ForceResponse &response);
+
+/// Deflections over forces over the frequency: amplitudes (logarithmic) and phases.
+[[nodiscard]] Figure receptance_figure(const model::Case &scene,
+                                       const results::ReceptanceResponse &response,
+                                       const Units &units);
+/// "xx, 0.8 m to 0.5 m"
+[[nodiscard]] std::string direction_text(const Units &units, const std::string &direction,
+                                         double from, double to);
+
 /// Motion under the weight over spin speed: radius of the circle at twice the spin speed
 /// (logarithmic), the deflection that stands still, bearing forces at twice the spin speed.
 /// @param result  with the response to gravity
@@ -54,7 +72,7 @@ namespace whirl::report {
 
 /// Indices of the nodes that are drawn: all of them, or of many those with names first, filled up
 /// with others that are spread along the shaft.
-[[nodiscard]] std::vector<std::size_t> drawn_nodes(const results::ResponseResult &result);
+[[nodiscard]] std::vector<std::size_t> drawn_nodes(const results::HarmonicMotion &result);
 
 /// Deflection of a mode in the two planes at the instants that tell its whirl: y a quarter period
 /// after x, so that circular forward whirl has equal and backward whirl opposite curves. Where the

@@ -1,5 +1,6 @@
 #include "report/pictures/figures.h"
 
+#include "report/common/words.h"
 #include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "report/response/marks.h"
@@ -12,6 +13,7 @@
 
 namespace whirl::report {
 
+using results::HarmonicMotion;
 using results::ResponseResult;
 
 namespace {
@@ -19,9 +21,10 @@ namespace {
 constexpr std::size_t most_curves = 8;
 
 std::vector<PlotPoint> over_speed(const Units &units, const std::vector<double> &speeds,
-                                  const std::vector<double> &values, Quantity of) {
+                                  const std::vector<double> &values, Quantity of,
+                                  Quantity along = Quantity::speed) {
     std::vector<PlotPoint> points =
-        points_over(speeds, units.factor(Quantity::speed), values, units.factor(of));
+        points_over(speeds, units.factor(along), values, units.factor(of));
     for (PlotPoint &point : points)
         if (!std::isfinite(*point.y) || *point.y <= 0) // the response at rest is zero, which a
             point.y.reset();                           // logarithmic axis has no place for
@@ -83,7 +86,7 @@ template <class Place> std::vector<std::size_t> drawn_of(const std::vector<Place
 
 } // namespace
 
-std::vector<std::size_t> drawn_nodes(const ResponseResult &result) {
+std::vector<std::size_t> drawn_nodes(const HarmonicMotion &result) {
     std::vector<std::size_t> drawn = drawn_of(result.nodes);
     const auto largest = largest_station(result);
     if (!largest || std::find(drawn.begin(), drawn.end(), *largest) != drawn.end())
@@ -123,33 +126,44 @@ Curves curves_of(const SpeedPanel &panel) {
     return drawn;
 }
 
+/// What panels are over: the spin speed, or the frequency of a force.
+struct Along {
+    std::string label;
+    Range range;
+    bool speed = true;
+};
+Along along_speeds(const Units &units, const std::vector<double> &speeds) {
+    return {units.label("Spin speed", Quantity::speed), speed_range(units, speeds)};
+}
+
 /// Up to three panels one below the other.
 /// @param marks  in the first one
-Figure stacked(const model::Case &scene, const Units &units, const ResponseResult &result,
+Figure stacked(const model::Case &scene, const Units &units, const Along &along,
                const std::string &heading, const std::string &subtitle,
                const std::vector<SpeedPanel> &panels, const PeakMarks &marks) {
     struct Place {
         int top, bottom, height; ///< of the panel; of the figure where it is the last; pixels
     };
     constexpr Place places[] = {{75, 430, 500}, {460, 700, 780}, {730, 975, 1040}};
-    std::vector<std::string> names{"operating speeds", marks.name};
+    std::vector<std::string> names{marks.name};
+    if (along.speed)
+        names.emplace_back("operating speeds");
     for (const SpeedPanel &panel : panels)
         for (const NamedCurve &curve : panel.curves)
             names.push_back(curve.name);
     const LegendedFigure room = beside_legend(842, 1080, places[panels.size() - 1].height, names);
-    const Range x = speed_range(units, result.speeds);
-    std::string script = grid + operation_band(scene, units, x) +
+    const Range &x = along.range;
+    std::string script = grid + (along.speed ? operation_band(scene, units, x) : "") +
                          fmt::format("set xrange [{}:{}]\n{}", x.low, x.high, marks.before);
     for (std::size_t i = 0; i < panels.size(); ++i) {
         Curves drawn = curves_of(panels[i]);
         if (i == 0) {
             drawn.add(marks.plots);
-            drawn.add(operation_key(scene, units, x));
+            if (along.speed)
+                drawn.add(operation_key(scene, units, x));
         }
         script += panels[i].axis + room.panel(places[i].top, places[i].bottom) +
-                  axes_beside_legend(
-                      panels[i].label,
-                      i + 1 == panels.size() ? units.label("Spin speed", Quantity::speed) : "") +
+                  axes_beside_legend(panels[i].label, i + 1 == panels.size() ? along.label : "") +
                   drawn.script() + (i == 0 ? marks.after : "") + "unset label\n";
     }
     return figure_of(room.width, room.height, heading + title_of(scene), subtitle, script);
@@ -184,16 +198,21 @@ std::vector<NamedCurve> forces_of(const Units &units, const std::vector<Bearing>
 
 } // namespace
 
-Figure response_figure(const model::Case &scene, const ResponseResult &result, const Units &units) {
+namespace {
+
+/// @param heading  in front of the title of the case
+Figure motion_figure(const model::Case &scene, const std::vector<double> &speeds,
+                     const HarmonicMotion &result, const std::string &heading,
+                     const std::string &of, const Units &units) {
     const results::ResponseCurves &curves = result.curves;
     std::vector<NamedCurve> amplitude;
     std::vector<NamedCurve> phase;
     const auto add = [&](std::size_t i, const std::string &name, const auto &of) {
         amplitude.push_back(
-            {name, dense(units, curves, i, result.speeds, of.amplitude, Quantity::amplitude)});
+            {name, dense(units, curves, i, speeds, of.amplitude, Quantity::amplitude)});
         const bool fine = i < curves.values.size();
         phase.push_back(
-            {"", angles_over(fine ? curves.speeds : result.speeds, units.factor(Quantity::speed),
+            {"", angles_over(fine ? curves.speeds : speeds, units.factor(Quantity::speed),
                              fine ? curves.phases[i] : of.phase)});
     };
     const std::vector<std::size_t> nodes = drawn_nodes(result);
@@ -215,15 +234,91 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result, c
         panels.push_back(
             logarithmic_panel(units.label("Largest bearing force", Quantity::force),
                               forces_of(units, result.bearings, &results::ResponseBearing::force,
-                                        curves, result.nodes.size(), result.speeds)));
+                                        curves, result.nodes.size(), speeds)));
     PeakMarks marks;
     if (const auto largest = largest_station(result))
-        marks = peak_marks(
-            units, result, *largest,
-            {speed_range(units, result.speeds), logarithmic_range(amplitude), 750, 355}, amplitude);
-    return stacked(scene, units, result, "Unbalance response: ",
-                   fmt::format("{} stations drawn of {}", nodes.size(), result.nodes.size()),
+        marks = peak_marks(units, result, *largest,
+                           {speed_range(units, speeds), logarithmic_range(amplitude), 750, 355},
+                           amplitude);
+    return stacked(scene, units, along_speeds(units, speeds), heading,
+                   fmt::format("{}{} stations drawn of {}", of, nodes.size(), result.nodes.size()),
                    panels, marks);
+}
+
+} // namespace
+
+Figure response_figure(const model::Case &scene, const ResponseResult &result, const Units &units) {
+    return motion_figure(scene, result.speeds, result, "Unbalance response: ", "", units);
+}
+
+std::string excitation_text(const Units &units, const results::ForceResponse &response) {
+    return response.multiple ? readable(*response.multiple) + "x"
+                             : units.text(Quantity::frequency, response.frequency.value_or(0));
+}
+
+Figure force_figure(const model::Case &scene, const std::vector<double> &speeds,
+                    const results::ForceResponse &response, const Units &units) {
+    return motion_figure(
+        scene, speeds, response, "Response to forces at " + excitation_text(units, response) + ": ",
+        joined(response.forces, ", ",
+               [&units](const auto &force) {
+                   return fmt::format("{} {} at {}",
+                                      units.text(Quantity::force, force.amplitude, 4),
+                                      force.direction, place(force.name, force.z, units));
+               }) +
+            "; ",
+        units);
+}
+
+std::string direction_text(const Units &units, const std::string &direction, double from,
+                           double to) {
+    return fmt::format("{}, {} to {}", direction, units.text(Quantity::length, from, 4),
+                       units.text(Quantity::length, to, 4));
+}
+
+Figure receptance_figure(const model::Case &scene, const results::ReceptanceResponse &response,
+                         const Units &units) {
+    std::vector<NamedCurve> amplitude;
+    std::vector<NamedCurve> phase;
+    for (const results::Receptance &one : response.receptances)
+        for (const results::ReceptanceDirection &direction : one.directions) {
+            const bool moves =
+                std::ranges::any_of(direction.amplitude, [](double value) { return value > 0; });
+            if (!moves || amplitude.size() >= 2 * most_curves)
+                continue;
+            const results::ResponseCurves &curve = direction.curve;
+            const bool fine = !curve.values.empty();
+            const std::vector<double> &at = fine ? curve.speeds : response.frequencies;
+            amplitude.push_back(
+                {direction_text(units, direction.name, one.from, one.to),
+                 over_speed(units, at, fine ? curve.values.front() : direction.amplitude,
+                            Quantity::receptance, Quantity::frequency)});
+            phase.push_back({"", angles_over(at, units.factor(Quantity::frequency),
+                                             fine ? curve.phases.front() : direction.phase)});
+        }
+    PeakMarks marks;
+    std::vector<PlotPoint> tops;
+    for (const results::ReceptancePeak &peak : response.peaks)
+        if (std::isfinite(peak.value))
+            tops.push_back({units(Quantity::frequency, peak.frequency),
+                            units(Quantity::receptance, peak.value)});
+    if (!tops.empty()) {
+        marks.name = "peaks";
+        marks.before = data_block("tops", {tops});
+        marks.plots = "$tops with points pt 6 ps 1.4 lw 1.4 lc rgb '#000000' title 'peaks'";
+    }
+    return stacked(scene, units,
+                   {units.label("Frequency of the force", Quantity::frequency),
+                    {units(Quantity::frequency, response.frequencies.front()),
+                     units(Quantity::frequency, response.frequencies.back())},
+                    false},
+                   "Receptance: ",
+                   "deflection over force, directions of the deflection and of the force; at " +
+                       units.text(Quantity::speed, response.speed),
+                   {logarithmic_panel(units.label("Receptance", Quantity::receptance), amplitude),
+                    {units.label("Phase", Quantity::angle),
+                     std::string(linear_y) + "set yrange [-190:190]\nset ytics 90\n", phase}},
+                   marks);
 }
 
 Figure gravity_figure(const model::Case &scene, const ResponseResult &result, const Units &units) {
@@ -244,14 +339,15 @@ Figure gravity_figure(const model::Case &scene, const ResponseResult &result, co
     const bool moves = std::ranges::any_of(of.stations, [](const auto &station) {
         return std::ranges::any_of(station.twice, [](double value) { return value != 0; });
     });
+    const Along along = along_speeds(units, result.speeds);
     // A shaft that is equally stiff in all directions stands still in its sag.
     if (!moves) {
         for (std::size_t i = 0; i < still.size(); ++i)
             still[i].name = circle[i].name;
-        return stacked(scene, units, result, "Sag under the weight: ", subtitle,
+        return stacked(scene, units, along, "Sag under the weight: ", subtitle,
                        {{units.label("Static deflection", Quantity::deflection), "", still}}, {});
     }
-    return stacked(scene, units, result, "Motion under the weight: ", subtitle,
+    return stacked(scene, units, along, "Motion under the weight: ", subtitle,
                    {logarithmic_panel(
                         units.label("Circle at twice the spin speed", Quantity::amplitude), circle),
                     {units.label("Static deflection", Quantity::deflection),

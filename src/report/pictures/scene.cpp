@@ -155,6 +155,7 @@ std::vector<Callout> upper_callouts(const Units &units, const model::Rotor &roto
                      drawn_value(units, Quantity::imbalance, std::abs(imbalance.mr), 4)});
     }
     add_callouts(callouts, sheet, rotor.probes, "probe", above);
+    add_callouts(callouts, sheet, rotor.forces, "force", above);
     return callouts;
 }
 
@@ -204,6 +205,8 @@ Drawing draw_rotor(const model::Rotor &rotor, const Units &units, const Sheet &s
     draw_shaft(drawing, sheet, rotor.shaft);
     for (const auto &probe : rotor.probes)
         draw_probe(drawing, sheet, rotor.shaft, probe);
+    for (const auto &force : rotor.forces)
+        draw_force(drawing, sheet, rotor.shaft, force);
     for (const auto &disc : rotor.discs)
         draw_disc(drawing, sheet, rotor.shaft, disc);
     for (const auto &balancer : rotor.balancers)

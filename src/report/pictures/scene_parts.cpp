@@ -155,14 +155,28 @@ void draw_anisotropy(Drawing &drawing, const Sheet &sheet, const model::Anisotro
     drawing.shapes.push_back(area(std::move(lens), "#E7C6DA", "#8B3A6B"));
 }
 
+namespace {
+
+/// From above to the surface of the shaft.
+void draw_arrow(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft, double z,
+                const char *colour) {
+    const double x = sheet.across(z);
+    const double tip = sheet.axis - sheet.pixels(shaft_radius(shaft, z));
+    drawing.shapes.push_back(area({{x, tip}, {x - 4, tip - 9}, {x + 4, tip - 9}}, colour, colour));
+    drawing.shapes.push_back(
+        stroke({{x, tip - 9}, {x, sheet.axis - sheet.radius - 10}}, colour, 1.4));
+}
+
+} // namespace
+
 void draw_probe(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,
                 const model::Probe &probe) {
-    const double x = sheet.across(probe.z);
-    const double tip = sheet.axis - sheet.pixels(shaft_radius(shaft, probe.z));
-    drawing.shapes.push_back(
-        area({{x, tip}, {x - 4, tip - 9}, {x + 4, tip - 9}}, "#5B3A8B", "#5B3A8B"));
-    drawing.shapes.push_back(
-        stroke({{x, tip - 9}, {x, sheet.axis - sheet.radius - 10}}, "#5B3A8B", 1.4));
+    draw_arrow(drawing, sheet, shaft, probe.z, "#5B3A8B");
+}
+
+void draw_force(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,
+                const model::HarmonicForce &force) {
+    draw_arrow(drawing, sheet, shaft, force.z, "#C0152F");
 }
 
 DrawPoint imbalance_place(const Sheet &sheet, const model::Shaft &shaft,

@@ -68,6 +68,9 @@ void draw_anisotropy(Drawing &drawing, const Sheet &sheet, const model::Anisotro
 /// An arrow from above that ends at the surface of the shaft, whatever its direction.
 void draw_probe(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,
                 const model::Probe &probe);
+/// The same of a harmonic force.
+void draw_force(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,
+                const model::HarmonicForce &force);
 
 /// A dot at the surface of the shaft: above where it points to x, below where it points away.
 void draw_imbalance(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,

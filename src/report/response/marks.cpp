@@ -13,6 +13,7 @@
 
 namespace whirl::report {
 
+using results::HarmonicMotion;
 using results::ResponsePeak;
 using results::ResponseResult;
 
@@ -21,14 +22,14 @@ namespace {
 constexpr double label_size = 10;
 
 /// The values of a station over the speeds of the curves, or of the case where there are none.
-const std::vector<double> &amplitudes_of(const ResponseResult &result, std::size_t i) {
+const std::vector<double> &amplitudes_of(const HarmonicMotion &result, std::size_t i) {
     return i < result.curves.values.size() ? result.curves.values[i] : result.nodes[i].amplitude;
 }
-const std::vector<double> &phases_of(const ResponseResult &result, std::size_t i) {
+const std::vector<double> &phases_of(const HarmonicMotion &result, std::size_t i) {
     return i < result.curves.phases.size() ? result.curves.phases[i] : result.nodes[i].phase;
 }
 
-std::vector<const ResponsePeak *> labelled_peaks(const ResponseResult &result, std::size_t place,
+std::vector<const ResponsePeak *> labelled_peaks(const HarmonicMotion &result, std::size_t place,
                                                  const std::string &of = "station") {
     std::vector<const ResponsePeak *> peaks;
     for (const ResponsePeak &peak : result.peaks)
@@ -86,7 +87,7 @@ std::string leader(const LabelPlacer::Box &box, double x, double y, const BodePa
 
 } // namespace
 
-std::optional<std::size_t> largest_station(const ResponseResult &result) {
+std::optional<std::size_t> largest_station(const HarmonicMotion &result) {
     std::optional<std::size_t> largest;
     double most = 0; // none where nothing moves
     for (std::size_t i = 0; i < result.nodes.size(); ++i) {
@@ -106,7 +107,7 @@ std::optional<std::size_t> largest_station(const ResponseResult &result) {
     return largest;
 }
 
-PeakMarks peak_marks(const Units &units, const ResponseResult &result, std::size_t station,
+PeakMarks peak_marks(const Units &units, const HarmonicMotion &result, std::size_t station,
                      const BodePanel &panel, const std::vector<NamedCurve> &busy) {
     const auto &of = result.nodes[station];
     PeakMarks marks{.name = "peaks of " + place_text(units, of.name, of.z)};

@@ -13,7 +13,7 @@ namespace whirl::report {
 
 /// The station whose orbit is largest anywhere in the range; none without stations. A resonance
 /// without damping counts as larger than all.
-[[nodiscard]] std::optional<std::size_t> largest_station(const results::ResponseResult &result);
+[[nodiscard]] std::optional<std::size_t> largest_station(const results::HarmonicMotion &result);
 
 /// A panel over spin speed with a logarithmic axis of amplitude, where labels are placed.
 struct BodePanel {
@@ -30,7 +30,7 @@ struct PeakMarks {
     std::string after{};  ///< takes away what is not for the next panel, behind it
 };
 /// @param busy  curves that labels should not lie on, in the units of the panel
-[[nodiscard]] PeakMarks peak_marks(const Units &units, const results::ResponseResult &result,
+[[nodiscard]] PeakMarks peak_marks(const Units &units, const results::HarmonicMotion &result,
                                    std::size_t station, const BodePanel &panel,
                                    const std::vector<NamedCurve> &busy);
 

@@ -10,6 +10,7 @@
 #include "report/response/gravity.h"
 #include "report/response/marks.h"
 #include "report/response/orbits.h"
+#include "report/response/receptance.h"
 #include "report/response/tables.h"
 
 #include <fmt/format.h>
@@ -17,9 +18,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace whirl::report {
 
+using results::ForceResponse;
+using results::HarmonicMotion;
 using results::ResponseBearing;
 using results::ResponseNode;
 using results::ResponsePeak;
@@ -162,18 +167,19 @@ Columns<LargestValue> probe_peak_columns() {
     return columns;
 }
 
-std::vector<LargestValue> largest_amplitudes(const ResponseResult &result) {
-    return peaks_of(result.speeds, result.peaks, result.nodes, &ResponseNode::amplitude, "station");
+using Speeds = std::vector<double>;
+
+std::vector<LargestValue> largest_amplitudes(const Speeds &speeds, const HarmonicMotion &motion) {
+    return peaks_of(speeds, motion.peaks, motion.nodes, &ResponseNode::amplitude, "station");
 }
-std::vector<LargestValue> largest_readings(const ResponseResult &result) {
-    return peaks_of(result.speeds, result.peaks, result.probes, &ResponseProbe::amplitude, "probe");
+std::vector<LargestValue> largest_readings(const Speeds &speeds, const HarmonicMotion &motion) {
+    return peaks_of(speeds, motion.peaks, motion.probes, &ResponseProbe::amplitude, "probe");
 }
-std::vector<LargestValue> largest_forces(const ResponseResult &result) {
-    return peaks_of(result.speeds, result.peaks, result.bearings, &ResponseBearing::force,
-                    "bearing");
+std::vector<LargestValue> largest_forces(const Speeds &speeds, const HarmonicMotion &motion) {
+    return peaks_of(speeds, motion.peaks, motion.bearings, &ResponseBearing::force, "bearing");
 }
 
-Json curves_json(const ResponseResult &result, const Units &units) {
+Json curves_json(const HarmonicMotion &result, const Units &units) {
     const results::ResponseCurves &curves = result.curves;
     const std::size_t nodes = result.nodes.size();
     const std::size_t probes = nodes + result.bearings.size();
@@ -186,79 +192,216 @@ Json curves_json(const ResponseResult &result, const Units &units) {
             {"probes", kind(probes, curves.values.size(), "amplitude", Quantity::amplitude)}};
 }
 
-Json json_of(const ResponseResult &result, const Units &units) {
-    Json json{{"speeds", written(units, Quantity::speed, result.speeds)},
-              {"peaks", json_rows(curve_peaks(), result.peaks, units)},
-              {"nodes", node_kind.json(result.speeds, result.nodes, units)},
-              {"bearings", bearing_kind.json(result.speeds, result.bearings, units)},
-              {"probes", probe_kind.json(result.speeds, result.probes, units)},
-              {"curves", curves_json(result, units)}};
-    add_orbits(json, result, units);
-    add_margins(json, result.margins, units);
-    if (result.gravity)
-        json["gravity"] = gravity_json(*result.gravity, result.speeds, units);
+Json motion_json(const Speeds &speeds, const HarmonicMotion &motion, const Units &units) {
+    return {{"peaks", json_rows(curve_peaks(), motion.peaks, units)},
+            {"nodes", node_kind.json(speeds, motion.nodes, units)},
+            {"bearings", bearing_kind.json(speeds, motion.bearings, units)},
+            {"probes", probe_kind.json(speeds, motion.probes, units)},
+            {"curves", curves_json(motion, units)}};
+}
+
+const Columns<ForceResponse::Acting> acting_columns{
+    {"z", OnPage("z", "{:.5g}"), Quantity::length, &ForceResponse::Acting::z},
+    {"name", OnPage("Place"), &ForceResponse::Acting::name},
+    {InText("force at"), place_of},
+    {"amplitude", OnPage("Force", "{:.6g}"), InText("amplitude", "{:.6g}"), Quantity::force,
+     &ForceResponse::Acting::amplitude},
+    {"phase", OnPage("Phase", "{:.1f}"), InText("phase", "{:.1f}"), Quantity::angle,
+     &ForceResponse::Acting::phase},
+    {"direction", ForReaders("direction"), &ForceResponse::Acting::direction}};
+
+Json force_json(const Speeds &speeds, const ForceResponse &response, const Units &units) {
+    Json json{{"multiple", Json(response.multiple)},
+              {"frequency", response.frequency
+                                ? written(units, Quantity::frequency, *response.frequency)
+                                : Json()},
+              {"forces", json_rows(acting_columns, response.forces, units)}};
+    take_entries(json, motion_json(speeds, response, units));
     return json;
 }
 
-/// The weight is all that drives the rotor.
-bool weight_alone(const ResponseResult &result) { return result.gravity && result.nodes.empty(); }
+Json json_of(const ResponseResult &result, const Units &units) {
+    Json json{{"speeds", written(units, Quantity::speed, result.speeds)}};
+    // Without an imbalance the first of the forces, so that a motion is always at the same place.
+    const HarmonicMotion *first = &result;
+    if (result.nodes.empty() && !result.forces.empty())
+        first = &result.forces.front();
+    take_entries(json, motion_json(result.speeds, *first, units));
+    add_orbits(json, result, units);
+    add_margins(json, result.margins, units);
+    if (!result.forces.empty())
+        json["forces"] = json_list(result.forces, [&](const ForceResponse &response) {
+            return force_json(result.speeds, response, units);
+        });
+    if (result.gravity)
+        json["gravity"] = gravity_json(*result.gravity, result.speeds, units);
+    if (result.receptance)
+        json["receptance"] = receptance_json(*result.receptance, units);
+    return json;
+}
 
-std::string csv_of(const ResponseResult &result, const Units &units) {
-    if (weight_alone(result))
-        return gravity_csv(*result.gravity, result.speeds, units);
+std::string motion_csv(const Speeds &speeds, const HarmonicMotion &motion, const Units &units) {
     std::string csv = csv_head_line(csv_headings, units);
-    for (std::size_t i = 0; i < result.speeds.size(); ++i)
-        csv += node_kind.csv(csv_headings, result.speeds[i], i, result.nodes, units) +
-               bearing_kind.csv(csv_headings, result.speeds[i], i, result.bearings, units) +
-               probe_kind.csv(csv_headings, result.speeds[i], i, result.probes, units);
+    for (std::size_t i = 0; i < speeds.size(); ++i)
+        csv += node_kind.csv(csv_headings, speeds[i], i, motion.nodes, units) +
+               bearing_kind.csv(csv_headings, speeds[i], i, motion.bearings, units) +
+               probe_kind.csv(csv_headings, speeds[i], i, motion.probes, units);
     return csv;
 }
 
-std::vector<Section> sections_of(const ResponseResult &result, const Units &units) {
-    std::vector<Section> of_weight;
-    if (result.gravity)
-        of_weight = gravity_sections(*result.gravity, result.speeds, units);
-    if (weight_alone(result))
-        return of_weight;
-    std::vector<Section> sections{{"Peaks", result.peaks.empty()
-                                                ? "<p>None inside the range.</p>"
-                                                : page_table(curve_peaks(), result.peaks, units)},
-                                  {"Largest amplitudes in the range",
-                                   page_table(station_columns, largest_amplitudes(result), units)}};
-    if (result.margins)
-        sections.insert(sections.begin() + 1,
-                        {margins_heading, margins_page(*result.margins, units)});
-    if (!result.probes.empty())
-        sections.push_back({"Largest readings of the probes",
-                            page_table(probe_peak_columns(), largest_readings(result), units)});
-    const std::vector<Section> of_orbits = orbit_sections(result, units);
-    sections.insert(sections.end(), of_orbits.begin(), of_orbits.end());
-    sections.insert(sections.end(), of_weight.begin(), of_weight.end());
+/// @param of  in front of the headings
+std::vector<Section> motion_sections(const Speeds &speeds, const HarmonicMotion &motion,
+                                     const std::string &of, const Units &units) {
+    const auto heading = [&of](std::string words) {
+        if (!of.empty())
+            words.front() = static_cast<char>(std::tolower(words.front()));
+        return of + words;
+    };
+    std::vector<Section> sections{
+        {heading("Peaks"), motion.peaks.empty() ? "<p>None inside the range.</p>"
+                                                : page_table(curve_peaks(), motion.peaks, units)},
+        {heading("Largest amplitudes in the range"),
+         page_table(station_columns, largest_amplitudes(speeds, motion), units)}};
+    if (!motion.probes.empty())
+        sections.push_back(
+            {heading("Largest readings of the probes"),
+             page_table(probe_peak_columns(), largest_readings(speeds, motion), units)});
     return sections;
 }
 
-std::string imbalance_text(const ResponseResult &result, const Units &units) {
-    return (result.peaks.empty() ? "No peak inside the range.\n"
-                                 : text_table(curve_peaks(), result.peaks, units)) +
-           margins_text(result.margins, units) + "\n" +
-           text_table(station_columns, largest_amplitudes(result), units) +
-           text_table("\n", probe_peak_columns(), largest_readings(result), units) +
-           text_table("\n", force_columns(), largest_forces(result), units) +
-           orbit_text(result, units);
+std::string motion_text(const Speeds &speeds, const HarmonicMotion &motion,
+                        const std::string &after_peaks, const Units &units) {
+    return (motion.peaks.empty() ? "No peak inside the range.\n"
+                                 : text_table(curve_peaks(), motion.peaks, units)) +
+           after_peaks + "\n" +
+           text_table(station_columns, largest_amplitudes(speeds, motion), units) +
+           text_table("\n", probe_peak_columns(), largest_readings(speeds, motion), units) +
+           text_table("\n", force_columns(), largest_forces(speeds, motion), units);
+}
+
+/// One motion of a result for all readers: that of each drive, whose amplitudes do not add.
+struct Part {
+    std::string file;    ///< of its picture and its table, where it is not the first
+    std::string title;   ///< "Response to the weight"
+    std::string picture; ///< "motion under the weight"
+    std::function<Figure(const Units &)> figure;
+    std::function<std::string(const Units &)> csv;
+    std::function<std::vector<Section>(const Units &)> sections;
+    std::function<std::string(const Units &)> text;
+};
+
+Part imbalance_part(const model::Case &scene, const ResponseResult &result) {
+    Part part{"response", "Unbalance response", "unbalance response", {}, {}, {}, {}};
+    part.figure = [&](const Units &units) { return response_figure(scene, result, units); };
+    part.csv = [&](const Units &units) { return motion_csv(result.speeds, result, units); };
+    part.sections = [&](const Units &units) {
+        std::vector<Section> sections = motion_sections(result.speeds, result, "", units);
+        if (result.margins)
+            sections.insert(sections.begin() + 1,
+                            {margins_heading, margins_page(*result.margins, units)});
+        const std::vector<Section> of_orbits = orbit_sections(result, units);
+        sections.insert(sections.end(), of_orbits.begin(), of_orbits.end());
+        return sections;
+    };
+    part.text = [&](const Units &units) {
+        return motion_text(result.speeds, result, margins_text(result.margins, units), units) +
+               orbit_text(result, units);
+    };
+    return part;
+}
+
+/// @param index  from 1
+Part force_part(const model::Case &scene, const ResponseResult &result,
+                const ForceResponse &response, std::size_t index) {
+    const auto what = [&response](const Units &units) {
+        return "forces at " + excitation_text(units, response);
+    };
+    const std::string usual = what(Units::of_readers(scene.units));
+    Part part{
+        fmt::format("response_force_{}", index), "Response to " + usual, usual, {}, {}, {}, {}};
+    part.figure = [&](const Units &units) {
+        return force_figure(scene, result.speeds, response, units);
+    };
+    part.csv = [&](const Units &units) { return motion_csv(result.speeds, response, units); };
+    part.sections = [&, what](const Units &units) {
+        std::string name = what(units) + ": ";
+        name.front() = static_cast<char>(std::toupper(name.front()));
+        std::vector<Section> sections{
+            {name + "where they act", page_table(acting_columns, response.forces, units)}};
+        for (Section &section : motion_sections(result.speeds, response, name, units))
+            sections.push_back(std::move(section));
+        return sections;
+    };
+    part.text = [&, what](const Units &units) {
+        return "Under " + what(units) + ":\n" + text_table(acting_columns, response.forces, units) +
+               "\n" + motion_text(result.speeds, response, "", units);
+    };
+    return part;
+}
+
+Part weight_part(const model::Case &scene, const ResponseResult &result) {
+    Part part{
+        "response_gravity", "Response to the weight", "motion under the weight", {}, {}, {}, {}};
+    part.figure = [&](const Units &units) { return gravity_figure(scene, result, units); };
+    part.csv = [&](const Units &units) {
+        return gravity_csv(*result.gravity, result.speeds, units);
+    };
+    part.sections = [&](const Units &units) {
+        return gravity_sections(*result.gravity, result.speeds, units);
+    };
+    part.text = [&](const Units &units) {
+        return gravity_text(*result.gravity, result.speeds, units);
+    };
+    return part;
+}
+
+Part receptance_part(const model::Case &scene, const ResponseResult &result) {
+    Part part{"response_receptance", "Receptance", "receptance", {}, {}, {}, {}};
+    part.figure = [&](const Units &units) {
+        return receptance_figure(scene, *result.receptance, units);
+    };
+    part.csv = [&](const Units &units) { return receptance_csv(*result.receptance, units); };
+    part.sections = [&](const Units &units) {
+        return receptance_sections(*result.receptance, units);
+    };
+    part.text = [&](const Units &units) { return receptance_text(*result.receptance, units); };
+    return part;
+}
+
+/// The unbalance response first; never empty.
+std::vector<Part> parts_of(const model::Case &scene, const ResponseResult &result) {
+    std::vector<Part> parts;
+    if (!result.nodes.empty() || (!result.gravity && !result.receptance && result.forces.empty()))
+        parts.push_back(imbalance_part(scene, result));
+    for (const ForceResponse &response : result.forces)
+        parts.push_back(force_part(scene, result, response,
+                                   static_cast<std::size_t>(&response - result.forces.data()) + 1));
+    if (result.gravity)
+        parts.push_back(weight_part(scene, result));
+    if (result.receptance)
+        parts.push_back(receptance_part(scene, result));
+    return parts;
+}
+
+std::vector<Section> sections_of(const std::vector<Part> &parts, const Units &units) {
+    std::vector<Section> sections;
+    for (const Part &part : parts)
+        for (Section &section : part.sections(units))
+            sections.push_back(std::move(section));
+    return sections;
 }
 
 std::string text_of(const model::Case &scene, const ResponseResult &result, const Units &units) {
-    std::string text = heading(
-        scene, (weight_alone(result) ? "Response to the weight, " : "Unbalance response, ") +
-                   range_text(result.speeds, units));
-    if (!weight_alone(result))
-        text += imbalance_text(result, units) + (result.gravity ? "\n" : "");
-    if (result.gravity)
-        text += gravity_text(*result.gravity, result.speeds, units);
-    return text + model_text(result.model, units);
+    const std::vector<Part> parts = parts_of(scene, result);
+    return heading(scene, parts.front().title + ", " +
+                              (result.receptance && parts.size() == 1
+                                   ? range_text({result.receptance->speed}, units)
+                                   : range_text(result.speeds, units))) +
+           joined(parts, "\n", [&units](const Part &part) { return part.text(units); }) +
+           model_text(result.model, units);
 }
 
-/// The polar plot, orbits and shapes, and the picture of the weight beside that of the imbalances.
+/// The polar plot, orbits and shapes, and the pictures of all motions beside the first.
 std::vector<Picture> pictures_of(const model::Case &scene, const ResponseResult &result,
                                  const Units &units) {
     std::vector<Picture> pictures;
@@ -266,16 +409,14 @@ std::vector<Picture> pictures_of(const model::Case &scene, const ResponseResult 
         pictures.push_back({"response_polar", polar_figure(scene, result, units), {}});
     for (Picture &picture : orbit_pictures(scene, result, units))
         pictures.push_back(std::move(picture));
-    if (result.gravity && !weight_alone(result))
-        pictures.push_back({"response_gravity", gravity_figure(scene, result, units),
-                            [&result](const Units &units) {
-                                return gravity_csv(*result.gravity, result.speeds, units);
-                            }});
+    const std::vector<Part> parts = parts_of(scene, result);
+    for (std::size_t i = 1; i < parts.size(); ++i)
+        pictures.push_back({parts[i].file, parts[i].figure(units), parts[i].csv});
     return pictures;
 }
 
 /// "Polar plot, orbits, deflected shapes"
-std::string pictures_heading(const ResponseResult &result) {
+std::string pictures_heading(const std::vector<Part> &parts, const ResponseResult &result) {
     std::vector<std::string> words;
     if (has_polar(result))
         words.emplace_back("polar plot");
@@ -283,29 +424,27 @@ std::string pictures_heading(const ResponseResult &result) {
         words.emplace_back("orbits");
     if (!result.shapes.empty())
         words.emplace_back("deflected shapes");
-    if (result.gravity && !weight_alone(result))
-        words.emplace_back("motion under the weight");
+    for (std::size_t i = 1; i < parts.size(); ++i)
+        words.push_back(parts[i].picture);
     std::string heading = words.empty() ? "pictures" : joined(words, ", ");
     heading.front() = static_cast<char>(std::toupper(heading.front()));
     return heading;
 }
 
-Figure main_figure(const model::Case &scene, const ResponseResult &result, const Units &units) {
-    return weight_alone(result) ? gravity_figure(scene, result, units)
-                                : response_figure(scene, result, units);
-}
-
 } // namespace
 
 Report describe(const model::Case &scene, const ResponseResult &result) {
-    Report report = report_of<ResponseResult>(
-        "response", weight_alone(result) ? "Response to the weight" : "Unbalance response", scene,
-        result, {json_of, csv_of, sections_of, text_of, main_figure});
+    const std::vector<Part> parts = parts_of(scene, result);
+    Report report = report_of<ResponseResult>("response", parts.front().title, scene, result,
+                                              {json_of, {}, {}, text_of, {}});
+    report.csv = parts.front().csv;
+    report.figure = parts.front().figure;
+    report.sections = [parts](const Units &units) { return sections_of(parts, units); };
     report.pictures = [&scene, &result](const Units &units) {
         return pictures_of(scene, result, units);
     };
-    report.pictures_heading = pictures_heading(result);
-    report.pictures_after = weight_alone(result) ? 0 : 2;
+    report.pictures_heading = pictures_heading(parts, result);
+    report.pictures_after = result.nodes.empty() ? 0 : 2;
     return report;
 }
 

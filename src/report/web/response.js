@@ -1,5 +1,5 @@
-// Without an imbalance the motion under the weight at twice the spin speed is drawn.
-const weight = result.nodes.length === 0 && result.gravity, places = !weight ? result : {probes: [],
+// Without an imbalance and forces the motion under the weight at twice the spin speed is drawn, or the receptance.
+const still = result.nodes.length === 0, weight = still && result.gravity, places = !weight ? result : {probes: [],
   nodes: weight.stations.map(s => ({...s, amplitude: s.twice})), bearings: weight.bearings.map(b => ({...b, force: b.twice})),
   curves: {speeds: weight.curves.speeds, nodes: weight.curves.stations.map(s => ({...s, amplitude: s.twice})), bearings: weight.curves.bearings.map(b => ({...b, force: b.twice}))}};
 const traces = [];
@@ -23,8 +23,21 @@ places.nodes.forEach((n, k) => {
 });
 places.bearings.forEach((b, k) => traces.push({x: bends, y: positive(fine ? places.curves.bearings[k].force : b.force), yaxis: "y3", mode: "lines", name: "force in " + name(b, "bearing"),
   line: {color: colours[k % 8], dash: dashes[(k + 1) % 4], width: 2.5}, hovertemplate: over("force", ".6g")}));
+const swept = still && !weight && result.receptance;
+(swept ? swept.receptances : []).forEach((one, k) => ["xx", "xy", "yx", "yy"].forEach((direction, j) => {
+  const fine = one[direction].curve.frequencies.length > 0, from = fine ? one[direction].curve : {frequencies: swept.frequencies, ...one[direction]};
+  if (!one[direction].amplitude.some(v => v > 0)) return;
+  const line = {color: colours[(4 * k + j) % 8], dash: dashes[j]}, name = `${direction}, ${said(one.from, "length", 4)} to ${said(one.to, "length", 4)}`;
+  const over = (axis, format) => `%{x:.5g} ${units.frequency}<br>%{y:${format}} ${units[axis]}`, common = {mode: "lines", line, name, legendgroup: name};
+  traces.push({...common, x: from.frequencies, y: positive(from.amplitude), hovertemplate: over("receptance", ".6g")});
+  traces.push({...common, x: from.frequencies, y: from.phase.map(withinTurn), yaxis: "y2", showlegend: false, mode: "markers",
+    marker: {size: 3, color: line.color}, hovertemplate: over("angle", ".5g")});
+}));
 const range = axis => { const within = logarithmicRange(traces.filter(t => (t.yaxis || "y") === axis).map(t => t.y)); return within ? {range: within} : {}; };
-draw(traces, {height: 950, legend: {orientation: "v", x: 1.02, y: 1}, margin: {l: 80, r: 220, t: 20, b: 60},
+if (swept) draw(traces, {height: 800, legend: {orientation: "v", x: 1.02, y: 1}, margin: {l: 80, r: 220, t: 20, b: 60},
+  xaxis: axis(label("Frequency of the force", "frequency"), {anchor: "y2"}), yaxis: axis(label("Receptance", "receptance"), {type: "log", dtick: 1, domain: [0.4, 1], ...range("y")}),
+  yaxis2: axis(label("Phase", "angle"), {domain: [0, 0.33], range: [-190, 190], dtick: 90})});
+else draw(traces, {height: 950, legend: {orientation: "v", x: 1.02, y: 1}, margin: {l: 80, r: 220, t: 20, b: 60},
   xaxis: speedAxis({anchor: "y3"}), yaxis: axis(label(weight ? "Circle at twice the spin speed" : "Amplitude", "amplitude"), {type: "log", dtick: 1, domain: [0.58, 1], ...range("y")}),
   yaxis2: axis(label("Phase of x, of a probe", "angle"), {domain: [0.32, 0.53], range: [-190, 190], dtick: 90}),
   yaxis3: axis(label(weight ? "Bearing force at 2x" : "Bearing force", "force"), {type: "log", dtick: 1, domain: [0, 0.27], ...range("y3")})});
