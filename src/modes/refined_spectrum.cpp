@@ -19,6 +19,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace whirl::modes {
@@ -30,7 +31,7 @@ using Complex = std::complex<double>;
 /// Bases of growing size; the last one is the whole rotor, where it is small enough.
 constexpr int bases = 4;
 /// Unknowns of one plane up to which all of them are taken at last.
-constexpr int largest_whole = 160;
+constexpr int largest_whole = 60;
 
 /// Two that were found from different guesses are the same motion.
 template <class Found> bool same_root(const Found &a, const Found &b) {
@@ -71,8 +72,7 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
         _columns.clear();
         _between.reset();
         _counted.reset();
-        std::vector<double> nodes;
-        std::map<double, Spectrum> known;
+        std::vector<double> solved;
         _collects = true;
         for (int k = 0; k <= steps; ++k) {
             double speed = range.from + (range.to - range.from) * k / steps;
@@ -80,46 +80,49 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
                 speeds, {}, [speed](double one) { return std::abs(one - speed); });
             if (std::abs(nearest - speed) < 0.3 * (range.to - range.from) / steps)
                 speed = nearest;
-            if (known.contains(speed))
+            if (!solved.empty() && solved.back() == speed)
                 continue;
-            nodes.push_back(speed);
             try {
-                known.emplace(speed, modes(speed, range.wanted, k % (steps / 2) == 0));
-            } catch (const linalg::SolverError &) { // told when it is asked for
-                _collects = false;
-                return;
+                static_cast<void>(modes(speed, range.wanted, k % 2 == 0));
+                solved.push_back(speed);
+            } catch (const linalg::SolverError &) { // said when this speed is asked for
+                _unsolved.insert(speed);
             }
         }
         _collects = false;
-        _counted = range;
-        _known = std::move(known);
-        enrich(nodes);
+        if (solved.size() < 2)
+            return;
+        _counted = {solved.front(), solved.back(), range.wanted};
+        enrich(solved);
     }
 
     Spectrum modes(double speed, int wanted) override {
-        if (const auto known = _known.find(speed);
-            known != _known.end() && wanted <= _counted->wanted)
-            return known->second;
         return modes(speed, wanted, !_counted || !_counted->covers({speed, speed, wanted}));
     }
 
     std::vector<WhirlMode> near(double speed, const std::vector<WhirlMode> &guesses) override {
         set(speed);
         std::vector<WhirlMode> out;
+        std::vector<WholeRoot> roots;
         for (const WhirlMode &mode : guesses) {
             WholeRoot guess{real ? mode.eigenvalue : mode.rotating_value, mode.shape, {}};
             guess.left = left_of(mode);
             const std::optional<WholeRoot> found = _pencil.refined(guess);
-            constexpr double far = 0.2;
-            if (!found || !(std::abs(found->value - guess.value) <= far * std::abs(guess.value)))
+            constexpr double another = 0.2; // of the value
+            if (!found ||
+                !(std::abs(found->value - guess.value) <= another * std::abs(guess.value)) ||
+                std::ranges::any_of(
+                    roots, [&](const WholeRoot &other) { return same_root(other, *found); }))
                 return {};
             out.push_back(mode_of(*found, speed));
+            roots.push_back(*found);
         }
         return out;
     }
 
   private:
     static constexpr bool real = std::is_same_v<Scalar, double>;
+    static constexpr double far = 0.02; ///< of a root: more than shapes that do may leave out
     const assembly::Discretization &_d;
     const FormMatrices &_matrices;
     Relaxation _relaxation;
@@ -136,9 +139,11 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
         }
     };
     std::optional<Range> _counted;
-    std::map<double, Spectrum> _known; ///< of some speeds there
+    std::set<double> _unsolved; ///< speeds at which no basis did
 
     Spectrum modes(double speed, int wanted, bool counts) {
+        if (_unsolved.contains(speed))
+            throw linalg::SolverError("the shapes of the rotor miss some of its eigenvalues");
         set(speed);
         if (!counts && _between) {
             try {
@@ -146,6 +151,7 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
                     return *std::move(found);
             } catch (const linalg::SolverError &) { // of the dense problem
             }
+            counts = true; // something is unlike what it is at the counted speeds
         }
         for (int basis = _basis; basis < bases; ++basis) {
             const ReducedForm *form = reduced(basis, wanted);
@@ -241,16 +247,18 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
             if (!chosen)
                 return {};
             for (const std::size_t i : chosen->wanted)
-                out.reach = std::max(out.reach, 1.05 * std::abs(roots[i].value));
+                if (std::abs(roots[i].value - centre(wanted)) <= chosen->farthest)
+                    out.reach = std::max(out.reach, 1.05 * std::abs(roots[i].value));
             const DenseQuadratic<Scalar> problem = _between->form.template at<Scalar>(speed);
             for (const Root &root : roots) {
-                if (std::abs(root.value) > beyond * out.reach)
+                const bool grows = grows_without_whirl(root, speed);
+                if (std::abs(root.value) > beyond * out.reach && !grows)
                     continue;
                 std::optional<Root> found = in_between(problem, root);
                 if (found && std::ranges::none_of(
                                  out.roots, [&](const Root &a) { return same_root(a, *found); }))
                     out.roots.push_back(*std::move(found));
-                else if (std::abs(root.value) <= out.reach)
+                else if (std::abs(root.value) <= out.reach || grows)
                     return {};
             }
         } catch (const linalg::SolverError &) {
@@ -355,9 +363,15 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
                !_relaxation.stands(value, speed);
     }
 
-    /// Which of the roots, ascending from the centre, are wanted, and a circle around them.
+    [[nodiscard]] bool grows_without_whirl(const Root &root, double speed) const {
+        return !whirls(root.value, speed) && root.value.real() > root.noise;
+    }
+
+    /// Which of the roots, ascending from the centre, are wanted, and a circle around them, but for
+    /// those that grow without whirl farther out.
     struct Choice {
         std::vector<std::size_t> wanted;
+        double farthest = 0; ///< of those in the circle, from the centre
         Circle circle;
         double complete_radius = 0; ///< 1/s
     };
@@ -388,14 +402,18 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
         for (std::size_t i = 0; i < roots.size() && away(i) <= near; ++i)
             if (!whirls(roots[i].value, speed))
                 out.wanted.push_back(i);
-        std::ranges::sort(out.wanted);
         if (out.wanted.empty())
             return std::nullopt;
+        const std::size_t last = std::ranges::max(out.wanted);
+        out.farthest = away(last);
+        for (std::size_t i = 0; i < roots.size(); ++i)
+            if (away(i) > near && grows_without_whirl(roots[i], speed))
+                out.wanted.push_back(i);
+        std::ranges::sort(out.wanted);
         out.complete_radius = std::max(0.0, near - centre);
         out.circle = {centre, infinite};
         double widest = 1;
-        for (std::size_t i = out.wanted.back();
-             i + 1 < roots.size() && i < out.wanted.back() + beyond && widest < clear; ++i)
+        for (std::size_t i = last; i + 1 < roots.size() && i < last + beyond && widest < clear; ++i)
             if (const double ratio = away(i + 1) / away(i); ratio > widest) {
                 widest = ratio;
                 out.circle.radius = std::sqrt(away(i) * away(i + 1));
@@ -423,11 +441,10 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
             const std::optional<Choice> about = choice(*roots, c, speed, wanted, false);
             if (!about)
                 return std::nullopt;
-            const double farthest =
-                out_of_order * std::abs((*roots)[about->wanted.back()].value - c);
+            const double farthest = out_of_order * about->farthest;
             for (Root &root : *roots) {
-                if (std::abs(root.value - c) > farthest)
-                    break;
+                if (std::abs(root.value - c) > farthest && !grows_without_whirl(root, speed))
+                    continue;
                 std::optional<Root> found = _between->form.iterated(problem, std::move(root));
                 if (!found)
                     return std::nullopt;
@@ -455,8 +472,9 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
                     whole ? *whole
                           : WholeRoot{of.value, base.lifted(of.right), base.lifted(of.left)});
             }
-            if (!whole || std::ranges::any_of(
-                              found, [&](const WholeRoot &a) { return same_root(a, *whole); }))
+            if (!whole || !(std::abs(whole->value - of.value) <= far * std::abs(of.value)) ||
+                std::ranges::any_of(found,
+                                    [&](const WholeRoot &a) { return same_root(a, *whole); }))
                 return std::nullopt;
             found.push_back(*std::move(whole));
         }
@@ -492,7 +510,6 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
             if (!whole || std::ranges::any_of(
                               found, [&](const WholeRoot &a) { return same_root(a, *whole); }))
                 return std::nullopt;
-            constexpr double far = 0.02; // more than shapes that do may leave out
             counts = counts || std::abs(whole->value - root.value) > far * std::abs(root.value) ||
                      (real && (root.value.imag() == 0) != (whole->value.imag() == 0));
             root.value = whole->value;

@@ -32,7 +32,7 @@ class RefinedSpectrum {
     void expect(const std::vector<double> &speeds, int wanted);
 
     /// The `wanted` whirl modes with the lowest frequencies, or all, and motions without whirl that
-    /// are as slow: Im >= 0, of form planar_damped whirl set, zero modes beside them.
+    /// are as slow or grow: Im >= 0, of form planar_damped whirl set, zero modes beside them.
     /// @throws linalg::SolverError where they are not all found
     [[nodiscard]] Spectrum modes(double speed, int wanted);
 

@@ -35,13 +35,15 @@ typename FollowedRoots<Scalar>::Step FollowedRoots<Scalar>::step(double from, do
     const All &b = _known.at(to);
     if (a.roots.empty() || b.roots.empty())
         return {};
-    const auto within = [](const All &all, std::size_t i) {
-        return std::abs(all.roots[i].value) <= all.reach;
+    constexpr double axis = 1e-6; // of |l|
+    const auto reached = [](const All &all, std::size_t i, double beyond) {
+        const Root &root = all.roots[i];
+        return std::abs(root.value) <= beyond * all.reach ||
+               (std::abs(root.value.imag()) <= axis * std::abs(root.value) &&
+                root.value.real() > root.noise); // grows, however fast
     };
-    const auto near = [](const All &all, std::size_t i) {
-        constexpr double beyond = 1.2;
-        return std::abs(all.roots[i].value) <= beyond * all.reach;
-    };
+    const auto within = [&](const All &all, std::size_t i) { return reached(all, i, 1); };
+    const auto near = [&](const All &all, std::size_t i) { return reached(all, i, 1.2); };
     Step out;
     const Problem p = _form.at<Scalar>((from + to) / 2);
     using Matrix = Eigen::MatrixXcd;
@@ -140,6 +142,7 @@ template <class Scalar> std::optional<std::vector<Root>> FollowedRoots<Scalar>::
         Root guess;
         guess.value = (1 - t) * a.value + t * b.value;
         guess.right = (1 - t) * a.right + t * pair.scale * b.right;
+        guess.noise = std::max(a.noise, b.noise);
         guess.left = (1 - t) * a.left + t * pair.left_scale * b.left;
         out.push_back(std::move(guess));
     }

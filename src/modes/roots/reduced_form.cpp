@@ -3,6 +3,7 @@
 #include "assembly/planes.h"
 #include "linalg/dense/complex_factors.h"
 #include "linalg/dense/products.h"
+#include "modes/roots/iteration.h"
 #include "results/formulation.h"
 
 #include <algorithm>
@@ -17,19 +18,6 @@ namespace {
 using Part = FormMatrices::Part;
 using Complex = std::complex<double>;
 using Vector = Eigen::VectorXcd;
-
-/// The root of a l^2 + b l + c next to a value, by Newton's method.
-Complex next_root(Complex a, Complex b, Complex c, Complex l) {
-    for (int step = 0; step < 3; ++step)
-        l -= ((a * l + b) * l + c) / (2.0 * a * l + b);
-    return l;
-}
-
-/// Distance of two directions, both of length 1.
-double turned(const Vector &from, const Vector &to) {
-    const Complex along = from.dot(to);
-    return (to - along / std::abs(along) * from).norm();
-}
 
 // Products with real matrices take half as many multiplications.
 Vector product(const Eigen::MatrixXd &A, const Vector &x) {
@@ -206,7 +194,7 @@ std::optional<Root> ReducedForm::iterated(const DenseQuadratic<Scalar> &p, Root 
             !factors.factorize(value_at(p, l * (1 + beside))))
             return std::nullopt;
         double turn = 1;
-        for (int solve = 0; solve < solves && turn > near; ++solve) {
+        for (int solve = 0; solve < solves && !(turn <= near); ++solve) {
             const Vector new_x = factors.solution(2.0 * l * Mx + Dx).normalized();
             turn = turned(x, new_x);
             x = new_x;
@@ -218,17 +206,17 @@ std::optional<Root> ReducedForm::iterated(const DenseQuadratic<Scalar> &p, Root 
                         .adjoint_solution(2.0 * std::conj(l) * adjoint_product(p.M, y) +
                                           adjoint_product(p.D, y))
                         .normalized();
-                turn = std::max(turn, turned(y, new_y));
+                turn = std::max(turned(y, new_y), turn);
                 y = new_y;
             }
             if (!x.allFinite() || !y.allFinite())
                 return std::nullopt;
             Mx = product(p.M, x);
             Dx = product(p.D, x);
-            if (turn > slow)
+            if (!(turn <= slow))
                 break;
         }
-        if (turn > near)
+        if (!(turn <= near))
             continue;
         // A pair may have met on the real axis on the way.
         const auto on_axis = [](Complex of) { return std::abs(of.imag()) <= axis * std::abs(of); };

@@ -1,6 +1,7 @@
 #include "modes/roots/whole_pencil.h"
 
 #include "linalg/unit_scales.h"
+#include "modes/roots/iteration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,24 +29,6 @@ void add_product(Complex a, Complex b, Complex &sum) {
 }
 double conjugate(double a) { return a; }
 Complex conjugate(Complex a) { return std::conj(a); }
-
-/// Distance of two directions, both of length 1.
-double turned(const Vector &from, const Vector &to) {
-    const Complex along = from.dot(to);
-    const double size = std::abs(along);
-    return size > 0 ? (to - along / size * from).norm() : std::numbers::sqrt2;
-}
-
-/// The root of a l^2 + b l + c next to a value, by Newton's method.
-Complex next_root(Complex a, Complex b, Complex c, Complex l) {
-    for (int step = 0; step < 8; ++step) {
-        const Complex change = ((a * l + b) * l + c) / (2.0 * a * l + b);
-        l -= change;
-        if (!(std::abs(change) > 1e-16 * std::abs(l)))
-            break;
-    }
-    return l;
-}
 
 } // namespace
 
@@ -281,11 +264,13 @@ std::optional<bool> complete_within(WholePencil<Scalar> &pencil, const Circle &c
     constexpr double slow = 0.9; // an arc over which the phase turns by more is halved
     constexpr double shortest = 1e-5;
     constexpr double part = 0.38; // unlike parts: not both turn by a multiple of a whole turn
+    constexpr int most = 400;     // factorisations: eigenvalues crowd on the circle
+    int factorised = 0;
     bool lost = false;
     const auto phase = [&](double angle) {
         const Complex z = circle.centre + std::polar(circle.radius, angle);
         const std::optional<double> whole = pencil.determinant_phase(z);
-        lost = lost || !whole;
+        lost = lost || !whole || ++factorised > most;
         double out = whole.value_or(0);
         for (const Complex &l : known)
             out -= std::arg(z - l);
