@@ -16,10 +16,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace whirl::modes {
@@ -86,7 +86,6 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
                 static_cast<void>(modes(speed, range.wanted, k % 2 == 0));
                 solved.push_back(speed);
             } catch (const linalg::SolverError &) { // said when this speed is asked for
-                _unsolved.insert(speed);
             }
         }
         _collects = false;
@@ -139,16 +138,35 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
         }
     };
     std::optional<Range> _counted;
-    std::set<double> _unsolved; ///< speeds at which no basis did
+    /// How many modes no basis had, by speeds so far; 0: there were as many.
+    std::map<double, int> _missed;
+
+    /// As many were missed there, or at the next speeds on both sides.
+    [[nodiscard]] bool is_beyond_all_bases(double speed, int wanted) const {
+        const auto missed = [wanted](int there) { return there > 0 && wanted >= there; };
+        const auto above = _missed.lower_bound(speed);
+        if (above == _missed.end() || !missed(above->second))
+            return false;
+        return above->first == speed ||
+               (above != _missed.begin() && missed(std::prev(above)->second));
+    }
 
     Spectrum modes(double speed, int wanted, bool counts) {
-        if (_unsolved.contains(speed))
-            throw linalg::SolverError("the shapes of the rotor miss some of its eigenvalues");
+        if (!is_beyond_all_bases(speed, wanted)) {
+            std::optional<Spectrum> found = modes_on_some_basis(speed, wanted, counts);
+            _missed[speed] = found ? 0 : wanted;
+            if (found)
+                return *std::move(found);
+        }
+        throw linalg::SolverError("the shapes of the rotor miss some of its eigenvalues");
+    }
+
+    std::optional<Spectrum> modes_on_some_basis(double speed, int wanted, bool counts) {
         set(speed);
         if (!counts && _between) {
             try {
                 if (std::optional<Spectrum> found = modes_between(speed, wanted))
-                    return *std::move(found);
+                    return found;
             } catch (const linalg::SolverError &) { // of the dense problem
             }
             counts = true; // something is unlike what it is at the counted speeds
@@ -161,14 +179,14 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
                 if (std::optional<Spectrum> found = modes(*form, speed, wanted, counts)) {
                     if (counts)
                         _basis = basis;
-                    return *std::move(found);
+                    return found;
                 }
             } catch (const linalg::SolverError &) { // of the dense problem: another basis may do
             }
             if (form->is_whole())
                 break;
         }
-        throw linalg::SolverError("the shapes of the rotor miss some of its eigenvalues");
+        return std::nullopt;
     }
 
     std::optional<reduction::PlanarShapes> _shapes; ///< of the least basis
