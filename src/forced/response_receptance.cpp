@@ -204,8 +204,13 @@ void add_receptances(results::ResponseResult &result, const assembly::Discretiza
     std::ranges::stable_sort(out.peaks, [](const auto &a, const auto &b) {
         return std::pair(a.receptance, a.direction) < std::pair(b.receptance, b.direction);
     });
-    const std::vector<double> infinite =
-        speeds_without_limit(frequencies, out.receptances.front().directions.front().amplitude);
+    std::vector<double> infinite;
+    for (const results::Receptance &receptance : out.receptances)
+        for (const results::ReceptanceDirection &direction : receptance.directions)
+            for (const double frequency : speeds_without_limit(frequencies, direction.amplitude))
+                infinite.push_back(frequency);
+    std::ranges::sort(infinite);
+    infinite.erase(std::unique(infinite.begin(), infinite.end()), infinite.end());
     if (!infinite.empty())
         result.model.notes.emplace_back(
             "receptances have no limit at {}: a resonance without damping, or a rotor that is free "
