@@ -25,7 +25,11 @@ class Power {
     Power(Complex eigenvalue, const Eigen::VectorXcd &x, const Eigen::VectorXcd &y, double turning)
         : _l(eigenvalue), _x(x), _y(y), _turning(turning) {}
 
-    [[nodiscard]] double value() const { return _sum; }
+    /// 0 where the terms cancel each other but for rounding of the motion.
+    [[nodiscard]] double value() const {
+        constexpr double rounding = 1e-10; // of the terms: vectors are known no better
+        return std::abs(_sum) > rounding * _size ? _sum : 0;
+    }
 
     /// What acts from the fixed frame, on (x, y) between two planar unknowns.
     void add_coupling(Term term, int row, int column, const Eigen::Matrix2d &block) {
@@ -35,7 +39,7 @@ class Power {
         if (term == Term::stiffness)
             add_stiffness(left.dot(skew_part(seen) * right));
         else if (term == Term::mass)
-            _sum -= std::norm(_l) * _l.imag() * left.dot(skew_part(seen) * right).imag() / 2;
+            add_stiffness(-std::norm(_l) * left.dot(skew_part(seen) * right));
         else if (term == Term::damping) {
             add_damping(left.dot(seen * right));
             // c (u' + i speed u) in axes that turn
@@ -64,15 +68,20 @@ class Power {
         add_damping(factor.real() * (x.dot(block * x) - y.dot(block * y)) +
                     factor.imag() * (x.dot(block * y) + y.dot(block * x)));
     }
-    void add_damping(Complex product) { _sum += std::norm(_l) * product.real() / 2; }
+    void add_damping(Complex product) { add(std::norm(_l) / 2, product.real(), product); }
 
   private:
     Complex _l;
     const Eigen::VectorXcd &_x, &_y;
     double _turning;
     double _sum = 0;
+    double _size = 0; ///< of all terms
 
-    void add_stiffness(Complex product) { _sum += _l.imag() * product.imag() / 2; }
+    void add(double factor, double part, Complex product) {
+        _sum += factor * part;
+        _size += std::abs(factor) * std::abs(product);
+    }
+    void add_stiffness(Complex product) { add(_l.imag() / 2, product.imag(), product); }
     /// What a symmetric block leaves is rounding.
     static Eigen::Matrix2d skew_part(const Eigen::Matrix2d &block) {
         return (block - block.transpose()) / 2;
