@@ -591,16 +591,6 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
         out.modes = zeros.modes;
         for (const WholeRoot &root : found)
             out.add(root.value, mode_of(root, speed));
-        // At rest both whirls have one frequency: which comes first is not left to rounding.
-        for (std::size_t i = 0; !real && i + 1 < out.modes.size(); ++i) {
-            constexpr double one = 1e-9;
-            WhirlMode &a = out.modes[i];
-            WhirlMode &b = out.modes[i + 1];
-            if (a.eigenvalue != 0.0 &&
-                std::abs(a.eigenvalue - b.eigenvalue) <= one * std::abs(a.eigenvalue) &&
-                a.whirl == results::Whirl::forward && b.whirl == results::Whirl::backward)
-                std::swap(a, b);
-        }
         out.complete_radius = complete_radius;
         return out;
     }

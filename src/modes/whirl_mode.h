@@ -121,6 +121,13 @@ struct Spectrum {
     void keep_lowest(int count) {
         std::ranges::stable_sort(modes, {},
                                  [](const WhirlMode &mode) { return mode.eigenvalue.imag(); });
+        // At rest both whirls have one frequency: which comes first is not left to rounding.
+        constexpr double one = 1e-9; // of it
+        for (std::size_t i = 0; speed == 0 && i + 1 < modes.size(); ++i)
+            if (modes[i].eigenvalue != 0.0 && modes[i].whirl == results::Whirl::forward &&
+                modes[i + 1].whirl == results::Whirl::backward &&
+                modes[i + 1].eigenvalue.imag() <= (1 + one) * modes[i].eigenvalue.imag())
+                std::swap(modes[i], modes[i + 1]);
         const std::vector<char> low = lowest(count);
         std::size_t next = 0;
         std::erase_if(modes, [&](const WhirlMode &) { return low[next++] == 0; });

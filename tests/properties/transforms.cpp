@@ -109,6 +109,24 @@ void scale(model::SimulateSettings &s, const Factors &f) {
         }
 }
 
+/// Forces and receptances of a response.
+void scale_forces(model::Case &scene, const Factors &f) {
+    for (model::Station &station : scene.rotor.stations)
+        station.z *= f.length;
+    for (model::HarmonicForce &force : scene.rotor.forces) {
+        force.z *= f.length;
+        force.amplitude *= f.mass * f.length / (f.time * f.time);
+        if (force.frequency)
+            *force.frequency *= f.speed;
+    }
+    for (model::Receptance &receptance : scene.response.receptances) {
+        receptance.from *= f.length;
+        receptance.to *= f.length;
+    }
+    scene.response.frequencies.from *= f.speed;
+    scene.response.frequencies.to *= f.speed;
+}
+
 /// Operating speeds and the cross coupling that level I adds.
 void scale_operation(model::Case &scene, const Factors &f) {
     if (auto &operation = scene.operation) {
@@ -155,6 +173,7 @@ model::Case in_units(model::Case scene, const Units &units) {
     const Factors f(units);
     model::Rotor &r = scene.rotor;
     scale(r.shaft, f);
+    scale_forces(scene, f);
     for (model::Disc &d : r.discs) {
         for (double *size : {&d.z, &d.outer, &d.width})
             *size *= f.length;
