@@ -327,14 +327,9 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
     }
 
     [[nodiscard]] Eigen::VectorXcd left_of(const WhirlMode &mode) const {
-        if (!real) // a symmetric matrix
-            return mode.shape.conjugate();
-        if (mode.left.size() == mode.shape.size())
+        if (real && mode.left.size() == mode.shape.size())
             return mode.left.conjugate();
-        Eigen::VectorXcd out = mode.shape.conjugate(); // in the mirror, as for most supports
-        for (Eigen::Index k = 1; k < out.size(); k += 2)
-            out(k) = -out(k);
-        return out;
+        return in_mirror<Scalar>(mode.shape); // as for most supports
     }
 
     /// Null where there are no such shapes.
@@ -395,7 +390,7 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
     };
     /// Those that whirl with the lowest frequencies, up to twice as far from the centre as there
     /// are as many (heavily damped ones of low frequency are as far), and those without whirl that
-    /// are no farther than as many.
+    /// are no farther than as many, or grow.
     [[nodiscard]] std::optional<Choice> choice(const std::vector<Root> &roots, double centre,
                                                double speed, int wanted, bool all) const {
         constexpr double farther = 2;
@@ -439,21 +434,22 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
         return std::isfinite(out.circle.radius) || all ? std::optional(out) : std::nullopt;
     }
 
-    /// Between counted speeds: nothing where these do not tell all.
+    static void nearest_first(std::vector<Root> &roots, double centre) {
+        std::ranges::stable_sort(
+            roots, {}, [centre](const Root &root) { return std::abs(root.value - centre); });
+    }
+
+    /// Between the speeds solved first; nothing where not all can be had from these.
     std::optional<Spectrum> modes_between(double speed, int wanted) {
         constexpr double small = 1e-9; // of the eigenvalue: then the correction is its own error
         const ZeroModes zeros = zero_modes(_d, results::Form::general, speed, speed);
         const double c = centre(wanted);
-        const auto sort = [c](std::vector<Root> &roots) {
-            std::ranges::stable_sort(roots, {},
-                                     [c](const Root &root) { return std::abs(root.value - c); });
-        };
         const ReducedForm &base = _between->base;
         const DenseQuadratic<Scalar> problem = _between->form.template at<Scalar>(speed);
         std::optional<std::vector<Root>> roots = _between->followed->at(speed);
         const bool followed = roots.has_value();
         if (followed) {
-            sort(*roots);
+            nearest_first(*roots, c);
             // Guesses may be out of order.
             constexpr double out_of_order = 1.05;
             const std::optional<Choice> about = choice(*roots, c, speed, wanted, false);
@@ -468,7 +464,7 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
                     return std::nullopt;
                 root = *std::move(found);
             }
-            sort(*roots);
+            nearest_first(*roots, c);
         } else {
             roots = roots_of(base, speed, wanted, zeros);
         }
@@ -508,8 +504,7 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
             all_roots(form.template at<Scalar>(speed), shift, zeros.eigenvalues);
         if (real)
             std::erase_if(roots, [](const Root &root) { return root.value.imag() < 0; });
-        std::ranges::stable_sort(roots, {},
-                                 [c](const Root &root) { return std::abs(root.value - c); });
+        nearest_first(roots, c);
         return roots;
     }
 

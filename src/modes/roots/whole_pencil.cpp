@@ -196,8 +196,6 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
     return std::nullopt;
 }
 
-/// The left vector, or force, that belongs to a right one: of a complex problem, which is
-/// symmetric, its conjugate; of a real one in the mirror y -> -y.
 template <class Scalar> Vector in_mirror(const Vector &right) {
     Vector out = right.conjugate();
     if constexpr (std::is_same_v<Scalar, double>)
@@ -205,6 +203,9 @@ template <class Scalar> Vector in_mirror(const Vector &right) {
             out(k) = -out(k);
     return out;
 }
+
+template Vector in_mirror<double>(const Vector &);
+template Vector in_mirror<Complex>(const Vector &);
 
 template <class Scalar>
 WholeRoot WholePencil<Scalar>::corrected(const WholeRoot &guess, const Inverse &inverse,

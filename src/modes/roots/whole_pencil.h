@@ -21,6 +21,10 @@ struct WholeRoot {
     double rounding = 0;          ///< of l, relative: what rounding of the entries can cause
 };
 
+/// The left vector, or force, that belongs to a right one: of a complex problem, which is
+/// symmetric, its conjugate; of a real one, where it is mirrored, that of (x, -y).
+template <class Scalar> [[nodiscard]] Eigen::VectorXcd in_mirror(const Eigen::VectorXcd &right);
+
 /// Q(l) = l^2 M + l D + K of the whole rotor at one speed: its eigenpairs from guesses, and how
 /// many eigenvalues there are. KLU analyses the pattern once.
 template <class Scalar> class WholePencil {
