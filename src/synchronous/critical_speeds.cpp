@@ -1,18 +1,22 @@
 #include "synchronous/critical_speeds.h"
 
+#include "assembly/frequency_scales.h"
 #include "assembly/planes.h"
+#include "linalg/check.h"
 #include "modes/orbits.h"
 #include "modes/solver/degenerate.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
 #include "synchronous/followed.h"
-#include "synchronous/general.h"
 #include "synchronous/parts.h"
+#include "synchronous/problem.h"
+#include "synchronous/reduced.h"
 #include "synchronous/symmetric.h"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace whirl::synchronous {
@@ -20,6 +24,8 @@ namespace whirl::synchronous {
 namespace {
 
 using assembly::Discretization;
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 modes::WhirlMode mode_of(const linalg::RealPair &pair, results::Form form) {
     modes::WhirlMode mode;
@@ -31,6 +37,19 @@ modes::WhirlMode mode_of(const linalg::RealPair &pair, results::Form form) {
     mode.residual = pair.residual;
     mode.rounding = pair.rounding;
     return mode;
+}
+
+/// Modes that rounding does not tell apart have one eigenvalue, so that their mixtures are
+/// separated.
+/// @param modes  ascending
+void join_indistinct(std::vector<modes::WhirlMode> &modes) {
+    const auto noise = [](const modes::WhirlMode &mode) { return mode.residual + mode.rounding; };
+    for (std::size_t i = 1; i < modes.size(); ++i) {
+        modes::WhirlMode &a = modes[i - 1];
+        modes::WhirlMode &b = modes[i];
+        if (std::abs(a.eigenvalue - b.eigenvalue) < (noise(a) + noise(b)) * std::abs(b.eigenvalue))
+            a.eigenvalue = b.eigenvalue = (a.eigenvalue + b.eigenvalue) / 2.0;
+    }
 }
 
 void set_sense(const Discretization &d, bool hyperbolic, std::vector<modes::WhirlMode> &modes) {
@@ -60,8 +79,14 @@ void set_forward(std::vector<modes::WhirlMode> &modes, bool forward) {
 void name_whirl(const Discretization &d, results::Form form, std::vector<modes::WhirlMode> &modes) {
     if (form == results::Form::rotating)
         set_forward(modes, true);
-    else
+    else {
+        join_indistinct(modes);
         set_sense(d, form == results::Form::hyperbolic, modes);
+    }
+}
+
+std::vector<int> senses_of(results::Form form) {
+    return form == results::Form::planar ? std::vector{1, -1} : std::vector{1};
 }
 
 /// @param list  with a branch each
@@ -83,10 +108,8 @@ void sort_ascending(SynchronousModes &list) {
 template <class Roots>
 SynchronousModes of_symmetric(const Discretization &d, results::Form form, Roots &&roots) {
     SynchronousModes out;
-    out.complete_to = std::numeric_limits<double>::infinity();
-    for (const int sign : {1, -1}) {
-        if (sign < 0 && form != results::Form::planar)
-            break;
+    out.complete_to = unlimited;
+    for (const int sign : senses_of(form)) {
         const SynchronousRoots found = roots(SymmetricSynchronous(d, form, sign));
         std::vector<modes::WhirlMode> modes;
         for (const SynchronousRoot &root : found.roots) {
@@ -99,10 +122,72 @@ SynchronousModes of_symmetric(const Discretization &d, results::Form form, Roots
             name_whirl(d, form, modes);
         out.modes.insert(out.modes.end(), modes.begin(), modes.end());
         out.complete_to = std::min(out.complete_to, found.complete_to);
-        if (!found.counted)
-            out.doubtful.emplace_back(0.0, found.complete_to);
     }
     sort_ascending(out);
+    return out;
+}
+
+/// Shapes up to a frequency; more where less does not hold the rotor against bearings that push
+/// away.
+Eigen::MatrixXd shapes_up_to(const Discretization &d, double top, int modes) {
+    constexpr int most_attempts = 5;
+    for (int attempt = 1;; ++attempt, top *= 4)
+        try {
+            return synchronous_shapes(d, top, modes);
+        } catch (const linalg::SolverError &) {
+            if (attempt == most_attempts)
+                throw;
+        }
+}
+
+/// On as many shapes as it takes to have `wanted` roots, and all up to `top`.
+SynchronousModes on_shapes(const SynchronousProblem &problem, int wanted, double top) {
+    const Discretization &d = problem.rotor();
+    const WholeRoots roots(problem);
+    const int unknowns = d.planar_size();
+    double reach = std::max({top, problem.rows().back(), assembly::support_scale(d)});
+    constexpr int most_repeats = 2; // where some roots are in doubt
+    for (int repeats = 0;;) {
+        const Eigen::MatrixXd shapes = shapes_up_to(d, reach, wanted + 2);
+        SynchronousModes out = followed_modes(problem, roots, shapes, reach, wanted, top);
+        if (shapes.cols() == unknowns)
+            return out;
+        out.complete_to = std::min(out.complete_to, reach);
+        const auto sure = std::ranges::count_if(
+            out.modes, [&](const auto &mode) { return mode.eigenvalue.imag() <= reach; });
+        const bool enough = sure >= wanted && reach >= top;
+        if (enough && (out.doubtful.empty() || repeats++ == most_repeats)) {
+            out.modes.resize(static_cast<std::size_t>(sure));
+            out.branches.resize(out.branches.empty() ? 0 : static_cast<std::size_t>(sure));
+            return out;
+        }
+        const bool known = std::ssize(out.modes) >= wanted && wanted > 0;
+        const double last =
+            known ? out.modes[static_cast<std::size_t>(wanted) - 1].eigenvalue.imag() : 0;
+        reach = !enough && last > reach ? 1.05 * last : 2 * reach;
+    }
+}
+
+/// Roots on shapes in a form, with their sense of whirl.
+/// @param bearing_speed  rad/s; none: the bearings as they are at each root
+SynchronousModes of_shapes(const Discretization &d, results::Form form, int wanted, double top,
+                           std::optional<double> bearing_speed) {
+    SynchronousModes out;
+    out.complete_to = unlimited;
+    for (const int sign : senses_of(form)) {
+        SynchronousModes found =
+            on_shapes(SynchronousProblem(d, form, sign, bearing_speed), wanted, top);
+        if (form == results::Form::planar)
+            set_forward(found.modes, sign > 0);
+        else
+            name_whirl(d, form, found.modes);
+        out.modes.insert(out.modes.end(), found.modes.begin(), found.modes.end());
+        out.branches.insert(out.branches.end(), found.branches.begin(), found.branches.end());
+        out.doubtful.insert(out.doubtful.end(), found.doubtful.begin(), found.doubtful.end());
+        out.complete_to = std::min(out.complete_to, found.complete_to);
+    }
+    if (senses_of(form).size() > 1)
+        sort_ascending(out);
     return out;
 }
 
@@ -116,24 +201,18 @@ std::vector<modes::WhirlMode> synchronous_modes(const Discretization &d, results
                                 return problem.at_bearing_speed(bearing_speed, wanted);
                             })
             .modes;
-    std::vector<modes::WhirlMode> modes =
-        GeneralSynchronous(d, form).lowest(bearing_speed, wanted, 0).modes;
-    name_whirl(d, form, modes);
-    return modes;
+    return of_shapes(d, form, wanted, 0, bearing_speed).modes;
 }
 
 SynchronousModes all_synchronous_modes(const Discretization &d, results::Form form, int wanted,
                                        double top, bool symmetric) {
     const bool real_form = form == results::Form::planar || form == results::Form::hyperbolic;
-    if (real_form || (symmetric && SymmetricSynchronous::exists(d, form)))
+    if (table_speeds(d.rotor()).empty() &&
+        (real_form || (symmetric && SymmetricSynchronous::exists(d, form))))
         return of_symmetric(d, form, [&](const SymmetricSynchronous &problem) {
             return problem.lowest(wanted, top);
         });
-    SynchronousModes out = table_speeds(d.rotor()).empty()
-                               ? GeneralSynchronous(d, form).lowest(0, wanted, top)
-                               : followed_modes(d, form, wanted, top);
-    name_whirl(d, form, out.modes);
-    return out;
+    return of_shapes(d, form, wanted, top, {});
 }
 
 } // namespace whirl::synchronous

@@ -1,8 +1,8 @@
 #include "synchronous/followed.h"
 
 #include "synchronous/branch.h"
-#include "synchronous/general.h"
 #include "synchronous/parts.h"
+#include "synchronous/reduced.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,9 +24,28 @@ constexpr double followed = 0.75;
 /// All eigenvalues with the bearings as they are at one speed.
 struct Sample {
     double speed = 0;
-    std::vector<BranchPoint> points;
-    bool complete = true; ///< none that could matter in the piece is missing
+    std::vector<ReducedRoot> points;
 };
+
+/// A root of the whole rotor.
+struct FoundRoot {
+    modes::WhirlMode mode;
+    bool downwards = true; ///< conservative: an eigenvalue of K - W^2 M falls through zero there
+};
+
+FoundRoot found_root(const BranchPoint &point) {
+    FoundRoot out;
+    out.mode.eigenvalue = point.eigenvalue;
+    out.mode.shape = point.shape;
+    out.mode.residual = point.residual;
+    out.mode.rounding = point.rounding;
+    out.downwards = point.pushes_down == (point.slope.imag() < 1);
+    return out;
+}
+
+/// By how much a root of the reduced rotor may differ from that of the whole one, relative: ten
+/// times what is usual, far less than what two motions of a rotor differ by.
+constexpr double reduced_error = 1e-2;
 
 /// Speeds that agree to this are one: roots at rows of a table are found from both sides.
 constexpr double one_speed = 2e-10;
@@ -38,20 +57,22 @@ bool same(const modes::WhirlMode &a, const modes::WhirlMode &b) {
            std::abs(a.shape.dot(b.shape)) > 0.99 * a.shape.norm() * b.shape.norm();
 }
 
-/// Ascending, each once.
-std::vector<modes::WhirlMode> tidied(std::vector<modes::WhirlMode> modes) {
-    std::ranges::stable_sort(modes, {},
-                             [](const modes::WhirlMode &mode) { return mode.eigenvalue.imag(); });
-    std::vector<modes::WhirlMode> out;
-    for (modes::WhirlMode &mode : modes)
-        if (std::ranges::none_of(out, [&](const auto &other) { return same(other, mode); }))
-            out.push_back(std::move(mode));
+/// Ascending, each once; of a line that only touches there, both passages.
+std::vector<FoundRoot> tidied(std::vector<FoundRoot> roots) {
+    std::ranges::stable_sort(roots, {},
+                             [](const FoundRoot &root) { return root.mode.eigenvalue.imag(); });
+    std::vector<FoundRoot> out;
+    for (FoundRoot &root : roots)
+        if (std::ranges::none_of(out, [&](const FoundRoot &other) {
+                return other.downwards == root.downwards && same(other.mode, root.mode);
+            }))
+            out.push_back(std::move(root));
     return out;
 }
 
 /// Where Im l - s is going between two samples: the cubic in u = 0 .. 1.
 struct Cubic {
-    Cubic(const Sample &a, const BranchPoint &at_a, const Sample &b, const BranchPoint &at_b)
+    Cubic(const Sample &a, const ReducedRoot &at_a, const Sample &b, const ReducedRoot &at_b)
         : h(b.speed - a.speed), l0(at_a.eigenvalue), l1(at_b.eigenvalue), d0(h * at_a.slope),
           d1(h * at_b.slope), from(a.speed) {}
     double h;
@@ -114,30 +135,25 @@ std::vector<double> rows_at_once(const std::vector<double> &bends, const std::ve
 /// A piece of the tables, from row to row, or over several rows.
 class Follower {
   public:
-    Follower(const GeneralSynchronous &problem, std::vector<double> rows)
-        : _problem(problem), _rows(std::move(rows)), _pieces(_rows.size() - 1),
+    /// @param rows   of the piece
+    /// @param first  number of the first of them among all
+    Follower(const ReducedSynchronous &reduced, const WholeRoots &roots, std::vector<double> rows,
+             std::size_t first)
+        : _reduced(reduced), _roots(roots), _rows(std::move(rows)), _number(first),
           _first(_rows.front()), _last(_rows.back()) {}
 
-    std::vector<modes::WhirlMode> found;
+    std::vector<FoundRoot> found;
     std::vector<std::pair<double, double>> doubtful;
 
     /// @throws linalg::SolverError
     [[nodiscard]] Sample sample(double speed) const {
-        const SynchronousModes all = _problem.lowest(speed, 0, 1.6 * _last, looked_at);
-        Sample out{speed, {}, all.complete_to > _last};
-        for (const modes::WhirlMode &mode : all.modes) {
-            if (mode.eigenvalue.imag() < 0.4 * _first || mode.eigenvalue.imag() > 1.6 * _last)
-                continue; // too far to matter, or to be the partner of one that does
-            std::optional<BranchPoint> point =
-                piece(place_of(speed))
-                    .point(speed, mode.eigenvalue, mode.shape, 1e-7); // derivative
-            // Iteration that runs to another eigenvalue has nothing to say on this one.
-            if (point &&
-                std::abs(point->eigenvalue - mode.eigenvalue) < 1e-5 * std::abs(mode.eigenvalue))
-                out.points.push_back(std::move(*point));
-            else
-                out.points.push_back({mode.eigenvalue, 0, mode.shape, mode.residual, 1});
-        }
+        const auto above = std::upper_bound(_rows.begin() + 1, _rows.end() - 1, speed);
+        const auto piece = static_cast<std::size_t>(above - _rows.begin()) - 1;
+        Sample out{speed, _reduced.at(speed, _number + piece, looked_at)};
+        std::erase_if(out.points, [&](const ReducedRoot &root) {
+            // too far to matter, or to be the partner of one that does
+            return root.eigenvalue.imag() < 0.4 * _first || root.eigenvalue.imag() > 1.6 * _last;
+        });
         return out;
     }
 
@@ -156,22 +172,13 @@ class Follower {
     }
 
   private:
-    const GeneralSynchronous &_problem;
+    const ReducedSynchronous &_reduced;
+    const WholeRoots &_roots;
     std::vector<double> _rows;
-    mutable std::vector<std::optional<LinearSynchronous>> _pieces; ///< between rows, once needed
+    std::size_t _number;
     double _first, _last;
     int _samples = 0;
 
-    [[nodiscard]] std::size_t place_of(double speed) const {
-        const auto above = std::upper_bound(_rows.begin() + 1, _rows.end() - 1, speed);
-        return static_cast<std::size_t>(above - _rows.begin()) - 1;
-    }
-    [[nodiscard]] const LinearSynchronous &piece(std::size_t i) const {
-        if (!_pieces[i])
-            _pieces[i].emplace(_problem.problem(_rows[i]), _problem.problem(_rows[i + 1]), _rows[i],
-                               _rows[i + 1]);
-        return *_pieces[i];
-    }
     /// Rows strictly between two speeds.
     [[nodiscard]] bool holds_rows(double from, double to) const {
         const auto next = std::upper_bound(_rows.begin(), _rows.end(), from);
@@ -187,47 +194,16 @@ class Follower {
                    ? *above
                    : *(above - 1);
     }
-    /// Newton's steps towards the zero near a speed until they stay in one piece.
-    void approach(double &speed, Complex &l, Eigen::VectorXcd &shape) const {
-        constexpr int most = 4;
-        for (int step = 0; step < most; ++step) {
-            const std::size_t here = place_of(speed);
-            const auto point = piece(here).point(speed, l, shape, 1e-7);
-            if (!point)
-                return;
-            const double next =
-                speed + (point->eigenvalue.imag() - speed) / (1 - point->slope.imag());
-            if (!(next >= _first && next <= _last))
-                return;
-            l = point->eigenvalue + (next - speed) * point->slope;
-            shape = point->shape;
-            speed = next;
-            if (place_of(speed) == here)
-                return;
-        }
-    }
-    /// The zero near a speed, in the piece that holds it or one of its neighbours.
-    [[nodiscard]] std::optional<BranchPoint> standing(double speed, Complex l,
-                                                      Eigen::VectorXcd shape) const {
-        if (_pieces.size() > 1)
-            approach(speed, l, shape);
-        const auto here = static_cast<int>(place_of(speed));
-        for (const int aside : {0, -1, 1, -2, 2})
-            if (const int i = here + aside; i >= 0 && i < static_cast<int>(_pieces.size()))
-                if (auto point = piece(static_cast<std::size_t>(i)).standing(speed, l, shape))
-                    return point;
-        return std::nullopt;
-    }
 
     /// It could pass Im l = s in a step of this length.
-    static bool matters(const BranchPoint &point, double speed, double step) {
+    static bool matters(const ReducedRoot &point, double speed, double step) {
         const Complex l = point.eigenvalue;
         return l.imag() > followed * std::abs(l.real()) &&
                std::abs(l.imag() - speed) <= 2 * step * (1 + std::abs(point.slope));
     }
 
     /// Index of the point of `b` that continues `point`; none where two would do.
-    static std::optional<std::size_t> partner(const Sample &a, const BranchPoint &point,
+    static std::optional<std::size_t> partner(const Sample &a, const ReducedRoot &point,
                                               const Sample &b) {
         std::size_t best = b.points.size();
         double least = std::numeric_limits<double>::infinity();
@@ -270,7 +246,7 @@ class Follower {
                 if (pairs.count(*i) == 0)
                     pairs[*i] = j;
             }
-        std::vector<modes::WhirlMode> modes;
+        std::vector<FoundRoot> roots;
         if (!one_to_one(a, b, pairs))
             return false;
         for (std::size_t j = 0; j < b.points.size(); ++j)
@@ -278,9 +254,9 @@ class Follower {
                 std::ranges::none_of(pairs, [j](const auto &pair) { return pair.second == j; }))
                 return false;
         for (const auto &[i, j] : pairs)
-            if (!add_zeros(a, i, b, j, modes))
+            if (!add_zeros(a, i, b, j, roots))
                 return false;
-        found.insert(found.end(), modes.begin(), modes.end());
+        found.insert(found.end(), roots.begin(), roots.end());
         return true;
     }
 
@@ -312,7 +288,7 @@ class Follower {
     }
 
     bool add_zeros(const Sample &a, std::size_t i, const Sample &b, std::size_t j,
-                   std::vector<modes::WhirlMode> &modes) const {
+                   std::vector<FoundRoot> &roots) const {
         const Cubic cubic(a, a.points[i], b, b.points[j]);
         auto zeros = zeros_of(cubic, holds_rows(a.speed, b.speed) ? between : 0);
         if (!zeros)
@@ -323,74 +299,117 @@ class Follower {
         for (const double u : *zeros) {
             const Eigen::VectorXcd &shape = (u < 0.5 ? a.points[i] : b.points[j]).shape;
             const double speed = a.speed + u * cubic.h;
-            const auto point = standing(speed, cubic.eigenvalue(u), shape);
-            const double slack = cubic.misfit() + 1e-9 * speed;
+            const auto point = _roots.near(speed, cubic.eigenvalue(u), _reduced.lifted(shape));
+            const double slack = cubic.misfit() + reduced_error * speed;
             if (!point || std::abs(point->eigenvalue.imag() - speed) > slack + 0.5 * cubic.h)
                 return false;
-            modes::WhirlMode mode;
-            mode.eigenvalue = point->eigenvalue;
-            mode.shape = point->shape;
-            mode.residual = point->residual;
-            mode.rounding = point->rounding;
-            if (mode.eigenvalue.imag() > std::abs(mode.eigenvalue.real()))
-                modes.push_back(std::move(mode));
+            if (point->eigenvalue.imag() > std::abs(point->eigenvalue.real()))
+                roots.push_back(found_root(*point));
         }
         return true;
     }
 };
 
-} // namespace
-
-SynchronousModes followed_modes(const assembly::Discretization &rotor, results::Form form,
-                                int wanted, double top) {
-    const GeneralSynchronous problem(rotor, form);
-    const std::vector<double> rows = table_speeds(rotor.rotor());
-    const std::vector<double> bends = rotor.rotor().table_bends();
-    SynchronousModes out;
-    double row = std::max(rows.front(), 0.0);
-    const SynchronousModes first = problem.lowest(row, 0, row);
-    for (const modes::WhirlMode &mode : first.modes)
-        if (mode.eigenvalue.imag() <= row * (1 + one_speed))
-            out.modes.push_back(mode);
-    if (first.complete_to < row)
-        out.doubtful.emplace_back(first.complete_to, row);
-    out.complete_to = row;
-    const auto enough = [&] { return static_cast<int>(out.modes.size()) >= wanted && row > top; };
-    std::vector<double> left{row};
-    std::copy_if(rows.begin(), rows.end(), std::back_inserter(left),
-                 [row](double other) { return other > row; });
-    for (std::size_t i = 0; i + 1 < left.size() && !enough();) {
-        const std::vector<double> at_once = rows_at_once(bends, left, i);
-        i += at_once.size() - 1;
-        const double next = at_once.back();
-        Follower follower(problem, at_once);
-        const Sample from = follower.sample(row);
-        const Sample to = follower.sample(next);
-        follower.follow(from, to, 0);
-        if (!from.complete || !to.complete)
-            out.doubtful.emplace_back(row, next);
-        out.modes.insert(out.modes.end(), follower.found.begin(), follower.found.end());
-        out.doubtful.insert(out.doubtful.end(), follower.doubtful.begin(), follower.doubtful.end());
-        out.complete_to = row = next;
-    }
-    if (!enough()) {
-        const int missing = wanted - static_cast<int>(out.modes.size());
-        for (int ask = std::max(missing, 1);; ask *= 2) {
-            const SynchronousModes all = problem.lowest(row, ask, std::max(top, 1.01 * row));
-            std::vector<modes::WhirlMode> above;
-            std::copy_if(all.modes.begin(), all.modes.end(), std::back_inserter(above),
-                         [&](const modes::WhirlMode &mode) {
-                             return mode.eigenvalue.imag() >= row * (1 - one_speed);
-                         });
-            const bool more = static_cast<int>(all.modes.size()) >= ask;
-            if (more && static_cast<int>(above.size()) < missing + 1)
-                continue;
-            out.modes.insert(out.modes.end(), above.begin(), above.end());
-            out.complete_to = std::max(row, all.complete_to);
+/// Roots with constant coefficients, bearings as at a row: all up to `top`, and at least `wanted`.
+void add_constant(const ReducedSynchronous &reduced, const WholeRoots &roots, double speed,
+                  std::size_t row, int wanted, double above, double top,
+                  std::vector<FoundRoot> &found, std::vector<std::pair<double, double>> &doubtful) {
+    constexpr double looked_at_here = 0.9; // a little beyond those that count
+    int taken = 0;
+    for (const ReducedRoot &root : reduced.at(speed, row, looked_at_here)) {
+        const Complex l = root.eigenvalue;
+        if (l.imag() < above * (1 - reduced_error))
+            continue;
+        if (l.imag() > top * (1 + reduced_error) && taken >= wanted)
             break;
+        const auto point = roots.near(l.imag(), l, reduced.lifted(root.shape));
+        const bool near = point && std::abs(point->eigenvalue - l) <= reduced_error * std::abs(l);
+        const bool twice = point && std::ranges::any_of(found, [&](const FoundRoot &other) {
+                               return same(other.mode, found_root(*point).mode);
+                           });
+        if (!near)
+            doubtful.emplace_back((1 - reduced_error) * l.imag(), (1 + reduced_error) * l.imag());
+        if (!point || twice)
+            continue;
+        if (point->eigenvalue.imag() > std::abs(point->eigenvalue.real())) {
+            found.push_back(found_root(*point));
+            ++taken;
         }
     }
-    out.modes = tidied(std::move(out.modes));
+}
+
+/// Gaps between the roots of a conservative problem in which the whole rotor counts otherwise.
+std::vector<std::pair<double, double>> miscounted(const SynchronousProblem &problem,
+                                                  const std::vector<FoundRoot> &roots, double top) {
+    std::vector<std::pair<double, double>> out;
+    double below = 0;
+    int expected = 0;
+    const auto check = [&](double from, double to) {
+        constexpr double no_room = 1e-7; // of the speed: a root stands too near
+        if (to - from > no_room * to && problem.negative_eigenvalues((from + to) / 2) != expected)
+            out.emplace_back(from, to);
+    };
+    const double first = roots.empty() ? top : roots.front().mode.eigenvalue.imag();
+    expected = problem.negative_eigenvalues(1e-3 * first);
+    for (const FoundRoot &root : roots) {
+        const double speed = root.mode.eigenvalue.imag();
+        check(below, speed);
+        expected += root.downwards ? 1 : -1;
+        below = speed;
+    }
+    check(below, std::max(top, 1.0001 * below));
+    return out;
+}
+
+} // namespace
+
+SynchronousModes followed_modes(const SynchronousProblem &problem, const WholeRoots &roots,
+                                const Eigen::MatrixXd &shapes, double scale, int wanted,
+                                double top) {
+    const ReducedSynchronous reduced(problem, shapes, scale);
+    const std::vector<double> &rows = problem.rows();
+    const std::vector<double> bends = problem.rotor().rotor().table_bends();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    SynchronousModes out;
+    std::vector<FoundRoot> found;
+    double row = problem.constant() ? 0 : std::max(rows.front(), 0.0);
+    if (!problem.constant())
+        add_constant(reduced, roots, row, 0, 0, 0, row, found, out.doubtful);
+    const auto enough = [&] { return static_cast<int>(found.size()) >= wanted && row > top; };
+    std::size_t i = 0;
+    while (i + 1 < rows.size() && rows[i + 1] <= row)
+        ++i;
+    while (i + 1 < rows.size() && !enough()) {
+        const std::vector<double> at_once = rows_at_once(bends, rows, i);
+        Follower follower(reduced, roots, at_once, i);
+        i += at_once.size() - 1;
+        follower.follow(follower.sample(row), follower.sample(at_once.back()), 0);
+        found.insert(found.end(), follower.found.begin(), follower.found.end());
+        out.doubtful.insert(out.doubtful.end(), follower.doubtful.begin(), follower.doubtful.end());
+        row = at_once.back();
+    }
+    out.complete_to = row;
+    if (!enough()) {
+        add_constant(reduced, roots, row, rows.size() - 1, wanted - static_cast<int>(found.size()),
+                     row, top, found, out.doubtful);
+        out.complete_to = infinity;
+    }
+    found = tidied(std::move(found));
+    const double last = found.empty() ? 0 : found.back().mode.eigenvalue.imag();
+    if (std::isinf(out.complete_to) &&
+        (!reduced.whole() || static_cast<int>(found.size()) >= wanted))
+        out.complete_to = std::max({row, top, last});
+    if (problem.conservative()) {
+        const auto gaps = miscounted(problem, found, std::max(row, top));
+        out.doubtful.insert(out.doubtful.end(), gaps.begin(), gaps.end());
+    }
+    int negative = 0;
+    for (FoundRoot &root : found) {
+        out.branches.push_back(root.downwards ? ++negative : negative--);
+        out.modes.push_back(std::move(root.mode));
+    }
+    if (!problem.conservative())
+        out.branches.clear();
     return out;
 }
 

@@ -22,10 +22,6 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Roots this near to a row of a table, over its speed, stand at the row: they are found from both
-/// sides, to rounding.
-constexpr double at_a_row = 2e-10;
-
 bool symmetric_bearings(const model::Rotor &rotor) {
     return rotor.every_row([](const model::BearingCoefficients &row) {
         return model::symmetric(row.k) && model::symmetric(row.m) && model::symmetric(row.kt);
@@ -150,79 +146,9 @@ SymmetricSynchronous::Passages SymmetricSynchronous::constant(double bearing_spe
     }
 }
 
-/// The first piece of a table, where the bearings are as at its first row.
-SymmetricSynchronous::Passages SymmetricSynchronous::constant_up_to(double speed,
-                                                                    int wanted) const {
-    for (int ask = wanted;; ask *= 2) {
-        Passages found = constant(speed, ask);
-        if (found.complete_to <= speed && static_cast<int>(found.list.size()) >= ask)
-            continue;
-        found.counted = found.complete_to > speed;
-        found.complete_to = std::min(found.complete_to, speed);
-        const auto beyond = std::ranges::find_if(
-            found.list, [&](const auto &r) { return r.pair.value > speed * (1 + at_a_row / 2); });
-        found.list.erase(beyond, found.list.end());
-        return found;
-    }
-}
-
-namespace {
-
-/// Roots of a piece after those of the pieces below it, which ends at `row`. Where an eigenvalue
-/// has its root at the row it is in both lists; where it only touches zero there it passes twice.
-void append(std::vector<CrossingPair> &list, const std::vector<CrossingPair> &more, double row) {
-    std::size_t twice = 0;
-    while (twice < std::min(list.size(), more.size()) &&
-           list[list.size() - 1 - twice].pair.value >= row * (1 - at_a_row) &&
-           more[twice].pair.value <= row * (1 + at_a_row) &&
-           more[twice].downwards == list[list.size() - 1 - twice].downwards)
-        ++twice;
-    list.insert(list.end(), more.begin() + static_cast<std::ptrdiff_t>(twice), more.end());
-}
-
-} // namespace
-
-SymmetricSynchronous::Passages SymmetricSynchronous::through_tables(const std::vector<double> &rows,
-                                                                    int wanted, double top) const {
-    const Sparse A = _A.view();
-    Passages all;
-    double below = std::max(rows.front(), 0.0);
-    if (below > 0)
-        all = constant_up_to(below, wanted);
-    Sparse K_below = stiffness(below).view();
-    const auto enough = [&] { return static_cast<int>(all.list.size()) >= wanted && below > top; };
-    for (const double row : rows) {
-        if (row <= below || enough())
-            continue;
-        const Sparse K = stiffness(row).view();
-        const PieceRoots piece = roots_of_piece(K_below, K, A, below, row);
-        append(all.list, piece.roots, below);
-        all.counted = all.counted && piece.complete;
-        all.complete_to = below = row;
-        K_below = K;
-    }
-    if (enough())
-        return all;
-    for (int ask = wanted + 2;; ask *= 2) {
-        Passages last = constant(below, ask);
-        std::vector<CrossingPair> above;
-        std::copy_if(
-            last.list.begin(), last.list.end(), std::back_inserter(above),
-            [&](const CrossingPair &r) { return r.pair.value >= below * (1 - at_a_row / 2); });
-        const bool more = static_cast<int>(last.list.size()) >= ask;
-        if (more && (static_cast<int>(all.list.size() + above.size()) < wanted + 2 ||
-                     last.complete_to <= top))
-            continue;
-        append(all.list, above, below);
-        all.complete_to = std::max(below, last.complete_to);
-        return all;
-    }
-}
-
 SynchronousRoots SymmetricSynchronous::named(const Passages &found) const {
     SynchronousRoots out;
     out.complete_to = found.complete_to;
-    out.counted = found.counted;
     int negative = 0;
     for (std::size_t i = 0; i < found.list.size(); ++i) {
         const CrossingPair &root = found.list[i];
@@ -240,9 +166,6 @@ SynchronousRoots SymmetricSynchronous::at_bearing_speed(double speed, int wanted
 }
 
 SynchronousRoots SymmetricSynchronous::lowest(int wanted, double top) const {
-    const std::vector<double> rows = table_speeds(_d.rotor());
-    if (!rows.empty())
-        return named(through_tables(rows, multiplicity() * wanted, top));
     for (int ask = multiplicity() * wanted;; ask *= 2) {
         Passages found = constant(0, ask);
         const bool more = static_cast<int>(found.list.size()) >= ask;

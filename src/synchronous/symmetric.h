@@ -4,11 +4,16 @@
 #include "linalg/eigenpair.h"
 #include "linalg/matrix.h"
 #include "results/formulation.h"
-#include "synchronous/linear_piece.h"
 
 #include <vector>
 
 namespace whirl::synchronous {
+
+/// A real root w of a symmetric Q(w) x = 0. As w grows, an eigenvalue of Q passes zero there.
+struct CrossingPair {
+    linalg::RealPair pair;
+    bool downwards = true; ///< x^T Q'(w) x < 0: one more negative eigenvalue above the root
+};
 
 /// A synchronous critical speed of a rotor without damping: W with (K(W) - W^2 A) x = 0.
 struct SynchronousRoot {
@@ -22,10 +27,10 @@ struct SynchronousRoot {
 struct SynchronousRoots {
     std::vector<SynchronousRoot> roots; ///< ascending
     double complete_to = 0; ///< every root below is among them, rad/s; infinity: there are no more
-    bool counted = true;    ///< inertia counts agree
 };
 
-/// The symmetric synchronous problem: undamped rotors with symmetric stiffness. Its A is M -+ G
+/// The symmetric synchronous problem of undamped rotors with symmetric stiffness on bearings that
+/// do not change with speed. Its A is M -+ G
 /// (planar, forward and backward), M + S (hyperbolic), [M G; -G M] (coupled bearings, real form of
 /// the Hermitian M - i G: every root twice) or -Kss (rotating axes).
 class SymmetricSynchronous {
@@ -42,8 +47,7 @@ class SymmetricSynchronous {
     /// @throws linalg::SolverError
     [[nodiscard]] SynchronousRoots at_bearing_speed(double speed, int wanted) const;
 
-    /// The same with the bearings as they are at each root, and all roots up to `top` (rad/s).
-    /// Between rows of bearing tables K is linear in W: a quadratic eigenproblem each.
+    /// The same, and all roots up to `top` (rad/s), of bearings without tables.
     /// @throws linalg::SolverError
     [[nodiscard]] SynchronousRoots lowest(int wanted, double top) const;
 
@@ -51,7 +55,6 @@ class SymmetricSynchronous {
     struct Passages {
         std::vector<CrossingPair> list; ///< ascending
         double complete_to = 0;         ///< rad/s
-        bool counted = true;
     };
     const assembly::Discretization &_d;
     results::Form _form;
@@ -62,9 +65,6 @@ class SymmetricSynchronous {
     [[nodiscard]] int multiplicity() const { return _doubled ? 2 : 1; }
     [[nodiscard]] Passages constant(double bearing_speed, int wanted) const;
     [[nodiscard]] Passages about_a_shift(const linalg::Matrix &K, int wanted, int zeros) const;
-    [[nodiscard]] Passages constant_up_to(double speed, int wanted) const;
-    [[nodiscard]] Passages through_tables(const std::vector<double> &rows, int wanted,
-                                          double top) const;
     [[nodiscard]] SynchronousRoots named(const Passages &found) const;
 };
 

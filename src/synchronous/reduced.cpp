@@ -1,0 +1,174 @@
+#include "synchronous/reduced.h"
+
+#include "assembly/frequency_scales.h"
+#include "linalg/check.h"
+#include "linalg/dense/complex_schur.h"
+#include "linalg/dense/products.h"
+#include "modes/zero_modes.h"
+#include "reduction/planar_shapes.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace whirl::synchronous {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Shapes of one plane as shapes of pairs (x, y).
+Eigen::MatrixXd in_both_planes(const Eigen::MatrixXd &planar) {
+    Eigen::MatrixXd out = Eigen::MatrixXd::Zero(2 * planar.rows(), 2 * planar.cols());
+    for (Eigen::Index i = 0; i < planar.rows(); ++i)
+        for (Eigen::Index j = 0; j < planar.cols(); ++j)
+            out(2 * i, 2 * j) = out(2 * i + 1, 2 * j + 1) = planar(i, j);
+    return out;
+}
+
+} // namespace
+
+Eigen::MatrixXd synchronous_shapes(const assembly::Discretization &rotor, double top, int modes) {
+    constexpr int small = 20; // planar unknowns that are all kept
+    const int n = rotor.planar_size();
+    if (rotor.rigid() || n <= small)
+        return Eigen::MatrixXd::Identity(n, n);
+    reduction::PlanarShapes shapes(rotor, top, modes);
+    std::vector<assembly::Combination> pedestals;
+    for (std::size_t i = 0; i < rotor.rotor().bearings.size(); ++i)
+        if (rotor.rotor().bearings[i].pedestal)
+            pedestals.push_back({{rotor.pedestal_unknown(static_cast<int>(i)), 1.0}});
+    if (!pedestals.empty())
+        shapes.add_static(pedestals);
+    return 3 * shapes.matrix().cols() > 2 * n ? Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n))
+                                              : shapes.matrix();
+}
+
+ReducedSynchronous::ReducedSynchronous(const SynchronousProblem &problem,
+                                       const Eigen::MatrixXd &shapes, double scale)
+    : _problem(problem), _shapes(problem.pairs() ? in_both_planes(shapes) : shapes),
+      _first{projected(problem.first().M), projected(problem.first().D),
+             projected(problem.first().K)},
+      _scale(scale) {
+    for (std::size_t i = 0; i < problem.rows().size(); ++i)
+        _changes.push_back({{}, projected(problem.change(i).D), projected(problem.change(i).K)});
+    // A rigid motion that no support resists is a double root of zero, which rounding splits.
+    const results::Form motions = problem.pairs() ? results::Form::general : results::Form::planar;
+    const bool free =
+        modes::zero_modes(problem.rotor(), motions, problem.rows().front(), 0).eigenvalues > 0;
+    _least = free ? 3e-4 * assembly::elastic_scale(problem.rotor()) : 1e-9 * scale;
+}
+
+Eigen::MatrixXcd ReducedSynchronous::projected(const ComplexQuadratic::Sparse &A) const {
+    Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(_shapes.cols(), _shapes.cols());
+    if (A.nonZeros() == 0)
+        return out;
+    const Eigen::SparseMatrix<double> real = A.real();
+    const Eigen::SparseMatrix<double> imaginary = A.imag();
+    out.real() = linalg::transposed_times(_shapes, Eigen::MatrixXd(real * _shapes));
+    if (imaginary.norm() > 0)
+        out.imag() = linalg::transposed_times(_shapes, Eigen::MatrixXd(imaginary * _shapes));
+    return out;
+}
+
+Eigen::VectorXcd ReducedSynchronous::lifted(const Eigen::VectorXcd &shape) const {
+    Eigen::VectorXcd out(_shapes.rows());
+    out.real() = _shapes * shape.real();
+    out.imag() = _shapes * shape.imag();
+    return out;
+}
+
+/// K x = W^2 M x through the eigenvalues 1 / (W^2 + t) of L^-1 M L^-H, K + t M = L L^H; none where
+/// that is not positive definite.
+std::vector<ReducedRoot> ReducedSynchronous::conservative(const Dense &at) const {
+    for (const double t : {0.0, 0.01 * _scale * _scale}) {
+        const Eigen::LLT<Eigen::MatrixXcd> factor(at.K + t * at.M);
+        if (factor.info() != Eigen::Success || factor.rcond() < 1e-13)
+            continue;
+        Eigen::MatrixXcd A = factor.matrixL().solve(at.M);
+        A = factor.matrixL().solve(Eigen::MatrixXcd(A.adjoint()));
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(A);
+        if (solver.info() != Eigen::Success)
+            continue;
+        std::vector<ReducedRoot> out;
+        for (Eigen::Index i = A.rows() - 1; i >= 0 && solver.eigenvalues()(i) > 0; --i) {
+            const double square = 1 / solver.eigenvalues()(i) - t;
+            if (square > 0)
+                out.push_back({{0, std::sqrt(square)},
+                               0,
+                               factor.matrixU().solve(solver.eigenvectors().col(i))});
+        }
+        return out;
+    }
+    return {};
+}
+
+/// All eigenvalues mu = 1 / (l - shift) of the companion form; the lower halves of its right
+/// vectors are those of Q, the upper ones of its left vectors Q(shift)^H times the left ones of Q.
+std::vector<ReducedRoot> ReducedSynchronous::any(const Dense &at, const Dense &rate) const {
+    const double shift = 0.1 * _scale;
+    const Eigen::Index m = at.K.rows();
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(at.K + shift * at.D + shift * shift * at.M);
+    Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(2 * m, 2 * m);
+    companion.topLeftCorner(m, m) =
+        -linalg::solved(lu, Eigen::MatrixXcd(_scale * (at.D + 2 * shift * at.M)));
+    companion.topRightCorner(m, m) = -linalg::solved(lu, Eigen::MatrixXcd(_scale * _scale * at.M));
+    companion.bottomLeftCorner(m, m).setIdentity();
+    if (!companion.allFinite())
+        throw linalg::SolverError("the reduced synchronous problem is singular");
+    const linalg::ComplexEigen eigen = linalg::complex_eigen(std::move(companion));
+    std::vector<ReducedRoot> out;
+    for (Eigen::Index i = 0; i < 2 * m; ++i) {
+        const Complex mu = eigen.values(i);
+        if (std::abs(mu) < 1e-14)
+            continue;
+        const Complex l = shift + _scale / mu;
+        if (l.imag() <= 0)
+            continue;
+        const Eigen::VectorXcd x = eigen.right.col(i).tail(m);
+        const Eigen::VectorXcd y =
+            linalg::adjoint_solved(lu, Eigen::VectorXcd(eigen.left.col(i).head(m)));
+        const Complex by_root = y.dot((2.0 * l) * (at.M * x) + at.D * x);
+        const Complex by_speed = y.dot(l * (rate.D * x) + rate.K * x);
+        out.push_back({l, -by_speed / by_root, x});
+    }
+    return out;
+}
+
+std::vector<ReducedRoot> ReducedSynchronous::at(double speed, std::size_t piece,
+                                                double steepness) const {
+    const std::vector<double> &rows = _problem.rows();
+    const Eigen::MatrixXcd none = Eigen::MatrixXcd::Zero(_first.K.rows(), _first.K.rows());
+    Dense now{_first.M, _first.D + _changes[piece].D, _first.K + _changes[piece].K};
+    Dense rate{none, none, none};
+    if (piece + 1 < rows.size()) {
+        const double length = rows[piece + 1] - rows[piece];
+        rate.D = (_changes[piece + 1].D - _changes[piece].D) / length;
+        rate.K = (_changes[piece + 1].K - _changes[piece].K) / length;
+        now.D += (speed - rows[piece]) * rate.D;
+        now.K += (speed - rows[piece]) * rate.K;
+    }
+    std::vector<ReducedRoot> all;
+    if (_problem.conservative())
+        all = conservative(now);
+    if (all.empty())
+        all = any(now, rate);
+    else
+        for (ReducedRoot &root : all) { // x^H (l^2 M + K) x = 0
+            const Complex l = root.eigenvalue;
+            root.slope = -root.shape.dot(rate.K * root.shape) /
+                         (2.0 * l * root.shape.dot(now.M * root.shape));
+        }
+    std::erase_if(all, [&](const ReducedRoot &root) {
+        const Complex l = root.eigenvalue;
+        return !(std::abs(l) > _least && l.imag() > steepness * std::abs(l.real()));
+    });
+    std::ranges::stable_sort(all, {},
+                             [](const ReducedRoot &root) { return root.eigenvalue.imag(); });
+    return all;
+}
+
+} // namespace whirl::synchronous

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "synchronous/problem.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <memory>
+#include <vector>
+
+namespace whirl::synchronous {
+
+/// A root l of the reduced problem with the bearings as they are at one speed s.
+struct ReducedRoot {
+    std::complex<double> eigenvalue; ///< l, 1/s
+    std::complex<double> slope;      ///< dl/ds
+    Eigen::VectorXcd shape;          ///< over the reduced unknowns
+};
+
+/// Planar shapes (N x r) on which the synchronous motions of a rotor up to a frequency are
+/// described: modes at rest and what bends it where something acts (reduction::PlanarShapes); all
+/// unknowns of a small rotor or a rigid shaft.
+/// @param top   rad/s
+/// @param modes at rest, at the least
+/// @throws linalg::SolverError where the modes at rest cannot be found
+[[nodiscard]] Eigen::MatrixXd synchronous_shapes(const assembly::Discretization &rotor, double top,
+                                                 int modes);
+
+/// The synchronous problem on planar shapes, each term projected once: all its roots at any speed
+/// by one dense decomposition.
+class ReducedSynchronous {
+  public:
+    /// @param problem  must outlive this
+    /// @param shapes   N x r
+    /// @param scale    frequency of the order of the motions wanted, rad/s
+    ReducedSynchronous(const SynchronousProblem &problem, const Eigen::MatrixXd &shapes,
+                       double scale);
+
+    /// Roots with Im l > `steepness` |Re l|, bearings as at a speed between the rows `piece` and
+    /// `piece` + 1 of the tables (0 of a constant problem); without those at zero, ascending by
+    /// Im l.
+    /// @throws linalg::SolverError
+    [[nodiscard]] std::vector<ReducedRoot> at(double speed, std::size_t piece,
+                                              double steepness) const;
+
+    [[nodiscard]] Eigen::VectorXcd lifted(const Eigen::VectorXcd &shape) const;
+    /// All unknowns are left: nothing is missing.
+    [[nodiscard]] bool whole() const { return _shapes.cols() == _shapes.rows(); }
+
+  private:
+    struct Dense {
+        Eigen::MatrixXcd M, D, K;
+    };
+    const SynchronousProblem &_problem;
+    Eigen::MatrixXd _shapes; ///< over the unknowns of the problem
+    Dense _first;
+    std::vector<Dense> _changes; ///< of D and K
+    double _scale;
+    double _least; ///< |l| of a zero root at the most, 1/s
+
+    [[nodiscard]] Eigen::MatrixXcd projected(const ComplexQuadratic::Sparse &A) const;
+    [[nodiscard]] std::vector<ReducedRoot> conservative(const Dense &at) const;
+    [[nodiscard]] std::vector<ReducedRoot> any(const Dense &at, const Dense &rate) const;
+};
+
+} // namespace whirl::synchronous
