@@ -138,7 +138,7 @@ FinerRoots finer_roots(const std::vector<modes::WhirlMode> &modes,
     int passages = 0; // of eigenvalues of K - W^2 M through zero, downwards
     for (const modes::WhirlMode &mode : modes) {
         const auto point =
-            roots.near(mode.eigenvalue.imag(), mode.eigenvalue,
+            roots.near(mode.eigenvalue,
                        embedded(mode.shape, places, finer.rotor().planar_size(), finer.pairs()));
         if (!point || found_before(out.modes, *point)) {
             out.told = false;
@@ -149,7 +149,7 @@ FinerRoots finer_roots(const std::vector<modes::WhirlMode> &modes,
         found.shape = point->shape;
         found.residual = point->residual;
         found.rounding = point->rounding;
-        passages += point->pushes_down == (point->slope.imag() < 1) ? 1 : -1;
+        passages += point->downwards() ? 1 : -1;
         out.modes.push_back(std::move(found));
     }
     const auto speed = [](const modes::WhirlMode &mode) { return mode.eigenvalue.imag(); };

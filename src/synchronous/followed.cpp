@@ -39,7 +39,7 @@ FoundRoot found_root(const BranchPoint &point) {
     out.mode.shape = point.shape;
     out.mode.residual = point.residual;
     out.mode.rounding = point.rounding;
-    out.downwards = point.pushes_down == (point.slope.imag() < 1);
+    out.downwards = point.downwards();
     return out;
 }
 
@@ -299,7 +299,8 @@ class Follower {
         for (const double u : *zeros) {
             const Eigen::VectorXcd &shape = (u < 0.5 ? a.points[i] : b.points[j]).shape;
             const double speed = a.speed + u * cubic.h;
-            const auto point = _roots.near(speed, cubic.eigenvalue(u), _reduced.lifted(shape));
+            const auto point =
+                _roots.near({cubic.eigenvalue(u).real(), speed}, _reduced.lifted(shape));
             const double slack = cubic.misfit() + reduced_error * speed;
             if (!point || std::abs(point->eigenvalue.imag() - speed) > slack + 0.5 * cubic.h)
                 return false;
@@ -322,7 +323,7 @@ void add_constant(const ReducedSynchronous &reduced, const WholeRoots &roots, do
             continue;
         if (l.imag() > top * (1 + reduced_error) && taken >= wanted)
             break;
-        const auto point = roots.near(l.imag(), l, reduced.lifted(root.shape));
+        const auto point = roots.near(l, reduced.lifted(root.shape));
         const bool near = point && std::abs(point->eigenvalue - l) <= reduced_error * std::abs(l);
         const bool twice = point && std::ranges::any_of(found, [&](const FoundRoot &other) {
                                return same(other.mode, found_root(*point).mode);
