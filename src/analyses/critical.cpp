@@ -138,15 +138,13 @@ results::CriticalResult of_order(const model::Case &scene, const results::Formul
     double top = scene.speeds ? std::max(scene.speeds->to, scene.speeds->from) : 0;
     if (scene.operation)
         top = std::max(top, operation::highest_relevant_speed(*scene.operation));
-    const bool symmetric = scene.formulation != model::FormChoice::general;
     const int wanted = scene.campbell.modes;
     // In rotating axes the same motion in two directions counts twice.
     const int ask = form == results::Form::rotating ? 2 * wanted : wanted;
-    synchronous::SynchronousModes list =
-        synchronous::all_synchronous_modes(d, form, ask, top, symmetric);
+    synchronous::SynchronousModes list = synchronous::all_synchronous_modes(d, form, ask, top);
     keep_lowest(list, ask, top);
     const std::vector<results::ErrorParts> errors =
-        judged ? synchronous::errors_by_finer_model(d, form, list, symmetric, model.notes)
+        judged ? synchronous::errors_by_finer_model(d, form, list, model.notes)
                : std::vector<results::ErrorParts>(list.modes.size(),
                                                   {std::numeric_limits<double>::infinity(), 0, 0});
     for (std::size_t i = 0; i < list.modes.size(); ++i) {

@@ -231,7 +231,7 @@ critical_errors(const assembly::Discretization &coarse, results::Form form,
 
 std::vector<results::ErrorParts> errors_by_finer_model(const assembly::Discretization &rotor,
                                                        results::Form form,
-                                                       const SynchronousModes &list, bool symmetric,
+                                                       const SynchronousModes &list,
                                                        std::vector<results::Sentence> &notes) {
     constexpr results::ErrorParts unknown{std::numeric_limits<double>::infinity(), 0, 0};
     std::vector<results::ErrorParts> errors(list.modes.size(), unknown);
@@ -247,10 +247,10 @@ std::vector<results::ErrorParts> errors_by_finer_model(const assembly::Discretiz
         std::vector<std::optional<results::ErrorParts>> found =
             errors_by_roots(list, rotor, finer, form);
         if (found.empty())
-            found = critical_errors(
-                rotor, form, list, finer,
-                all_synchronous_modes(finer, form, static_cast<int>(list.modes.size()) + 2,
-                                      list.modes.back().eigenvalue.imag(), symmetric));
+            found = critical_errors(rotor, form, list, finer,
+                                    all_synchronous_modes(finer, form,
+                                                          static_cast<int>(list.modes.size()) + 2,
+                                                          list.modes.back().eigenvalue.imag()));
         for (std::size_t i = 0; i < errors.size(); ++i) {
             errors[i] = found[i].value_or(unknown);
             if (!found[i])

@@ -11,7 +11,6 @@
 #include "synchronous/parts.h"
 #include "synchronous/problem.h"
 #include "synchronous/reduced.h"
-#include "synchronous/symmetric.h"
 
 #include <algorithm>
 #include <limits>
@@ -26,18 +25,6 @@ namespace {
 using assembly::Discretization;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-
-modes::WhirlMode mode_of(const linalg::RealPair &pair, results::Form form) {
-    modes::WhirlMode mode;
-    mode.eigenvalue = {0, pair.value};
-    const Eigen::VectorXd &x = pair.vector;
-    mode.shape = x.cast<std::complex<double>>();
-    if (form == results::Form::general) // (Re, Im)
-        mode.shape = x.head(x.size() / 2) + std::complex<double>(0, 1) * x.tail(x.size() / 2);
-    mode.residual = pair.residual;
-    mode.rounding = pair.rounding;
-    return mode;
-}
 
 /// Modes that rounding does not tell apart have one eigenvalue, so that their mixtures are
 /// separated.
@@ -104,29 +91,6 @@ void sort_ascending(SynchronousModes &list) {
     list.branches = std::move(sorted.branches);
 }
 
-/// Roots of the symmetric problems of a form: forward and backward ones, or one for both.
-template <class Roots>
-SynchronousModes of_symmetric(const Discretization &d, results::Form form, Roots &&roots) {
-    SynchronousModes out;
-    out.complete_to = unlimited;
-    for (const int sign : senses_of(form)) {
-        const SynchronousRoots found = roots(SymmetricSynchronous(d, form, sign));
-        std::vector<modes::WhirlMode> modes;
-        for (const SynchronousRoot &root : found.roots) {
-            modes.push_back(mode_of(root.pair, form));
-            out.branches.push_back(root.branch);
-        }
-        if (form == results::Form::planar)
-            set_forward(modes, sign > 0);
-        else
-            name_whirl(d, form, modes);
-        out.modes.insert(out.modes.end(), modes.begin(), modes.end());
-        out.complete_to = std::min(out.complete_to, found.complete_to);
-    }
-    sort_ascending(out);
-    return out;
-}
-
 /// Shapes up to a frequency; more where less does not hold the rotor against bearings that push
 /// away.
 Eigen::MatrixXd shapes_up_to(const Discretization &d, double top, int modes) {
@@ -149,7 +113,7 @@ SynchronousModes on_shapes(const SynchronousProblem &problem, int wanted, double
     constexpr int most_repeats = 2; // where some roots are in doubt
     for (int repeats = 0;;) {
         const Eigen::MatrixXd shapes = shapes_up_to(d, reach, wanted + 2);
-        SynchronousModes out = followed_modes(problem, roots, shapes, reach, wanted, top);
+        SynchronousModes out = followed_modes(problem, roots, shapes, wanted, top);
         if (shapes.cols() == unknowns)
             return out;
         out.complete_to = std::min(out.complete_to, reach);
@@ -195,23 +159,11 @@ SynchronousModes of_shapes(const Discretization &d, results::Form form, int want
 
 std::vector<modes::WhirlMode> synchronous_modes(const Discretization &d, results::Form form,
                                                 double bearing_speed, int wanted) {
-    if (SymmetricSynchronous::exists(d, form))
-        return of_symmetric(d, form,
-                            [&](const SymmetricSynchronous &problem) {
-                                return problem.at_bearing_speed(bearing_speed, wanted);
-                            })
-            .modes;
     return of_shapes(d, form, wanted, 0, bearing_speed).modes;
 }
 
 SynchronousModes all_synchronous_modes(const Discretization &d, results::Form form, int wanted,
-                                       double top, bool symmetric) {
-    const bool real_form = form == results::Form::planar || form == results::Form::hyperbolic;
-    if (table_speeds(d.rotor()).empty() &&
-        (real_form || (symmetric && SymmetricSynchronous::exists(d, form))))
-        return of_symmetric(d, form, [&](const SymmetricSynchronous &problem) {
-            return problem.lowest(wanted, top);
-        });
+                                       double top) {
     return of_shapes(d, form, wanted, top, {});
 }
 

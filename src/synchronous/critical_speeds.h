@@ -16,10 +16,8 @@ namespace whirl::synchronous {
 
 /// The same with the bearings as they are at each one's speed: at least `wanted` lowest and all up
 /// to `top` (rad/s), where the model has so many.
-/// @param symmetric  by the symmetric form where the rotor has one (SymmetricSynchronous)
 /// @throws linalg::SolverError
 [[nodiscard]] SynchronousModes all_synchronous_modes(const assembly::Discretization &rotor,
-                                                     results::Form form, int wanted, double top,
-                                                     bool symmetric = true);
+                                                     results::Form form, int wanted, double top);
 
 } // namespace whirl::synchronous

@@ -365,9 +365,8 @@ std::vector<std::pair<double, double>> miscounted(const SynchronousProblem &prob
 } // namespace
 
 SynchronousModes followed_modes(const SynchronousProblem &problem, const WholeRoots &roots,
-                                const Eigen::MatrixXd &shapes, double scale, int wanted,
-                                double top) {
-    const ReducedSynchronous reduced(problem, shapes, scale);
+                                const Eigen::MatrixXd &shapes, int wanted, double top) {
+    const ReducedSynchronous reduced(problem, shapes);
     const std::vector<double> &rows = problem.rows();
     const std::vector<double> bends = problem.rotor().rotor().table_bends();
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -407,6 +406,8 @@ SynchronousModes followed_modes(const SynchronousProblem &problem, const WholeRo
     int negative = 0;
     for (FoundRoot &root : found) {
         out.branches.push_back(root.downwards ? ++negative : negative--);
+        if (problem.conservative())
+            root.mode.eigenvalue.real(0);
         out.modes.push_back(std::move(root.mode));
     }
     if (!problem.conservative())

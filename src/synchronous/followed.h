@@ -17,13 +17,12 @@ namespace whirl::synchronous {
 /// every gap between them.
 /// @param roots   of the problem
 /// @param shapes  N x r planar shapes (synchronous_shapes)
-/// @param scale   up to which they describe the motions, rad/s
 /// @returns at least `wanted` and all up to `top` (rad/s), where the reduced rotor has so many;
 ///          without the sense of whirl; complete_to infinite where the shapes are all unknowns
 /// @throws linalg::SolverError
 [[nodiscard]] SynchronousModes followed_modes(const SynchronousProblem &problem,
                                               const WholeRoots &roots,
-                                              const Eigen::MatrixXd &shapes, double scale,
-                                              int wanted, double top);
+                                              const Eigen::MatrixXd &shapes, int wanted,
+                                              double top);
 
 } // namespace whirl::synchronous

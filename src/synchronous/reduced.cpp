@@ -1,11 +1,13 @@
 #include "synchronous/reduced.h"
 
 #include "assembly/frequency_scales.h"
+#include "assembly/planar_part.h"
 #include "linalg/check.h"
 #include "linalg/dense/complex_schur.h"
 #include "linalg/dense/products.h"
 #include "modes/zero_modes.h"
 #include "reduction/planar_shapes.h"
+#include "synchronous/parts.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -29,13 +31,21 @@ Eigen::MatrixXd in_both_planes(const Eigen::MatrixXd &planar) {
     return out;
 }
 
+/// Each unknown by itself, of a size at which K + top^2 M is about 1.
+Eigen::MatrixXd all_unknowns(const assembly::Discretization &rotor, double top) {
+    const assembly::PlanarPair pair = assembly::planar_pair(rotor, 0);
+    const Eigen::VectorXd size =
+        pair.K.diagonal().cwiseAbs() + top * top * Eigen::VectorXd(pair.M.diagonal().cwiseAbs());
+    return unit_diagonal(size).asDiagonal();
+}
+
 } // namespace
 
 Eigen::MatrixXd synchronous_shapes(const assembly::Discretization &rotor, double top, int modes) {
     constexpr int small = 20; // planar unknowns that are all kept
     const int n = rotor.planar_size();
     if (rotor.rigid() || n <= small)
-        return Eigen::MatrixXd::Identity(n, n);
+        return all_unknowns(rotor, top);
     reduction::PlanarShapes shapes(rotor, top, modes);
     std::vector<assembly::Combination> pedestals;
     for (std::size_t i = 0; i < rotor.rotor().bearings.size(); ++i)
@@ -43,23 +53,22 @@ Eigen::MatrixXd synchronous_shapes(const assembly::Discretization &rotor, double
             pedestals.push_back({{rotor.pedestal_unknown(static_cast<int>(i)), 1.0}});
     if (!pedestals.empty())
         shapes.add_static(pedestals);
-    return 3 * shapes.matrix().cols() > 2 * n ? Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n))
-                                              : shapes.matrix();
+    return 3 * shapes.matrix().cols() > 2 * n ? all_unknowns(rotor, top) : shapes.matrix();
 }
 
 ReducedSynchronous::ReducedSynchronous(const SynchronousProblem &problem,
-                                       const Eigen::MatrixXd &shapes, double scale)
+                                       const Eigen::MatrixXd &shapes)
     : _problem(problem), _shapes(problem.pairs() ? in_both_planes(shapes) : shapes),
       _first{projected(problem.first().M), projected(problem.first().D),
              projected(problem.first().K)},
-      _scale(scale) {
+      _scale(assembly::support_scale(problem.rotor())) {
     for (std::size_t i = 0; i < problem.rows().size(); ++i)
         _changes.push_back({{}, projected(problem.change(i).D), projected(problem.change(i).K)});
     // A rigid motion that no support resists is a double root of zero, which rounding splits.
     const results::Form motions = problem.pairs() ? results::Form::general : results::Form::planar;
     const bool free =
         modes::zero_modes(problem.rotor(), motions, problem.rows().front(), 0).eigenvalues > 0;
-    _least = free ? 3e-4 * assembly::elastic_scale(problem.rotor()) : 1e-9 * scale;
+    _least = free ? 3e-4 * assembly::elastic_scale(problem.rotor()) : 1e-9 * _scale;
 }
 
 Eigen::MatrixXcd ReducedSynchronous::projected(const ComplexQuadratic::Sparse &A) const {
@@ -84,7 +93,8 @@ Eigen::VectorXcd ReducedSynchronous::lifted(const Eigen::VectorXcd &shape) const
 /// K x = W^2 M x through the eigenvalues 1 / (W^2 + t) of L^-1 M L^-H, K + t M = L L^H; none where
 /// that is not positive definite.
 std::vector<ReducedRoot> ReducedSynchronous::conservative(const Dense &at) const {
-    for (const double t : {0.0, 0.01 * _scale * _scale}) {
+    const double lift = 0.3 * assembly::elastic_scale(_problem.rotor());
+    for (const double t : {0.0, lift * lift}) {
         const Eigen::LLT<Eigen::MatrixXcd> factor(at.K + t * at.M);
         if (factor.info() != Eigen::Success || factor.rcond() < 1e-13)
             continue;
@@ -93,8 +103,10 @@ std::vector<ReducedRoot> ReducedSynchronous::conservative(const Dense &at) const
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(A);
         if (solver.info() != Eigen::Success)
             continue;
+        // A singular M has eigenvalues zero (speeds at infinity) only up to rounding.
+        const double zero = 1e-13 * solver.eigenvalues().cwiseAbs().maxCoeff();
         std::vector<ReducedRoot> out;
-        for (Eigen::Index i = A.rows() - 1; i >= 0 && solver.eigenvalues()(i) > 0; --i) {
+        for (Eigen::Index i = A.rows() - 1; i >= 0 && solver.eigenvalues()(i) > zero; --i) {
             const double square = 1 / solver.eigenvalues()(i) - t;
             if (square > 0)
                 out.push_back({{0, std::sqrt(square)},

@@ -32,9 +32,7 @@ class ReducedSynchronous {
   public:
     /// @param problem  must outlive this
     /// @param shapes   N x r
-    /// @param scale    frequency of the order of the motions wanted, rad/s
-    ReducedSynchronous(const SynchronousProblem &problem, const Eigen::MatrixXd &shapes,
-                       double scale);
+    ReducedSynchronous(const SynchronousProblem &problem, const Eigen::MatrixXd &shapes);
 
     /// Roots with Im l > `steepness` |Re l|, bearings as at a speed between the rows `piece` and
     /// `piece` + 1 of the tables (0 of a constant problem); without those at zero, ascending by
@@ -55,8 +53,8 @@ class ReducedSynchronous {
     Eigen::MatrixXd _shapes; ///< over the unknowns of the problem
     Dense _first;
     std::vector<Dense> _changes; ///< of D and K
-    double _scale;
-    double _least; ///< |l| of a zero root at the most, 1/s
+    double _scale;               ///< of the slow motions on the supports, 1/s
+    double _least;               ///< |l| of a zero root at the most, 1/s
 
     [[nodiscard]] Eigen::MatrixXcd projected(const ComplexQuadratic::Sparse &A) const;
     [[nodiscard]] std::vector<ReducedRoot> conservative(const Dense &at) const;
