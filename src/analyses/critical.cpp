@@ -126,7 +126,8 @@ Sentence light_shaft_text(const model::Rotor &rotor) {
 
 /// Critical speeds with elements of one order.
 results::CriticalResult of_order(const model::Case &scene, const results::Formulation &formulation,
-                                 int order, bool judged) {
+                                 int order, bool judged,
+                                 const synchronous::SharedShapes *shapes = nullptr) {
     results::CriticalResult result;
     results::ModelSummary &model = result.model;
     const results::Form form = formulation.form;
@@ -141,7 +142,8 @@ results::CriticalResult of_order(const model::Case &scene, const results::Formul
     const int wanted = scene.campbell.modes;
     // In rotating axes the same motion in two directions counts twice.
     const int ask = form == results::Form::rotating ? 2 * wanted : wanted;
-    synchronous::SynchronousModes list = synchronous::all_synchronous_modes(d, form, ask, top);
+    synchronous::SynchronousModes list =
+        synchronous::all_synchronous_modes(d, form, ask, top, shapes);
     keep_lowest(list, ask, top);
     const std::vector<results::ErrorParts> errors =
         judged ? synchronous::errors_by_finer_model(d, form, list, model.notes)
@@ -177,10 +179,11 @@ double largest_error(const results::CriticalResult &result) {
 
 /// With order = "auto" the lowest at which every critical speed listed meets the tolerance.
 results::CriticalResult of_resolved_order(const model::Case &scene,
-                                          const results::Formulation &formulation, bool judged) {
+                                          const results::Formulation &formulation, bool judged,
+                                          const synchronous::SharedShapes *shapes) {
     const model::Shaft &shaft = scene.rotor.shaft;
     if (!shaft.order_auto || shaft.rigid || !judged)
-        return of_order(scene, formulation, shaft.rigid ? 1 : shaft.order, judged);
+        return of_order(scene, formulation, shaft.rigid ? 1 : shaft.order, judged, shapes);
     results::CriticalResult result;
     (void)mesh_error::lowest_order(shaft.tolerance, [&](int order) {
         result = of_order(scene, formulation, order, judged);
@@ -189,7 +192,8 @@ results::CriticalResult of_resolved_order(const model::Case &scene,
     return result;
 }
 
-results::CriticalResult critical_of(const model::Case &as_given, bool judged) {
+results::CriticalResult critical_of(const model::Case &as_given, bool judged,
+                                    const synchronous::SharedShapes *shapes = nullptr) {
     const results::Formulation formulation =
         modes::without_planar_damped(modes::choose_formulation(as_given), as_given.rotor);
     refuse_hill(formulation.form);
@@ -197,7 +201,7 @@ results::CriticalResult critical_of(const model::Case &as_given, bool judged) {
         formulation.form == results::Form::rotating ? undamped(as_given) : as_given;
     results::CriticalResult result;
     try {
-        result = of_resolved_order(scene, formulation, judged);
+        result = of_resolved_order(scene, formulation, judged, shapes);
     } catch (const linalg::SolverError &) {
         throw model::AnalysisFailure(Sentence(
             "the critical speeds could not be found: the eigensolver did not converge or missed "
@@ -266,8 +270,20 @@ results::CriticalResult critical_speeds(const model::Case &scene, bool map) {
     return result;
 }
 
-results::CriticalResult unjudged_critical_speeds(const model::Case &scene) {
-    return critical_of(scene, false);
+results::CriticalResult unjudged_critical_speeds(const model::Case &scene,
+                                                 const synchronous::SharedShapes *shapes) {
+    return critical_of(scene, false, shapes);
+}
+
+std::optional<synchronous::SharedShapes> shapes_for_samples(const model::Case &scene, int order,
+                                                            double highest) {
+    constexpr double beyond = 1.2; // of a rotor that is stiffer
+    try {
+        return synchronous::shared_shapes(assembly::Discretization(scene.rotor, order),
+                                          beyond * highest, scene.campbell.modes);
+    } catch (const linalg::SolverError &) {
+        return std::nullopt;
+    }
 }
 
 } // namespace whirl::analyses

@@ -1,5 +1,6 @@
 #include "synchronous/branch.h"
 
+#include "linalg/check.h"
 #include "synchronous/parts.h"
 
 #include <algorithm>
@@ -191,9 +192,9 @@ std::optional<BranchPoint> WholeRoots::in_piece(const At &piece, Complex l,
         if (!std::isfinite(size))
             return std::nullopt;
         const bool stays = step > 0 && size >= last_step / 4;
-        const double left = rounding(at, l, x, y, derivative);
-        if (size * std::min(1.0, size / last_step) < settled ||
-            (stays && (size < no_better || size < 10 * left))) {
+        const bool done = size * std::min(1.0, size / last_step) < settled;
+        const double left = done || stays ? rounding(at, l, x, y, derivative) : 0;
+        if (done || (stays && (size < no_better || size < 10 * left))) {
             BranchPoint out;
             out.eigenvalue = l;
             out.slope = -rate;
@@ -209,6 +210,19 @@ std::optional<BranchPoint> WholeRoots::in_piece(const At &piece, Complex l,
         last_step = std::min(size, 1.0);
     }
     return std::nullopt;
+}
+
+int WholeRoots::negative_eigenvalues(double speed) const {
+    const At from = piece(piece_of(speed));
+    At at = from;
+    read_at(from, speed, at);
+    Eigen::Map<Eigen::VectorXcd>(_Q.valuePtr(), _Q.nonZeros()) = at.K - (speed * speed) * _M;
+    if (_inertia.rows() == 0)
+        _inertia.analyzePattern(_Q);
+    _inertia.factorize(_Q);
+    if (_inertia.info() != Eigen::Success)
+        throw linalg::SolverError("an inertia count met a zero pivot");
+    return static_cast<int>((_inertia.vectorD().real().array() < 0).count());
 }
 
 std::optional<BranchPoint> WholeRoots::near(Complex l, const Eigen::VectorXcd &x) const {

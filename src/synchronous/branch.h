@@ -4,6 +4,7 @@
 #include "synchronous/problem.h"
 
 #include <Eigen/Core>
+#include <Eigen/SparseCholesky>
 
 #include <complex>
 #include <optional>
@@ -39,6 +40,10 @@ class WholeRoots {
     [[nodiscard]] std::optional<BranchPoint> near(std::complex<double> l,
                                                   const Eigen::VectorXcd &x) const;
 
+    /// Negative eigenvalues of K(W) - W^2 M of a conservative problem.
+    /// @throws linalg::SolverError where a pivot is zero
+    [[nodiscard]] int negative_eigenvalues(double speed) const;
+
   private:
     using Complex = std::complex<double>;
     using Entries = std::vector<std::pair<Eigen::Index, Complex>>; ///< place, value
@@ -52,6 +57,7 @@ class WholeRoots {
     std::vector<Change> _changes; ///< of D and K at the rows
     mutable ComplexQuadratic::Sparse _Q;
     mutable linalg::SparseFactor<Complex> _factors;
+    mutable Eigen::SimplicialLDLT<ComplexQuadratic::Sparse> _inertia;
 
     /// D and K at a speed in a piece of the tables, and their rates.
     struct At {

@@ -160,8 +160,8 @@ FinerRoots finer_roots(const std::vector<modes::WhirlMode> &modes,
         const double first = speed(out.modes.front());
         const double last = speed(out.modes.back());
         out.told = std::ranges::is_sorted(out.modes, {}, speed) &&
-                   finer.negative_eigenvalues(last * (1 + beside)) -
-                           finer.negative_eigenvalues(1e-3 * first) ==
+                   roots.negative_eigenvalues(last * (1 + beside)) -
+                           roots.negative_eigenvalues(1e-3 * first) ==
                        passages;
         return out;
     }

@@ -104,15 +104,33 @@ Eigen::MatrixXd shapes_up_to(const Discretization &d, double top, int modes) {
         }
 }
 
+/// A guess of the speed of the last of as many roots, all beyond a row of the tables; 0: not known.
+double reach_of(const SynchronousProblem &problem, double reach, int wanted) {
+    const Eigen::MatrixXd shapes = shapes_up_to(problem.rotor(), reach, wanted + 2);
+    const ReducedSynchronous reduced(problem, shapes);
+    const std::vector<double> &rows = problem.rows();
+    const std::vector<ReducedRoot> roots = reduced.at(rows.back(), rows.size() - 1, 1);
+    constexpr int passed_twice = 2; // some, as the bearings change
+    const auto last = std::min(roots.size(), static_cast<std::size_t>(wanted) + passed_twice);
+    return wanted > 0 && last > 0 ? 1.05 * roots[last - 1].eigenvalue.imag() : 0;
+}
+
 /// On as many shapes as it takes to have `wanted` roots, and all up to `top`.
-SynchronousModes on_shapes(const SynchronousProblem &problem, int wanted, double top) {
+SynchronousModes on_shapes(const SynchronousProblem &problem, int wanted, double top,
+                           const SharedShapes *shared) {
     const Discretization &d = problem.rotor();
     const WholeRoots roots(problem);
     const int unknowns = d.planar_size();
     double reach = std::max({top, problem.rows().back(), assembly::support_scale(d)});
+    if (shared == nullptr)
+        reach = std::max(reach, reach_of(problem, reach, wanted));
     constexpr int most_repeats = 2; // where some roots are in doubt
-    for (int repeats = 0;;) {
-        const Eigen::MatrixXd shapes = shapes_up_to(d, reach, wanted + 2);
+    if (shared != nullptr && (shared->shapes.rows() != unknowns || shared->reach < reach))
+        shared = nullptr;
+    for (int repeats = 0;; shared = nullptr) {
+        reach = shared != nullptr ? shared->reach : reach;
+        const Eigen::MatrixXd shapes =
+            shared != nullptr ? shared->shapes : shapes_up_to(d, reach, wanted + 2);
         SynchronousModes out = followed_modes(problem, roots, shapes, wanted, top);
         if (shapes.cols() == unknowns)
             return out;
@@ -135,12 +153,13 @@ SynchronousModes on_shapes(const SynchronousProblem &problem, int wanted, double
 /// Roots on shapes in a form, with their sense of whirl.
 /// @param bearing_speed  rad/s; none: the bearings as they are at each root
 SynchronousModes of_shapes(const Discretization &d, results::Form form, int wanted, double top,
-                           std::optional<double> bearing_speed) {
+                           std::optional<double> bearing_speed,
+                           const SharedShapes *shared = nullptr) {
     SynchronousModes out;
     out.complete_to = unlimited;
     for (const int sign : senses_of(form)) {
         SynchronousModes found =
-            on_shapes(SynchronousProblem(d, form, sign, bearing_speed), wanted, top);
+            on_shapes(SynchronousProblem(d, form, sign, bearing_speed), wanted, top, shared);
         if (form == results::Form::planar)
             set_forward(found.modes, sign > 0);
         else
@@ -163,8 +182,12 @@ std::vector<modes::WhirlMode> synchronous_modes(const Discretization &d, results
 }
 
 SynchronousModes all_synchronous_modes(const Discretization &d, results::Form form, int wanted,
-                                       double top) {
-    return of_shapes(d, form, wanted, top, {});
+                                       double top, const SharedShapes *shared) {
+    return of_shapes(d, form, wanted, top, {}, shared);
+}
+
+SharedShapes shared_shapes(const Discretization &d, double reach, int wanted) {
+    return {shapes_up_to(d, reach, wanted + 2), reach};
 }
 
 } // namespace whirl::synchronous

@@ -4,13 +4,8 @@
 #include "assembly/planes.h"
 #include "assembly/rotating_system.h"
 #include "assembly/system.h"
-#include "linalg/symmetric_eigen.h"
-#include "linalg/unit_scales.h"
 #include "synchronous/parts.h"
 
-#include <Eigen/SparseCholesky>
-
-#include <algorithm>
 #include <utility>
 
 namespace whirl::synchronous {
@@ -51,29 +46,6 @@ bool hermitian(const QSparse &A) {
     constexpr double rounding = 1e-14; // of the largest entry
     const QSparse difference = A - QSparse(A.adjoint());
     return difference.norm() <= rounding * A.norm();
-}
-
-/// Of a real symmetric matrix with unit diagonal: pivots are then not judged by units.
-int negative_pivots_of(const Real &Q) {
-    const Eigen::VectorXd d = unit_diagonal(Q.diagonal().cwiseAbs());
-    return linalg::negative_pivots(Eigen::SimplicialLDLT<Real>(linalg::scaled(Q, d)));
-}
-
-/// [A -B; B A] of A + i B: every eigenvalue twice.
-Real doubled_of(const QSparse &Q) {
-    std::vector<Eigen::Triplet<double>> entries;
-    const auto n = static_cast<int>(Q.rows());
-    for (int j = 0; j < Q.outerSize(); ++j)
-        for (QSparse::InnerIterator it(Q, j); it; ++it) {
-            const auto i = static_cast<int>(it.row());
-            entries.emplace_back(i, j, it.value().real());
-            entries.emplace_back(n + i, n + j, it.value().real());
-            entries.emplace_back(i, n + j, -it.value().imag());
-            entries.emplace_back(n + i, j, it.value().imag());
-        }
-    Real out(2 * n, 2 * n);
-    out.setFromTriplets(entries.begin(), entries.end());
-    return out;
 }
 
 } // namespace
@@ -135,20 +107,6 @@ void SynchronousProblem::add_bearing_changes(results::Form form) {
 
 ComplexQuadratic SynchronousProblem::at_row(std::size_t row) const {
     return {_first.M, _first.D + _changes[row].D, _first.K + _changes[row].K};
-}
-
-int SynchronousProblem::negative_eigenvalues(double speed) const {
-    QSparse Q = _first.K - Complex(speed * speed) * _first.M;
-    if (!constant()) {
-        const double at = std::clamp(speed, _rows.front(), _rows.back());
-        const auto above = std::upper_bound(_rows.begin() + 1, _rows.end() - 1, at);
-        const auto i = static_cast<std::size_t>(above - _rows.begin());
-        const Complex t = (at - _rows[i - 1]) / (_rows[i] - _rows[i - 1]);
-        Q = QSparse(Q + (1.0 - t) * _changes[i - 1].K + t * _changes[i].K);
-    }
-    const Real imaginary = Q.imag();
-    return imaginary.norm() == 0 ? negative_pivots_of(Q.real())
-                                 : negative_pivots_of(doubled_of(Q)) / 2;
 }
 
 } // namespace whirl::synchronous

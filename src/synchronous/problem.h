@@ -50,10 +50,6 @@ class SynchronousProblem {
     /// roots are below W.
     [[nodiscard]] bool conservative() const { return _conservative; }
 
-    /// Negative eigenvalues of K(W) - W^2 M of a conservative problem.
-    /// @throws linalg::SolverError where a pivot is zero
-    [[nodiscard]] int negative_eigenvalues(double speed) const;
-
   private:
     const assembly::Discretization &_d;
     std::vector<double> _rows;

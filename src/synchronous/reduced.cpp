@@ -46,7 +46,10 @@ Eigen::MatrixXd synchronous_shapes(const assembly::Discretization &rotor, double
     const int n = rotor.planar_size();
     if (rotor.rigid() || n <= small)
         return all_unknowns(rotor, top);
-    reduction::PlanarShapes shapes(rotor, top, modes);
+    // Modes at rest up to twice that, which the static deflections complete: what they leave out
+    // moves a root by some 1e-4, and each is found again on the whole rotor.
+    constexpr double enough = 0.75;
+    reduction::PlanarShapes shapes(rotor, enough * top, modes);
     std::vector<assembly::Combination> pedestals;
     for (std::size_t i = 0; i < rotor.rotor().bearings.size(); ++i)
         if (rotor.rotor().bearings[i].pedestal)
@@ -111,7 +114,8 @@ std::vector<ReducedRoot> ReducedSynchronous::conservative(const Dense &at) const
             if (square > 0)
                 out.push_back({{0, std::sqrt(square)},
                                0,
-                               factor.matrixU().solve(solver.eigenvectors().col(i))});
+                               factor.matrixU().solve(solver.eigenvectors().col(i)),
+                               {}});
         }
         return out;
     }
@@ -120,7 +124,7 @@ std::vector<ReducedRoot> ReducedSynchronous::conservative(const Dense &at) const
 
 /// All eigenvalues mu = 1 / (l - shift) of the companion form; the lower halves of its right
 /// vectors are those of Q, the upper ones of its left vectors Q(shift)^H times the left ones of Q.
-std::vector<ReducedRoot> ReducedSynchronous::any(const Dense &at, const Dense &rate) const {
+std::vector<ReducedRoot> ReducedSynchronous::any(const Dense &at) const {
     const double shift = 0.1 * _scale;
     const Eigen::Index m = at.K.rows();
     const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(at.K + shift * at.D + shift * shift * at.M);
@@ -144,43 +148,57 @@ std::vector<ReducedRoot> ReducedSynchronous::any(const Dense &at, const Dense &r
         const Eigen::VectorXcd y =
             linalg::adjoint_solved(lu, Eigen::VectorXcd(eigen.left.col(i).head(m)));
         const Complex by_root = y.dot((2.0 * l) * (at.M * x) + at.D * x);
-        const Complex by_speed = y.dot(l * (rate.D * x) + rate.K * x);
-        out.push_back({l, -by_speed / by_root, x});
+        out.push_back({l, 0, x, y / std::conj(by_root)});
     }
     return out;
+}
+
+std::vector<ReducedRoot> ReducedSynchronous::all_at(const Dense &at) const {
+    std::vector<ReducedRoot> all;
+    if (_problem.conservative())
+        all = conservative(at);
+    if (all.empty())
+        return any(at);
+    for (ReducedRoot &root : all) // x^H (l^2 M + K) x = 0
+        root.left =
+            root.shape / std::conj(2.0 * root.eigenvalue * root.shape.dot(at.M * root.shape));
+    return all;
 }
 
 std::vector<ReducedRoot> ReducedSynchronous::at(double speed, std::size_t piece,
                                                 double steepness) const {
     const std::vector<double> &rows = _problem.rows();
-    const Eigen::MatrixXcd none = Eigen::MatrixXcd::Zero(_first.K.rows(), _first.K.rows());
-    Dense now{_first.M, _first.D + _changes[piece].D, _first.K + _changes[piece].K};
-    Dense rate{none, none, none};
-    if (piece + 1 < rows.size()) {
-        const double length = rows[piece + 1] - rows[piece];
+    const bool tables = piece + 1 < rows.size();
+    const double length = tables ? rows[piece + 1] - rows[piece] : 1;
+    Dense rate;
+    if (tables) {
         rate.D = (_changes[piece + 1].D - _changes[piece].D) / length;
         rate.K = (_changes[piece + 1].K - _changes[piece].K) / length;
-        now.D += (speed - rows[piece]) * rate.D;
-        now.K += (speed - rows[piece]) * rate.K;
     }
-    std::vector<ReducedRoot> all;
-    if (_problem.conservative())
-        all = conservative(now);
-    if (all.empty())
-        all = any(now, rate);
-    else
-        for (ReducedRoot &root : all) { // x^H (l^2 M + K) x = 0
-            const Complex l = root.eigenvalue;
-            root.slope = -root.shape.dot(rate.K * root.shape) /
-                         (2.0 * l * root.shape.dot(now.M * root.shape));
+    auto known = std::ranges::find(_known, speed, &Known::speed);
+    if (known == _known.end()) {
+        Dense now{_first.M, _first.D + _changes[piece].D, _first.K + _changes[piece].K};
+        if (tables) {
+            now.D += (speed - rows[piece]) * rate.D;
+            now.K += (speed - rows[piece]) * rate.K;
         }
-    std::erase_if(all, [&](const ReducedRoot &root) {
+        constexpr std::size_t most = 4;
+        if (_known.size() == most)
+            _known.erase(_known.begin());
+        known = _known.insert(_known.end(), {speed, all_at(now)});
+    }
+    std::vector<ReducedRoot> out;
+    for (const ReducedRoot &root : known->roots) {
         const Complex l = root.eigenvalue;
-        return !(std::abs(l) > _least && l.imag() > steepness * std::abs(l.real()));
-    });
-    std::ranges::stable_sort(all, {},
+        if (!(std::abs(l) > _least && l.imag() > steepness * std::abs(l.real())))
+            continue;
+        out.push_back(root);
+        if (tables)
+            out.back().slope = -root.left.dot(l * (rate.D * root.shape) + rate.K * root.shape);
+    }
+    std::ranges::stable_sort(out, {},
                              [](const ReducedRoot &root) { return root.eigenvalue.imag(); });
-    return all;
+    return out;
 }
 
 } // namespace whirl::synchronous

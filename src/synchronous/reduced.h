@@ -14,7 +14,8 @@ namespace whirl::synchronous {
 struct ReducedRoot {
     std::complex<double> eigenvalue; ///< l, 1/s
     std::complex<double> slope;      ///< dl/ds
-    Eigen::VectorXcd shape;          ///< over the reduced unknowns
+    Eigen::VectorXcd shape;          ///< x, over the reduced unknowns
+    Eigen::VectorXcd left;           ///< y with y^H Q = 0, y^H Q' x = 1
 };
 
 /// Planar shapes (N x r) on which the synchronous motions of a rotor up to a frequency are
@@ -25,6 +26,13 @@ struct ReducedRoot {
 /// @throws linalg::SolverError where the modes at rest cannot be found
 [[nodiscard]] Eigen::MatrixXd synchronous_shapes(const assembly::Discretization &rotor, double top,
                                                  int modes);
+
+/// Shapes of one rotor that serve others of the same mesh too, which differ from it in their
+/// supports or masses: a critical speed map, random samples.
+struct SharedShapes {
+    Eigen::MatrixXd shapes;
+    double reach = 0; ///< they describe motions up to that frequency, rad/s
+};
 
 /// The synchronous problem on planar shapes, each term projected once: all its roots at any speed
 /// by one dense decomposition.
@@ -55,10 +63,18 @@ class ReducedSynchronous {
     std::vector<Dense> _changes; ///< of D and K
     double _scale;               ///< of the slow motions on the supports, 1/s
     double _least;               ///< |l| of a zero root at the most, 1/s
+    /// All at the last few speeds: at a row they are asked for both pieces that meet there, in
+    /// which the slopes alone differ.
+    struct Known {
+        double speed = 0;
+        std::vector<ReducedRoot> roots;
+    };
+    mutable std::vector<Known> _known;
 
     [[nodiscard]] Eigen::MatrixXcd projected(const ComplexQuadratic::Sparse &A) const;
     [[nodiscard]] std::vector<ReducedRoot> conservative(const Dense &at) const;
-    [[nodiscard]] std::vector<ReducedRoot> any(const Dense &at, const Dense &rate) const;
+    [[nodiscard]] std::vector<ReducedRoot> any(const Dense &at) const;
+    [[nodiscard]] std::vector<ReducedRoot> all_at(const Dense &at) const;
 };
 
 } // namespace whirl::synchronous

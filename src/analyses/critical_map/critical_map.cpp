@@ -76,6 +76,19 @@ double largest_map_error(const MapScene &map, const std::vector<double> &stiffne
     return largest;
 }
 
+/// Shapes for all points; none where they cannot be found at once.
+std::optional<synchronous::SharedShapes> shapes_for(const MapScene &map,
+                                                    const std::vector<double> &stiffness) {
+    const assembly::Discretization stiff(map.with_stiffness(stiffness.back()), map.order);
+    const SynchronousModes highest = lowest_of_each(map, stiff);
+    if (highest.modes.empty())
+        return std::nullopt;
+    constexpr double beyond = 1.1;
+    const assembly::Discretization soft(map.with_stiffness(stiffness.front()), map.order);
+    return synchronous::shared_shapes(soft, beyond * highest.modes.back().eigenvalue.imag(),
+                                      static_cast<int>(highest.modes.size()));
+}
+
 MapScene map_scene(const model::Case &scene, const model::CriticalMapSettings &settings,
                    const std::vector<double> &stiffness) {
     MapScene map;
@@ -96,6 +109,7 @@ MapScene map_scene(const model::Case &scene, const model::CriticalMapSettings &s
             map.order = order;
             return largest_map_error(map, stiffness);
         });
+    map.shapes = shapes_for(map, stiffness);
     return map;
 }
 

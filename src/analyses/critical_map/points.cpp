@@ -35,7 +35,8 @@ SynchronousModes lowest_of_each(const MapScene &map, const assembly::Discretizat
     SynchronousModes found;
     const auto enough = [&](results::Whirl whirl) { return of_sense(found, whirl).size() >= keep; };
     for (int attempts = 0; attempts < 4; ++attempts, ask *= 2) {
-        found = synchronous::all_synchronous_modes(d, map.form, ask, 0);
+        found = synchronous::all_synchronous_modes(d, map.form, ask, 0,
+                                                   map.shapes ? &*map.shapes : nullptr);
         if (std::isinf(found.complete_to) ||
             (enough(results::Whirl::forward) &&
              (map.form == results::Form::rotating || enough(results::Whirl::backward))))
