@@ -93,7 +93,7 @@ void sort_ascending(SynchronousModes &list) {
 
 /// Shapes up to a frequency; more where less does not hold the rotor against bearings that push
 /// away.
-Eigen::MatrixXd shapes_up_to(const Discretization &d, double top, int modes) {
+SharedShapes shapes_up_to(const Discretization &d, double top, int modes) {
     constexpr int most_attempts = 5;
     for (int attempt = 1;; ++attempt, top *= 4)
         try {
@@ -104,17 +104,6 @@ Eigen::MatrixXd shapes_up_to(const Discretization &d, double top, int modes) {
         }
 }
 
-/// A guess of the speed of the last of as many roots, all beyond a row of the tables; 0: not known.
-double reach_of(const SynchronousProblem &problem, double reach, int wanted) {
-    const Eigen::MatrixXd shapes = shapes_up_to(problem.rotor(), reach, wanted + 2);
-    const ReducedSynchronous reduced(problem, shapes);
-    const std::vector<double> &rows = problem.rows();
-    const std::vector<ReducedRoot> roots = reduced.at(rows.back(), rows.size() - 1, 1);
-    constexpr int passed_twice = 2; // some, as the bearings change
-    const auto last = std::min(roots.size(), static_cast<std::size_t>(wanted) + passed_twice);
-    return wanted > 0 && last > 0 ? 1.05 * roots[last - 1].eigenvalue.imag() : 0;
-}
-
 /// On as many shapes as it takes to have `wanted` roots, and all up to `top`.
 SynchronousModes on_shapes(const SynchronousProblem &problem, int wanted, double top,
                            const SharedShapes *shared) {
@@ -122,15 +111,14 @@ SynchronousModes on_shapes(const SynchronousProblem &problem, int wanted, double
     const WholeRoots roots(problem);
     const int unknowns = d.planar_size();
     double reach = std::max({top, problem.rows().back(), assembly::support_scale(d)});
-    if (shared == nullptr)
-        reach = std::max(reach, reach_of(problem, reach, wanted));
-    constexpr int most_repeats = 2; // where some roots are in doubt
     if (shared != nullptr && (shared->shapes.rows() != unknowns || shared->reach < reach))
         shared = nullptr;
+    constexpr int most_repeats = 2; // where some roots are in doubt
     for (int repeats = 0;; shared = nullptr) {
-        reach = shared != nullptr ? shared->reach : reach;
-        const Eigen::MatrixXd shapes =
-            shared != nullptr ? shared->shapes : shapes_up_to(d, reach, wanted + 2);
+        const SharedShapes own =
+            shared != nullptr ? SharedShapes{} : shapes_up_to(d, reach, wanted + 2);
+        const Eigen::MatrixXd &shapes = shared != nullptr ? shared->shapes : own.shapes;
+        reach = shared != nullptr ? shared->reach : own.reach;
         SynchronousModes out = followed_modes(problem, roots, shapes, wanted, top);
         if (shapes.cols() == unknowns)
             return out;
@@ -187,7 +175,7 @@ SynchronousModes all_synchronous_modes(const Discretization &d, results::Form fo
 }
 
 SharedShapes shared_shapes(const Discretization &d, double reach, int wanted) {
-    return {shapes_up_to(d, reach, wanted + 2), reach};
+    return shapes_up_to(d, reach, wanted + 2);
 }
 
 } // namespace whirl::synchronous

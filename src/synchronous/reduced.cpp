@@ -5,6 +5,7 @@
 #include "linalg/check.h"
 #include "linalg/dense/complex_schur.h"
 #include "linalg/dense/products.h"
+#include "linalg/symmetric_eigen.h"
 #include "modes/zero_modes.h"
 #include "reduction/planar_shapes.h"
 #include "synchronous/parts.h"
@@ -41,22 +42,33 @@ Eigen::MatrixXd all_unknowns(const assembly::Discretization &rotor, double top) 
 
 } // namespace
 
-Eigen::MatrixXd synchronous_shapes(const assembly::Discretization &rotor, double top, int modes) {
+SharedShapes synchronous_shapes(const assembly::Discretization &rotor, double top, int modes) {
     constexpr int small = 20; // planar unknowns that are all kept
     const int n = rotor.planar_size();
     if (rotor.rigid() || n <= small)
-        return all_unknowns(rotor, top);
-    // Modes at rest up to twice that, which the static deflections complete: what they leave out
-    // moves a root by some 1e-4, and each is found again on the whole rotor.
-    constexpr double enough = 0.75;
-    reduction::PlanarShapes shapes(rotor, enough * top, modes);
+        return {all_unknowns(rotor, top), top};
+    // Modes at rest up to 1.5 times what is wanted (PlanarShapes: twice its own), which the static
+    // deflections complete: what they leave out moves a root by some 1e-4, and each is found again
+    // on the whole rotor.
+    constexpr double beyond = 1.5;
+    const double described = beyond / 2 * top;
+    reduction::PlanarShapes shapes(rotor, described, modes);
     std::vector<assembly::Combination> pedestals;
     for (std::size_t i = 0; i < rotor.rotor().bearings.size(); ++i)
         if (rotor.rotor().bearings[i].pedestal)
             pedestals.push_back({{rotor.pedestal_unknown(static_cast<int>(i)), 1.0}});
     if (!pedestals.empty())
         shapes.add_static(pedestals);
-    return 3 * shapes.matrix().cols() > 2 * n ? all_unknowns(rotor, top) : shapes.matrix();
+    const Eigen::MatrixXd &S = shapes.matrix();
+    if (3 * S.cols() > 2 * n)
+        return {all_unknowns(rotor, top), top};
+    // S^T (K + t M) S = 1, t = described^2: 1 / (w^2 + t) are the eigenvalues of S^T M S, and the
+    // last of as many modes may be far above the top.
+    const auto at_rest = linalg::symmetric_eigenpairs(
+        linalg::transposed_times(S, Eigen::MatrixXd(assembly::planar_pair(rotor, 0).M * S)));
+    const double last = at_rest.eigenvalues()(std::max<Eigen::Index>(S.cols() - modes, 0));
+    const double square = last > 0 ? 1 / last - described * described : 0;
+    return {S, std::max(top, square > 0 ? std::sqrt(square) / beyond : 0)};
 }
 
 ReducedSynchronous::ReducedSynchronous(const SynchronousProblem &problem,

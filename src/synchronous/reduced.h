@@ -18,21 +18,21 @@ struct ReducedRoot {
     Eigen::VectorXcd left;           ///< y with y^H Q = 0, y^H Q' x = 1
 };
 
-/// Planar shapes (N x r) on which the synchronous motions of a rotor up to a frequency are
-/// described: modes at rest and what bends it where something acts (reduction::PlanarShapes); all
-/// unknowns of a small rotor or a rigid shaft.
-/// @param top   rad/s
-/// @param modes at rest, at the least
-/// @throws linalg::SolverError where the modes at rest cannot be found
-[[nodiscard]] Eigen::MatrixXd synchronous_shapes(const assembly::Discretization &rotor, double top,
-                                                 int modes);
-
-/// Shapes of one rotor that serve others of the same mesh too, which differ from it in their
-/// supports or masses: a critical speed map, random samples.
+/// Planar shapes on which the synchronous motions of a rotor are described, and of others of the
+/// same mesh too, which differ from it in their supports or masses: a critical speed map, random
+/// samples.
 struct SharedShapes {
-    Eigen::MatrixXd shapes;
-    double reach = 0; ///< they describe motions up to that frequency, rad/s
+    Eigen::MatrixXd shapes; ///< N x r
+    double reach = 0;       ///< they describe motions up to that frequency, rad/s
 };
+
+/// Modes at rest and what bends the rotor where something acts (reduction::PlanarShapes); all
+/// unknowns of a small rotor or a rigid shaft.
+/// @param top    that they reach at the least, rad/s
+/// @param modes  at rest, at the least
+/// @throws linalg::SolverError where the modes at rest cannot be found
+[[nodiscard]] SharedShapes synchronous_shapes(const assembly::Discretization &rotor, double top,
+                                              int modes);
 
 /// The synchronous problem on planar shapes, each term projected once: all its roots at any speed
 /// by one dense decomposition.
