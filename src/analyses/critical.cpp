@@ -76,6 +76,10 @@ void keep_lowest(synchronous::SynchronousModes &list, int wanted, double top) {
     list.modes.resize(keep);
     if (!list.branches.empty())
         list.branches.resize(keep);
+    const double last = list.modes.empty() ? top : list.modes.back().eigenvalue.imag();
+    if (static_cast<int>(keep) >= wanted)
+        std::erase_if(list.doubtful,
+                      [&](const auto &range) { return range.first > std::max(top, last); });
 }
 
 /// Which critical speeds the list can lack, in words.

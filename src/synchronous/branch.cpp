@@ -159,6 +159,7 @@ std::optional<BranchPoint> WholeRoots::in_piece(const At &piece, Complex l,
     // Steps below this part that shrink no more are rounding, which very stiff meshes have; so are
     // larger ones within what rounding of the entries can cause.
     constexpr double no_better = 1e-7;
+    constexpr double most_rounding = 1e-3; // of a root that is one
     const bool tables = piece.from < piece.to;
     At at = piece;
     Eigen::VectorXcd x = _scale.cwiseInverse().cwiseProduct(start);
@@ -194,7 +195,7 @@ std::optional<BranchPoint> WholeRoots::in_piece(const At &piece, Complex l,
         const bool stays = step > 0 && size >= last_step / 4;
         const bool done = size * std::min(1.0, size / last_step) < settled;
         const double left = done || stays ? rounding(at, l, x, y, derivative) : 0;
-        if (done || (stays && (size < no_better || size < 10 * left))) {
+        if (done || (stays && (size < no_better || size < std::min(10 * left, most_rounding)))) {
             BranchPoint out;
             out.eigenvalue = l;
             out.slope = -rate;

@@ -114,27 +114,41 @@ SynchronousModes on_shapes(const SynchronousProblem &problem, int wanted, double
     if (shared != nullptr && (shared->shapes.rows() != unknowns || shared->reach < reach))
         shared = nullptr;
     constexpr int most_repeats = 2; // where some roots are in doubt
+    // Planar unknowns that may all be taken at last, by the dense decomposition that it needs.
+    const int few = problem.conservative() ? 200 : 60;
     for (int repeats = 0;; shared = nullptr) {
-        const SharedShapes own =
-            shared != nullptr ? SharedShapes{} : shapes_up_to(d, reach, wanted + 2);
+        SharedShapes own;
+        if (shared == nullptr)
+            own =
+                repeats > most_repeats ? all_shapes(d, reach) : shapes_up_to(d, reach, wanted + 2);
         const Eigen::MatrixXd &shapes = shared != nullptr ? shared->shapes : own.shapes;
         reach = shared != nullptr ? shared->reach : own.reach;
         SynchronousModes out = followed_modes(problem, roots, shapes, wanted, top);
         if (shapes.cols() == unknowns)
             return out;
         out.complete_to = std::min(out.complete_to, reach);
+        // What lies beyond the roots asked for does not matter.
+        double last_asked = std::numeric_limits<double>::infinity();
+        if (wanted <= 0)
+            last_asked = top;
+        else if (std::ssize(out.modes) >= wanted)
+            last_asked =
+                std::max(top, out.modes[static_cast<std::size_t>(wanted) - 1].eigenvalue.imag());
+        std::erase_if(out.doubtful, [&](const auto &range) { return range.first > last_asked; });
         const auto sure = std::ranges::count_if(
             out.modes, [&](const auto &mode) { return mode.eigenvalue.imag() <= reach; });
         const bool enough = sure >= wanted && reach >= top;
-        if (enough && (out.doubtful.empty() || repeats++ == most_repeats)) {
+        const bool last = repeats == most_repeats && unknowns > few;
+        if (enough && (out.doubtful.empty() || last)) {
             out.modes.resize(static_cast<std::size_t>(sure));
             out.branches.resize(out.branches.empty() ? 0 : static_cast<std::size_t>(sure));
             return out;
         }
+        repeats += enough ? 1 : 0;
         const bool known = std::ssize(out.modes) >= wanted && wanted > 0;
-        const double last =
+        const double highest =
             known ? out.modes[static_cast<std::size_t>(wanted) - 1].eigenvalue.imag() : 0;
-        reach = !enough && last > reach ? 1.05 * last : 2 * reach;
+        reach = !enough && highest > reach ? 1.05 * highest : 2 * reach;
     }
 }
 

@@ -26,7 +26,28 @@ constexpr double followed = 0.75;
 struct Sample {
     double speed = 0;
     std::vector<ReducedRoot> points;
+    /// Of a conservative problem, all on the axes: W^2 = -l^2 is followed, real and smooth even
+    /// where a stiffness passes zero; l is not.
+    bool squares = false;
+    std::vector<double> heavy; ///< |l| of motions too damped to be points
 };
+
+/// What of a motion is followed between two speeds: l, which is synchronous where Im l = s; or
+/// -i l^2, where its imaginary part is s^2.
+struct Followed {
+    bool squares = false;
+    [[nodiscard]] Complex value(const ReducedRoot &root) const {
+        const Complex l = root.eigenvalue;
+        return squares ? Complex(0, -1) * l * l : l;
+    }
+    [[nodiscard]] Complex rate(const ReducedRoot &root) const {
+        return squares ? Complex(0, -2) * root.eigenvalue * root.slope : root.slope;
+    }
+    [[nodiscard]] double target(double speed) const { return squares ? speed * speed : speed; }
+    [[nodiscard]] double target_rate(double speed) const { return squares ? 2 * speed : 1; }
+};
+
+Followed followed_between(const Sample &a, const Sample &b) { return {a.squares && b.squares}; }
 
 /// A root of the whole rotor.
 struct FoundRoot {
@@ -71,21 +92,25 @@ std::vector<FoundRoot> tidied(std::vector<FoundRoot> roots) {
     return out;
 }
 
-/// Where Im l - s is going between two samples: the cubic in u = 0 .. 1.
+/// Where a motion is going between two samples: the cubic in u = 0 .. 1.
 struct Cubic {
     Cubic(const Sample &a, const ReducedRoot &at_a, const Sample &b, const ReducedRoot &at_b)
-        : h(b.speed - a.speed), l0(at_a.eigenvalue), l1(at_b.eigenvalue), d0(h * at_a.slope),
-          d1(h * at_b.slope), from(a.speed) {}
+        : what(followed_between(a, b)), h(b.speed - a.speed), l0(what.value(at_a)),
+          l1(what.value(at_b)), d0(h * what.rate(at_a)), d1(h * what.rate(at_b)), from(a.speed) {}
+    Followed what;
     double h;
     Complex l0, l1, d0, d1;
     double from;
 
-    [[nodiscard]] Complex eigenvalue(double u) const {
+    [[nodiscard]] Complex value(double u) const {
         const double v = 1 - u;
         return v * v * ((1 + 2 * u) * l0 + u * d0) + u * u * ((3 - 2 * u) * l1 - v * d1);
     }
-    [[nodiscard]] double above(double u) const { return eigenvalue(u).imag() - (from + u * h); }
-    /// By how much values and derivatives disagree with a parabola, 1/s.
+    /// Above the synchronous value.
+    [[nodiscard]] double above(double u) const {
+        return value(u).imag() - what.target(from + u * h);
+    }
+    /// By how much values and derivatives disagree with a parabola.
     [[nodiscard]] double misfit() const { return std::abs(l1 - l0 - (d0 + d1) / 2.0); }
 };
 
@@ -93,7 +118,9 @@ struct Cubic {
 /// @param unseen  relative: what the ends do not know of the speeds between
 std::optional<std::vector<double>> zeros_of(const Cubic &cubic, double unseen) {
     constexpr int parts = 32;
-    const double doubt = 2 * cubic.misfit() + (1e-11 + unseen) * (cubic.from + cubic.h);
+    const double last = cubic.from + cubic.h;
+    const double doubt =
+        2 * cubic.misfit() + (1e-11 + unseen) * last * cubic.what.target_rate(last);
     std::vector<double> values;
     for (int i = 0; i <= parts; ++i)
         values.push_back(cubic.above(i / static_cast<double>(parts)));
@@ -138,10 +165,11 @@ class Follower {
   public:
     /// @param rows   of the piece
     /// @param first  number of the first of them among all
-    Follower(const ReducedSynchronous &reduced, const WholeRoots &roots, std::vector<double> rows,
-             std::size_t first)
-        : _reduced(reduced), _roots(roots), _rows(std::move(rows)), _number(first),
-          _first(_rows.front()), _last(_rows.back()) {}
+    /// @param conservative  the problem is
+    Follower(const ReducedSynchronous &reduced, const WholeRoots &roots, bool conservative,
+             std::vector<double> rows, std::size_t first)
+        : _reduced(reduced), _roots(roots), _conservative(conservative), _rows(std::move(rows)),
+          _number(first) {}
 
     std::vector<FoundRoot> found;
     std::vector<std::pair<double, double>> doubtful;
@@ -150,18 +178,27 @@ class Follower {
     [[nodiscard]] Sample sample(double speed) const {
         const auto above = std::upper_bound(_rows.begin() + 1, _rows.end() - 1, speed);
         const auto piece = static_cast<std::size_t>(above - _rows.begin()) - 1;
-        Sample out{speed, _reduced.at(speed, _number + piece, looked_at)};
-        std::erase_if(out.points, [&](const ReducedRoot &root) {
-            // too far to matter, or to be the partner of one that does
-            return root.eigenvalue.imag() < 0.4 * _first || root.eigenvalue.imag() > 1.6 * _last;
+        Sample out;
+        out.speed = speed;
+        out.points = _reduced.at(speed, _number + piece, 0);
+        out.squares = _conservative && std::ranges::all_of(out.points, [](const ReducedRoot &root) {
+                          return root.eigenvalue.real() == 0 || root.eigenvalue.imag() == 0;
+                      });
+        if (out.squares)
+            return out;
+        for (const ReducedRoot &root : out.points)
+            if (root.eigenvalue.imag() <= followed * std::abs(root.eigenvalue.real()))
+                out.heavy.push_back(std::abs(root.eigenvalue));
+        std::erase_if(out.points, [](const ReducedRoot &root) {
+            return root.eigenvalue.imag() <= looked_at * std::abs(root.eigenvalue.real());
         });
         return out;
     }
 
     void follow(const Sample &a, const Sample &b, int depth) {
-        if (resolved(a, b))
+        if (!hides_motions(a, b, depth) && resolved(a, b))
             return;
-        constexpr int deepest = 12;
+        constexpr int deepest = 18; // where a stiffness passes zero a motion begins like a root
         const int most_samples = 100 + 4 * static_cast<int>(_rows.size());
         if (depth == deepest || ++_samples > most_samples) {
             doubtful.emplace_back(a.speed, b.speed);
@@ -175,9 +212,9 @@ class Follower {
   private:
     const ReducedSynchronous &_reduced;
     const WholeRoots &_roots;
+    bool _conservative;
     std::vector<double> _rows;
     std::size_t _number;
-    double _first, _last;
     int _samples = 0;
 
     /// Rows strictly between two speeds.
@@ -196,11 +233,25 @@ class Follower {
                    : *(above - 1);
     }
 
-    /// It could pass Im l = s in a step of this length.
-    static bool matters(const ReducedRoot &point, double speed, double step) {
+    /// A motion that is too damped to oscillate at an end of a long step may do so within it.
+    static bool hides_motions(const Sample &a, const Sample &b, int depth) {
+        constexpr double long_step = 0.05; // of the speed
+        constexpr int deepest = 8;         // from speed zero on no step is short
+        constexpr double far = 5;
+        const auto heavy = [&](const Sample &end) {
+            return std::ranges::any_of(end.heavy, [&](double size) {
+                return size > a.speed / far && size < far * b.speed;
+            });
+        };
+        return depth < deepest && b.speed - a.speed > long_step * b.speed && (heavy(a) || heavy(b));
+    }
+
+    /// It could become synchronous in a step of this length.
+    static bool matters(const Followed &what, const ReducedRoot &point, double speed, double step) {
         const Complex l = point.eigenvalue;
-        return l.imag() > followed * std::abs(l.real()) &&
-               std::abs(l.imag() - speed) <= 2 * step * (1 + std::abs(point.slope));
+        const double gap = std::abs(what.value(point).imag() - what.target(speed));
+        return (what.squares || l.imag() > followed * std::abs(l.real())) &&
+               gap <= 2 * step * (what.target_rate(speed + step) + std::abs(what.rate(point)));
     }
 
     /// Index of the point of `b` that continues `point`; none where two would do.
@@ -222,7 +273,10 @@ class Follower {
                 second = std::min(second, misfit);
             }
         }
-        const double scale = std::abs(b.speed - a.speed) * (1 + std::abs(point.slope));
+        const Followed what = followed_between(a, b);
+        const double scale =
+            std::abs(b.speed - a.speed) *
+            (what.target_rate(std::max(a.speed, b.speed)) + std::abs(what.rate(point)));
         if (best == b.points.size() || 4 * least > second || least > 0.2 * scale)
             return std::nullopt;
         return best;
@@ -231,16 +285,17 @@ class Follower {
     /// Every motion that matters has one partner each way; their zeros go to `found`.
     bool resolved(const Sample &a, const Sample &b) {
         const double step = b.speed - a.speed;
+        const Followed what = followed_between(a, b);
         std::map<std::size_t, std::size_t> pairs;
         for (std::size_t i = 0; i < a.points.size(); ++i)
-            if (matters(a.points[i], a.speed, step)) {
+            if (matters(what, a.points[i], a.speed, step)) {
                 const auto j = partner(a, a.points[i], b);
                 if (!j)
                     return false;
                 pairs[i] = *j;
             }
         for (std::size_t j = 0; j < b.points.size(); ++j)
-            if (matters(b.points[j], b.speed, step)) {
+            if (matters(what, b.points[j], b.speed, step)) {
                 const auto i = partner(b, b.points[j], a);
                 if (!i)
                     return false;
@@ -251,7 +306,7 @@ class Follower {
         if (!one_to_one(a, b, pairs))
             return false;
         for (std::size_t j = 0; j < b.points.size(); ++j)
-            if (matters(b.points[j], b.speed, step) &&
+            if (matters(what, b.points[j], b.speed, step) &&
                 std::ranges::none_of(pairs, [j](const auto &pair) { return pair.second == j; }))
                 return false;
         for (const auto &[i, j] : pairs)
@@ -295,14 +350,15 @@ class Follower {
         if (!zeros)
             return false;
         for (const double end : {0.0, 1.0})
-            if (std::abs(cubic.above(end)) < one_speed / 2 * a.speed)
+            if (std::abs(cubic.above(end)) < one_speed / 2 * cubic.what.target(a.speed))
                 zeros->push_back(end);
         for (const double u : *zeros) {
             const Eigen::VectorXcd &shape = (u < 0.5 ? a.points[i] : b.points[j]).shape;
             const double speed = a.speed + u * cubic.h;
-            const auto point =
-                _roots.near({cubic.eigenvalue(u).real(), speed}, _reduced.lifted(shape));
-            const double slack = cubic.misfit() + reduced_error * speed;
+            const double decay = cubic.what.squares ? 0 : cubic.value(u).real();
+            const auto point = _roots.near({decay, speed}, _reduced.lifted(shape));
+            const double slack =
+                cubic.misfit() / cubic.what.target_rate(speed) + reduced_error * speed;
             if (!point || std::abs(point->eigenvalue.imag() - speed) > slack + 0.5 * cubic.h)
                 return false;
             if (point->eigenvalue.imag() > std::abs(point->eigenvalue.real()))
@@ -344,38 +400,113 @@ bool add_constant(const ReducedSynchronous &reduced, const WholeRoots &roots, do
     return true;
 }
 
-/// Gaps between the roots of a conservative problem in which the whole rotor counts otherwise.
-std::vector<std::pair<double, double>> miscounted(const WholeRoots &whole,
-                                                  const std::vector<FoundRoot> &roots, double top) {
-    std::vector<std::pair<double, double>> out;
-    const auto count = [&](double speed) -> std::optional<int> {
+/// Roots of a conservative problem between those found, by the negative eigenvalues of K - W^2 M of
+/// the whole rotor.
+class GapCount {
+  public:
+    /// @param whole  must outlive this
+    /// @param size   of the problem
+    GapCount(const WholeRoots &whole, Eigen::Index size) : _whole(whole), _size(size) {}
+
+    std::vector<std::pair<double, double>> doubtful;
+
+    /// Adds what the count says is missing up to `top`.
+    void close(std::vector<FoundRoot> &found, double top) {
+        constexpr double no_room = 1e-7; // of the speed: the next root stands too near
+        std::optional<int> expected;
+        double from = 0;
+        const auto gap = [&](double to) {
+            if (to - from <= no_room * to)
+                return;
+            const double aside = std::max(1e-3 * (to - from), no_room / 4 * to);
+            const auto first = settled(from + aside, aside, expected);
+            const auto last = settled(to - aside, -aside, first);
+            if (!first || !last)
+                doubtful.emplace_back(from, to);
+            else
+                search(from + aside, *first, to - aside, *last);
+            constexpr double beside = 1e-3;
+            if (first && expected && *first != *expected) // not all of them are found there
+                doubtful.emplace_back((1 - beside) * from, (1 + beside) * from);
+            expected = last;
+        };
+        for (const FoundRoot &root : found) {
+            const double speed = root.mode.eigenvalue.imag();
+            gap(speed);
+            if (expected)
+                *expected += root.downwards ? 1 : -1;
+            from = speed;
+        }
+        gap(std::max(top, 1.0001 * from));
+        found.insert(found.end(), _isolated.begin(), _isolated.end());
+        found = tidied(std::move(found));
+    }
+
+  private:
+    const WholeRoots &_whole;
+    Eigen::Index _size;
+    std::vector<FoundRoot> _isolated;
+
+    [[nodiscard]] std::optional<int> count(double speed) const {
         try {
-            return whole.negative_eigenvalues(speed);
+            return _whole.negative_eigenvalues(speed);
         } catch (const linalg::SolverError &) { // a pivot was zero
             return std::nullopt;
         }
-    };
-    const double first = roots.empty() ? top : roots.front().mode.eigenvalue.imag();
-    int expected = count(1e-3 * first).value_or(0);
-    double below = 0;
-    const auto check = [&](double from, double to) {
-        constexpr double no_room = 1e-7; // of the speed: a root stands too near
-        // Beside very stiff springs a pivot can be rounding at one speed; it is not at all three.
-        const auto agrees = [&](double part) {
-            return count(from + part * (to - from)) == expected;
-        };
-        if (to - from > no_room * to && !agrees(0.5) && !agrees(0.25) && !agrees(0.75))
-            out.emplace_back(from, to);
-    };
-    for (const FoundRoot &root : roots) {
-        const double speed = root.mode.eigenvalue.imag();
-        check(below, speed);
-        expected += root.downwards ? 1 : -1;
-        below = speed;
     }
-    check(below, std::max(top, 1.0001 * below));
-    return out;
-}
+
+    /// The count at a speed, as it is expected or with a neighbour that agrees: beside very stiff
+    /// springs a pivot can be rounding.
+    [[nodiscard]] std::optional<int> settled(double speed, double aside,
+                                             std::optional<int> expected) const {
+        std::vector<int> counts;
+        for (const double part : {0.0, 0.1, 0.2, 0.3}) {
+            const auto here = count(speed + part * aside);
+            if (!here)
+                continue;
+            if (here == expected || std::ranges::count(counts, *here) > 0)
+                return here;
+            counts.push_back(*here);
+        }
+        return std::nullopt;
+    }
+
+    void search(double a, int at_a, double b, int at_b) {
+        constexpr double isolated = 1e-6;
+        if (at_a == at_b)
+            return;
+        const double middle = (a + b) / 2;
+        if (b - a > isolated * b) {
+            const auto at_middle = settled(middle, (b - a) / 10, at_a);
+            if (!at_middle) {
+                doubtful.emplace_back(a, b);
+                return;
+            }
+            search(a, at_a, middle, *at_middle);
+            search(middle, *at_middle, b, at_b);
+            return;
+        }
+        std::vector<FoundRoot> here;
+        const int missing = std::abs(at_b - at_a);
+        for (int start = 0; start < missing; ++start) {
+            const auto point = _whole.near({0, middle}, any_vector(start));
+            if (point && std::abs(point->eigenvalue - Complex(0, middle)) < 2 * isolated * middle)
+                here.push_back(found_root(*point));
+        }
+        here = tidied(std::move(here));
+        if (std::ssize(here) < missing)
+            doubtful.emplace_back(a, b);
+        _isolated.insert(_isolated.end(), here.begin(), here.end());
+    }
+
+    /// Across no motion that one would meet.
+    [[nodiscard]] Eigen::VectorXcd any_vector(int number) const {
+        Eigen::VectorXcd out(_size);
+        for (Eigen::Index i = 0; i < _size; ++i)
+            out(i) = 1 + std::cos((1.3 + number) * static_cast<double>(i * i));
+        return out;
+    }
+};
 
 } // namespace
 
@@ -388,7 +519,7 @@ SynchronousModes followed_modes(const SynchronousProblem &problem, const WholeRo
     SynchronousModes out;
     std::vector<FoundRoot> found;
     double row = problem.constant() ? 0 : std::max(rows.front(), 0.0);
-    if (!problem.constant())
+    if (!problem.constant() && rows.front() > 0)
         (void)add_constant(reduced, roots, row, 0, 0, 0, row, found, out.doubtful);
     const auto enough = [&] { return static_cast<int>(found.size()) >= wanted && row > top; };
     std::size_t i = 0;
@@ -396,7 +527,7 @@ SynchronousModes followed_modes(const SynchronousProblem &problem, const WholeRo
         ++i;
     while (i + 1 < rows.size() && !enough()) {
         const std::vector<double> at_once = rows_at_once(bends, rows, i);
-        Follower follower(reduced, roots, at_once, i);
+        Follower follower(reduced, roots, problem.conservative(), at_once, i);
         i += at_once.size() - 1;
         follower.follow(follower.sample(row), follower.sample(at_once.back()), 0);
         found.insert(found.end(), follower.found.begin(), follower.found.end());
@@ -411,12 +542,13 @@ SynchronousModes followed_modes(const SynchronousProblem &problem, const WholeRo
                          wanted - static_cast<int>(found.size()), row, top, found, out.doubtful);
         found = tidied(std::move(found));
     }
+    if (problem.conservative()) {
+        GapCount gaps(roots, problem.first().M.rows());
+        gaps.close(found, std::max(row, top));
+        out.doubtful.insert(out.doubtful.end(), gaps.doubtful.begin(), gaps.doubtful.end());
+    }
     const double last = found.empty() ? 0 : found.back().mode.eigenvalue.imag();
     out.complete_to = no_more && reduced.whole() ? infinity : std::max({row, top, last});
-    if (problem.conservative()) {
-        const auto gaps = miscounted(roots, found, std::max(row, top));
-        out.doubtful.insert(out.doubtful.end(), gaps.begin(), gaps.end());
-    }
     int negative = 0;
     for (FoundRoot &root : found) {
         out.branches.push_back(root.downwards ? ++negative : negative--);

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace whirl::synchronous {
@@ -32,6 +33,36 @@ Eigen::MatrixXd in_both_planes(const Eigen::MatrixXd &planar) {
     return out;
 }
 
+/// The least stiffness of a support over directions and rows; none where it pushes away.
+double softest(const std::vector<model::BearingCoefficients> &rows,
+               Eigen::Matrix2d model::BearingCoefficients::*which) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const model::BearingCoefficients &row : rows) {
+        const Eigen::Matrix2d k = (row.*which + (row.*which).transpose()) / 2;
+        least = std::min(least, Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(k).eigenvalues()(0));
+    }
+    return std::max(least, 0.0);
+}
+
+/// Supports alike in all directions, as soft as they are in any and at any speed. What a support
+/// holds is well described by shapes of a rotor that it does not hold, with its static deflections;
+/// what is free of it is not by shapes that it holds: the stiffness left over is then a small
+/// difference of energies.
+model::Rotor with_softest_supports(model::Rotor rotor) {
+    for (model::Bearing &bearing : rotor.bearings) {
+        model::BearingCoefficients soft = bearing.rows.front();
+        soft.k =
+            softest(bearing.rows, &model::BearingCoefficients::k) * Eigen::Matrix2d::Identity();
+        soft.kt =
+            softest(bearing.rows, &model::BearingCoefficients::kt) * Eigen::Matrix2d::Identity();
+        bearing.speeds.clear();
+        bearing.rows = {soft};
+        if (bearing.pedestal)
+            bearing.pedestal->k.setConstant(bearing.pedestal->k.minCoeff());
+    }
+    return rotor;
+}
+
 /// Each unknown by itself, of a size at which K + top^2 M is about 1.
 Eigen::MatrixXd all_unknowns(const assembly::Discretization &rotor, double top) {
     const assembly::PlanarPair pair = assembly::planar_pair(rotor, 0);
@@ -41,6 +72,10 @@ Eigen::MatrixXd all_unknowns(const assembly::Discretization &rotor, double top) 
 }
 
 } // namespace
+
+SharedShapes all_shapes(const assembly::Discretization &rotor, double top) {
+    return {all_unknowns(rotor, top), top};
+}
 
 SharedShapes synchronous_shapes(const assembly::Discretization &rotor, double top, int modes) {
     constexpr int small = 20; // planar unknowns that are all kept
@@ -52,7 +87,8 @@ SharedShapes synchronous_shapes(const assembly::Discretization &rotor, double to
     // on the whole rotor.
     constexpr double beyond = 1.5;
     const double described = beyond / 2 * top;
-    reduction::PlanarShapes shapes(rotor, described, modes);
+    const assembly::Discretization soft(with_softest_supports(rotor.rotor()), rotor.order());
+    reduction::PlanarShapes shapes(soft, described, modes);
     std::vector<assembly::Combination> pedestals;
     for (std::size_t i = 0; i < rotor.rotor().bearings.size(); ++i)
         if (rotor.rotor().bearings[i].pedestal)
@@ -71,6 +107,16 @@ SharedShapes synchronous_shapes(const assembly::Discretization &rotor, double to
     return {S, std::max(top, square > 0 ? std::sqrt(square) / beyond : 0)};
 }
 
+namespace {
+
+void drop_least(std::vector<ReducedRoot> &roots, int number) {
+    std::ranges::stable_sort(roots, {},
+                             [](const ReducedRoot &root) { return std::abs(root.eigenvalue); });
+    roots.erase(roots.begin(), roots.begin() + std::min<std::ptrdiff_t>(number, std::ssize(roots)));
+}
+
+} // namespace
+
 ReducedSynchronous::ReducedSynchronous(const SynchronousProblem &problem,
                                        const Eigen::MatrixXd &shapes)
     : _problem(problem), _shapes(problem.pairs() ? in_both_planes(shapes) : shapes),
@@ -79,11 +125,9 @@ ReducedSynchronous::ReducedSynchronous(const SynchronousProblem &problem,
       _scale(assembly::support_scale(problem.rotor())) {
     for (std::size_t i = 0; i < problem.rows().size(); ++i)
         _changes.push_back({{}, projected(problem.change(i).D), projected(problem.change(i).K)});
-    // A rigid motion that no support resists is a double root of zero, which rounding splits.
     const results::Form motions = problem.pairs() ? results::Form::general : results::Form::planar;
-    const bool free =
-        modes::zero_modes(problem.rotor(), motions, problem.rows().front(), 0).eigenvalues > 0;
-    _least = free ? 3e-4 * assembly::elastic_scale(problem.rotor()) : 1e-9 * _scale;
+    for (const double row : problem.rows())
+        _zeros.push_back(modes::zero_modes(problem.rotor(), motions, row, 0).eigenvalues);
 }
 
 Eigen::MatrixXcd ReducedSynchronous::projected(const ComplexQuadratic::Sparse &A) const {
@@ -105,11 +149,20 @@ Eigen::VectorXcd ReducedSynchronous::lifted(const Eigen::VectorXcd &shape) const
     return out;
 }
 
+/// A rigid motion that no support resists is a double root of zero, which rounding splits.
+int ReducedSynchronous::zeros_at(double speed, std::size_t piece) const {
+    const std::vector<double> &rows = _problem.rows();
+    if (piece + 1 == rows.size() || speed == rows[piece])
+        return _zeros[piece];
+    return speed == rows[piece + 1] ? _zeros[piece + 1]
+                                    : std::min(_zeros[piece], _zeros[piece + 1]);
+}
+
 /// K x = W^2 M x through the eigenvalues 1 / (W^2 + t) of L^-1 M L^-H, K + t M = L L^H; none where
 /// that is not positive definite.
-std::vector<ReducedRoot> ReducedSynchronous::conservative(const Dense &at) const {
+std::vector<ReducedRoot> ReducedSynchronous::conservative(const Dense &at, int zeros) const {
     const double lift = 0.3 * assembly::elastic_scale(_problem.rotor());
-    for (const double t : {0.0, lift * lift}) {
+    for (const double t : {0.0, lift * lift, 1e2 * lift * lift, 1e4 * lift * lift}) {
         const Eigen::LLT<Eigen::MatrixXcd> factor(at.K + t * at.M);
         if (factor.info() != Eigen::Success || factor.rcond() < 1e-13)
             continue;
@@ -123,12 +176,13 @@ std::vector<ReducedRoot> ReducedSynchronous::conservative(const Dense &at) const
         std::vector<ReducedRoot> out;
         for (Eigen::Index i = A.rows() - 1; i >= 0 && solver.eigenvalues()(i) > zero; --i) {
             const double square = 1 / solver.eigenvalues()(i) - t;
-            if (square > 0)
-                out.push_back({{0, std::sqrt(square)},
-                               0,
-                               factor.matrixU().solve(solver.eigenvectors().col(i)),
-                               {}});
+            const double size = std::sqrt(std::abs(square));
+            out.push_back({square > 0 ? Complex(0, size) : Complex(size, 0),
+                           0,
+                           factor.matrixU().solve(solver.eigenvectors().col(i)),
+                           {}});
         }
+        drop_least(out, zeros / 2);
         return out;
     }
     return {};
@@ -136,7 +190,7 @@ std::vector<ReducedRoot> ReducedSynchronous::conservative(const Dense &at) const
 
 /// All eigenvalues mu = 1 / (l - shift) of the companion form; the lower halves of its right
 /// vectors are those of Q, the upper ones of its left vectors Q(shift)^H times the left ones of Q.
-std::vector<ReducedRoot> ReducedSynchronous::any(const Dense &at) const {
+std::vector<ReducedRoot> ReducedSynchronous::any(const Dense &at, int zeros) const {
     const double shift = 0.1 * _scale;
     const Eigen::Index m = at.K.rows();
     const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(at.K + shift * at.D + shift * shift * at.M);
@@ -153,24 +207,27 @@ std::vector<ReducedRoot> ReducedSynchronous::any(const Dense &at) const {
         const Complex mu = eigen.values(i);
         if (std::abs(mu) < 1e-14)
             continue;
-        const Complex l = shift + _scale / mu;
-        if (l.imag() <= 0)
-            continue;
+        Complex l = shift + _scale / mu;
+        constexpr double rounding = 1e-9;
+        if (std::abs(l.imag()) < rounding * std::abs(l)) // two motions that do not oscillate
+            l.imag(0);
         const Eigen::VectorXcd x = eigen.right.col(i).tail(m);
         const Eigen::VectorXcd y =
             linalg::adjoint_solved(lu, Eigen::VectorXcd(eigen.left.col(i).head(m)));
         const Complex by_root = y.dot((2.0 * l) * (at.M * x) + at.D * x);
         out.push_back({l, 0, x, y / std::conj(by_root)});
     }
+    drop_least(out, zeros);
+    std::erase_if(out, [](const ReducedRoot &root) { return root.eigenvalue.imag() < 0; });
     return out;
 }
 
-std::vector<ReducedRoot> ReducedSynchronous::all_at(const Dense &at) const {
+std::vector<ReducedRoot> ReducedSynchronous::all_at(const Dense &at, int zeros) const {
     std::vector<ReducedRoot> all;
     if (_problem.conservative())
-        all = conservative(at);
+        all = conservative(at, zeros);
     if (all.empty())
-        return any(at);
+        return any(at, zeros);
     for (ReducedRoot &root : all) // x^H (l^2 M + K) x = 0
         root.left =
             root.shape / std::conj(2.0 * root.eigenvalue * root.shape.dot(at.M * root.shape));
@@ -187,7 +244,13 @@ std::vector<ReducedRoot> ReducedSynchronous::at(double speed, std::size_t piece,
         rate.D = (_changes[piece + 1].D - _changes[piece].D) / length;
         rate.K = (_changes[piece + 1].K - _changes[piece].K) / length;
     }
-    auto known = std::ranges::find(_known, speed, &Known::speed);
+    // The pieces on both sides of a row agree there.
+    auto known = std::ranges::find_if(_known, [&](const Known &other) {
+        return other.speed == speed &&
+               (other.piece == piece ||
+                (speed == rows[std::max(piece, other.piece)] &&
+                 std::max(piece, other.piece) == std::min(piece, other.piece) + 1));
+    });
     if (known == _known.end()) {
         Dense now{_first.M, _first.D + _changes[piece].D, _first.K + _changes[piece].K};
         if (tables) {
@@ -197,12 +260,12 @@ std::vector<ReducedRoot> ReducedSynchronous::at(double speed, std::size_t piece,
         constexpr std::size_t most = 4;
         if (_known.size() == most)
             _known.erase(_known.begin());
-        known = _known.insert(_known.end(), {speed, all_at(now)});
+        known = _known.insert(_known.end(), {speed, piece, all_at(now, zeros_at(speed, piece))});
     }
     std::vector<ReducedRoot> out;
     for (const ReducedRoot &root : known->roots) {
         const Complex l = root.eigenvalue;
-        if (!(std::abs(l) > _least && l.imag() > steepness * std::abs(l.real())))
+        if (std::abs(l) == 0 || l.imag() < steepness * std::abs(l.real()))
             continue;
         out.push_back(root);
         if (tables)

@@ -34,6 +34,9 @@ struct SharedShapes {
 [[nodiscard]] SharedShapes synchronous_shapes(const assembly::Discretization &rotor, double top,
                                               int modes);
 
+/// All unknowns: nothing is missing.
+[[nodiscard]] SharedShapes all_shapes(const assembly::Discretization &rotor, double top);
+
 /// The synchronous problem on planar shapes, each term projected once: all its roots at any speed
 /// by one dense decomposition.
 class ReducedSynchronous {
@@ -42,9 +45,10 @@ class ReducedSynchronous {
     /// @param shapes   N x r
     ReducedSynchronous(const SynchronousProblem &problem, const Eigen::MatrixXd &shapes);
 
-    /// Roots with Im l > `steepness` |Re l|, bearings as at a speed between the rows `piece` and
-    /// `piece` + 1 of the tables (0 of a constant problem); without those at zero, ascending by
-    /// Im l.
+    /// Roots with Im l >= `steepness` |Re l|, bearings as at a speed between the rows `piece` and
+    /// `piece` + 1 of the tables (0 of a constant problem); without the motions that no support
+    /// resists, ascending by Im l. Of a conservative problem they are exactly on the axes, where
+    /// its energies tell them.
     /// @throws linalg::SolverError
     [[nodiscard]] std::vector<ReducedRoot> at(double speed, std::size_t piece,
                                               double steepness) const;
@@ -62,19 +66,21 @@ class ReducedSynchronous {
     Dense _first;
     std::vector<Dense> _changes; ///< of D and K
     double _scale;               ///< of the slow motions on the supports, 1/s
-    double _least;               ///< |l| of a zero root at the most, 1/s
+    std::vector<int> _zeros;     ///< roots at zero with the bearings as at each row
     /// All at the last few speeds: at a row they are asked for both pieces that meet there, in
     /// which the slopes alone differ.
     struct Known {
         double speed = 0;
+        std::size_t piece = 0;
         std::vector<ReducedRoot> roots;
     };
     mutable std::vector<Known> _known;
 
     [[nodiscard]] Eigen::MatrixXcd projected(const ComplexQuadratic::Sparse &A) const;
-    [[nodiscard]] std::vector<ReducedRoot> conservative(const Dense &at) const;
-    [[nodiscard]] std::vector<ReducedRoot> any(const Dense &at) const;
-    [[nodiscard]] std::vector<ReducedRoot> all_at(const Dense &at) const;
+    [[nodiscard]] int zeros_at(double speed, std::size_t piece) const;
+    [[nodiscard]] std::vector<ReducedRoot> conservative(const Dense &at, int zeros) const;
+    [[nodiscard]] std::vector<ReducedRoot> any(const Dense &at, int zeros) const;
+    [[nodiscard]] std::vector<ReducedRoot> all_at(const Dense &at, int zeros) const;
 };
 
 } // namespace whirl::synchronous
