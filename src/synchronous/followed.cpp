@@ -282,6 +282,14 @@ class Follower {
         return best;
     }
 
+    /// The partner of `point` is that one.
+    static bool continues(const Sample &a, const ReducedRoot &point, const Sample &b,
+                          const ReducedRoot &other) {
+        const auto best = partner(a, point, b);
+        return best && std::abs(b.points[*best].eigenvalue - other.eigenvalue) <=
+                           1e-9 * std::abs(other.eigenvalue);
+    }
+
     /// Every motion that matters has one partner each way; their zeros go to `found`.
     bool resolved(const Sample &a, const Sample &b) {
         const double step = b.speed - a.speed;
@@ -290,14 +298,14 @@ class Follower {
         for (std::size_t i = 0; i < a.points.size(); ++i)
             if (matters(what, a.points[i], a.speed, step)) {
                 const auto j = partner(a, a.points[i], b);
-                if (!j)
+                if (!j || !continues(b, b.points[*j], a, a.points[i]))
                     return false;
                 pairs[i] = *j;
             }
         for (std::size_t j = 0; j < b.points.size(); ++j)
             if (matters(what, b.points[j], b.speed, step)) {
                 const auto i = partner(b, b.points[j], a);
-                if (!i)
+                if (!i || !continues(a, a.points[*i], b, b.points[j]))
                     return false;
                 if (pairs.count(*i) == 0)
                     pairs[*i] = j;

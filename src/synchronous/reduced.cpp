@@ -162,7 +162,9 @@ int ReducedSynchronous::zeros_at(double speed, std::size_t piece) const {
 /// that is not positive definite.
 std::vector<ReducedRoot> ReducedSynchronous::conservative(const Dense &at, int zeros) const {
     const double lift = 0.3 * assembly::elastic_scale(_problem.rotor());
-    for (const double t : {0.0, lift * lift, 1e2 * lift * lift, 1e4 * lift * lift}) {
+    // No more than a stiffness that pushes away asks for: rounding is that of t.
+    for (const double lifts : {0.0, 1.0, 1e2, 1e4, 1e6, 1e8}) {
+        const double t = lifts * lift * lift;
         const Eigen::LLT<Eigen::MatrixXcd> factor(at.K + t * at.M);
         if (factor.info() != Eigen::Success || factor.rcond() < 1e-13)
             continue;
