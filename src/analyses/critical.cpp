@@ -76,20 +76,19 @@ void keep_lowest(synchronous::SynchronousModes &list, int wanted, double top) {
     list.modes.resize(keep);
     if (!list.branches.empty())
         list.branches.resize(keep);
-    const double last = list.modes.empty() ? top : list.modes.back().eigenvalue.imag();
-    if (static_cast<int>(keep) >= wanted)
-        std::erase_if(list.doubtful,
-                      [&](const auto &range) { return range.first > std::max(top, last); });
 }
 
 /// Which critical speeds the list can lack, in words.
-void note_completeness(const synchronous::SynchronousModes &found, bool more_wanted, bool rigid,
-                       results::CriticalResult &result) {
+/// @param top  of the range of the case, rad/s
+void note_completeness(const synchronous::SynchronousModes &found, bool more_wanted, double top,
+                       bool rigid, results::CriticalResult &result) {
     std::vector<results::Sentence> &notes = result.model.notes;
-    for (const auto &[from, to] : found.doubtful)
-        notes.emplace_back("critical speeds from {} may be missing: the count there is not certain",
-                           as::speed.range(from, to));
     const double last = result.critical_speeds.empty() ? 0 : result.critical_speeds.back().speed;
+    for (const auto &[from, to] : found.doubtful)
+        if (more_wanted || from <= std::max(top, last))
+            notes.emplace_back(
+                "critical speeds from {} may be missing: the count there is not certain",
+                as::speed.range(from, to));
     if (more_wanted && std::isinf(found.complete_to) && found.doubtful.empty())
         notes.emplace_back(rigid ? "the rotor has no more critical speeds than the ones listed"
                                  : "the model has no more critical speeds than the ones listed "
@@ -169,7 +168,7 @@ results::CriticalResult of_order(const model::Case &scene, const results::Formul
     if (form == results::Form::rotating)
         drop_second_directions(result.critical_speeds, wanted, top);
     const bool more_wanted = static_cast<int>(result.critical_speeds.size()) < wanted;
-    note_completeness(list, more_wanted, scene.rotor.shaft.rigid, result);
+    note_completeness(list, more_wanted, top, scene.rotor.shaft.rigid, result);
     note_rounding(scene.rotor, result);
     return result;
 }
