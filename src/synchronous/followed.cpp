@@ -382,12 +382,19 @@ bool add_constant(const ReducedSynchronous &reduced, const WholeRoots &roots, do
                   std::size_t row, int wanted, double above, double top,
                   std::vector<FoundRoot> &found, std::vector<std::pair<double, double>> &doubtful) {
     constexpr double looked_at_here = 0.9; // a little beyond those that count
-    int taken = 0;
+    std::vector<double> taken;             // ascending
+    // The order of the reduced rotor's roots may not be that of the whole one's.
+    constexpr double ahead = 5 * reduced_error;
+    const auto enough = [&](double frequency) {
+        return std::ssize(taken) >= wanted &&
+               (wanted <= 0 ||
+                frequency > (1 + ahead) * taken[static_cast<std::size_t>(wanted) - 1]);
+    };
     for (const ReducedRoot &root : reduced.at(speed, row, looked_at_here)) {
         const Complex l = root.eigenvalue;
         if (l.imag() < above * (1 - reduced_error))
             continue;
-        if (l.imag() > top * (1 + reduced_error) && taken >= wanted)
+        if (l.imag() > top * (1 + reduced_error) && enough(l.imag()))
             return false;
         const auto point = roots.near(l, reduced.lifted(root.shape));
         const bool near = point && std::abs(point->eigenvalue - l) <= reduced_error * std::abs(l);
@@ -402,7 +409,8 @@ bool add_constant(const ReducedSynchronous &reduced, const WholeRoots &roots, do
             continue;
         if (point->eigenvalue.imag() > std::abs(point->eigenvalue.real())) {
             found.push_back(found_root(*point));
-            ++taken;
+            taken.insert(std::ranges::upper_bound(taken, point->eigenvalue.imag()),
+                         point->eigenvalue.imag());
         }
     }
     return true;
