@@ -63,6 +63,7 @@ struct Study {
         if (found != known.end())
             return found->second;
         const modes::SpectrumSolver solver(rotor, form, order, refinement);
+        solver.take_all_unknowns();
         return known.emplace(mesh, eigenvalues(solver, speed)).first->second;
     }
 
@@ -166,6 +167,7 @@ results::AccuracyRow timed_row(const Study &study, int order, int refinement) {
     for (int run = 0; run < 3 && row.seconds < long_run; ++run) {
         const auto start = std::chrono::steady_clock::now();
         const modes::SpectrumSolver solver(study.rotor, study.form, order, refinement);
+        solver.take_all_unknowns();
         study.known[{order, refinement}] = study.eigenvalues(solver, study.speed);
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -197,17 +199,17 @@ results::AccuracyRow measured_row(const Study &study, int order, int refinement,
     return row;
 }
 
-/// The same mesh with its modes followed from speed to speed of a sweep, as `campbell` does: the
-/// time of one of them. None where the form is not followed.
-std::optional<results::AccuracyRow> followed_row(const Study &study,
-                                                 const std::vector<double> &speeds,
-                                                 const results::AccuracyRow &full, int refinement,
-                                                 const Reference &reference) {
+/// The same mesh by few shapes over a sweep, refined, as `campbell` does: the time of one of its
+/// speeds. None where the form is not solved so.
+std::optional<results::AccuracyRow> refined_row(const Study &study,
+                                                const std::vector<double> &speeds,
+                                                const results::AccuracyRow &full, int refinement,
+                                                const Reference &reference) {
     const auto start = std::chrono::steady_clock::now();
     const modes::SpectrumSolver solver(study.rotor, study.form, full.order, refinement);
-    solver.follow(speeds, study.modes);
-    if (!solver.follows())
+    if (!solver.refines())
         return std::nullopt;
+    solver.expect(speeds, study.modes);
     Eigenvalues values;
     for (const double speed : speeds) {
         Eigenvalues here = study.eigenvalues(solver, speed);
@@ -287,7 +289,7 @@ void describe(results::AccuracyResult &result, const Study &study, const Referen
 } // namespace
 
 results::AccuracyResult accuracy(const model::Case &scene) {
-    constexpr int most_followed = 450; // unknowns: more would only cost a study its time
+    constexpr int most_refined = 450; // unknowns: more would only cost a study its time
 
     if (scene.rotor.shaft.rigid)
         throw model::BadInput(fmt::format("{}: shaft.rigid: expected false for a study of the "
@@ -313,9 +315,8 @@ results::AccuracyResult accuracy(const model::Case &scene) {
         try {
             result.rows.push_back(measured_row(study, order, refinement, reference));
             if (!sweep.empty() && (order == 1 || refinement == 1) &&
-                result.rows.back().unknowns <= most_followed)
-                if (auto row =
-                        followed_row(study, sweep, result.rows.back(), refinement, reference))
+                result.rows.back().unknowns <= most_refined)
+                if (auto row = refined_row(study, sweep, result.rows.back(), refinement, reference))
                     result.rows.push_back(std::move(*row));
         } catch (const model::AnalysisFailure &failure) {
             result.model.notes.emplace_back("order {}, refinement {} left out: {}", order,

@@ -28,12 +28,11 @@ namespace whirl::analyses {
 
 namespace {
 
-/// The speeds of the diagram and those between them that name its lines, ascending.
-std::vector<double> with_naming_speeds(const model::SpeedRange &range) {
+/// The speeds of the diagram and those between them through which lines are followed, ascending.
+std::vector<double> with_nodes(const model::SpeedRange &range, const std::vector<double> &nodes) {
     const std::vector<double> own = range.values();
-    const std::vector<double> naming = tracking::naming_speeds(range);
     std::vector<double> all;
-    std::ranges::set_union(own, naming, std::back_inserter(all));
+    std::ranges::set_union(own, nodes, std::back_inserter(all));
     return all;
 }
 
@@ -103,20 +102,20 @@ std::string word(tracking::Absence why) {
 }
 
 /// None where the part of the mesh is not known.
-/// @param followed  the mode is continued over the speeds: its residual is what that leaves. Of an
-///                  eigensolver on all unknowns it is rounding.
+/// @param refined  from the rotor on few shapes: its residual is what that leaves. Of an
+///                 eigensolver on all unknowns it is rounding.
 std::optional<results::ErrorParts> parts_of(std::optional<double> by_mesh,
-                                            const modes::WhirlMode &mode, bool followed) {
+                                            const modes::WhirlMode &mode, bool refined) {
     if (!by_mesh)
         return std::nullopt;
-    return followed ? results::ErrorParts{*by_mesh, mode.residual, mode.rounding}
-                    : results::ErrorParts{*by_mesh, 0, mode.residual + mode.rounding};
+    return refined ? results::ErrorParts{*by_mesh, mode.residual, mode.rounding}
+                   : results::ErrorParts{*by_mesh, 0, mode.residual + mode.rounding};
 }
 
 results::CampbellMode mode_along(const tracking::Line &line,
                                  const std::vector<modes::Spectrum> &spectra,
                                  const std::vector<std::optional<double>> &errors, bool rotating,
-                                 bool followed) {
+                                 bool refined) {
     const std::size_t speeds = spectra.size();
     results::CampbellMode out;
     for (auto *list :
@@ -145,7 +144,7 @@ results::CampbellMode mode_along(const tracking::Line &line,
         out.forward_fraction[k] = mode.forward_fraction;
         if (mode.confirmed)
             out.residual[k] = mode.residual;
-        out.error_parts[k] = parts_of(errors[k], mode, followed);
+        out.error_parts[k] = parts_of(errors[k], mode, refined);
         if (out.error_parts[k])
             out.error[k] = out.error_parts[k]->sum();
     }
@@ -161,7 +160,7 @@ void add_modes(const model::Case &scene, const modes::SpectrumSolver &solver,
     for (std::size_t i = 0; i < lines.size(); ++i) {
         result.modes.push_back(mode_along(lines[i], found.spectra, errors[i],
                                           results::in_rotating_axes(solver.form()),
-                                          solver.follows()));
+                                          solver.refines()));
         result.modes.back().label = labels[i];
     }
     for (const modes::Spectrum &spectrum : found.spectra) {
@@ -181,6 +180,8 @@ results::CampbellResult campbell(const model::Case &scene) {
     result.speeds = range.values();
     const modes::SpectrumSolver solver(scene.rotor, result.model.formulation.form,
                                        result.model.order);
+    if (!scene.reduction)
+        solver.take_all_unknowns();
     result.model.unknowns = solver.unknowns();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     std::optional<process::Stage> stage(std::in_place, "whirl speeds", 0.0, 0.5);
@@ -190,14 +191,15 @@ results::CampbellResult campbell(const model::Case &scene) {
                                               scene.campbell.modes, scene.campbell.multiples);
     const int modes = scene.campbell.modes;
     const std::vector<double> naming = tracking::naming_speeds(range);
+    const std::vector<double> nodes = tracking::followed_speeds(scene.rotor, range);
     int followed = modes;
     if (solver.form() != results::Form::hill && !scene.campbell.multiples.empty())
         followed = tracking::modes_below(solver, std::max(std::abs(range.from), std::abs(range.to)),
                                          std::ranges::max(scene.campbell.multiples), modes);
     tracking::FollowedLines found =
         periodic ? std::move(periodic->found)
-                 : tracking::followed_lines(solver, with_naming_speeds(range), followed,
-                                            scene.reduction, naming);
+                 : tracking::followed_lines(solver, with_nodes(range, nodes), followed,
+                                            scene.reduction, nodes);
     if (process::process_rank() != 0)
         return result;
     const std::vector<std::size_t> own = places_of(result.speeds, found.spectra);
@@ -205,7 +207,7 @@ results::CampbellResult campbell(const model::Case &scene) {
         found.tracking.lines, found.spectra, places_of(naming, found.spectra), modes);
     // Steps longer than those between the speeds that name lines hide crossings and exchange lines:
     // then these speeds are searched too.
-    const bool coarse = result.speeds.size() < naming.size();
+    const bool coarse = result.speeds.size() < nodes.size();
     if (!periodic && !coarse)
         keep_own(found, own);
     stage.emplace("crossings", 0.5, 0.75);

@@ -264,6 +264,8 @@ results::ModesResult mode_shapes(const model::Case &scene) {
     result.model.order = mesh_error::resolve_order(scene, result.model.formulation);
     const modes::SpectrumSolver solver(scene.rotor, result.model.formulation.form,
                                        result.model.order);
+    if (!scene.reduction)
+        solver.take_all_unknowns();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     result.model.unknowns = solver.unknowns();
     std::vector<results::Sentence> critical_notes;

@@ -96,7 +96,8 @@ double AllMotions::reach() const {
 
 Spectrum AllMotions::at(double speed, int piece) const {
     const double shift = 0.31 * std::max(std::abs(speed), _slow);
-    Spectrum out = all_roots(_rotor.at(speed, piece), speed, shift, _zeros);
+    Spectrum out{speed, {}, _rotor.at(speed, piece)};
+    out.roots = modes::all_roots(out.problem, shift, _zeros);
     constexpr double beyond = 10; // of all that is looked at
     std::erase_if(out.roots, [&](const Root &root) {
         return is_lost(root, shift, beyond * std::max(least_reach(), _slow));

@@ -3,6 +3,7 @@
 #include "assembly/discretization.h"
 #include "balancers/arrangement.h"
 #include "ends/refinement.h"
+#include "ends/rotor_pieces.h"
 #include "ends/spectrum.h"
 #include "modes/form_matrices.h"
 #include "results/formulation.h"

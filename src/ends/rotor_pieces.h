@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ends/spectrum.h"
 #include "modes/form_matrices.h"
 
 #include <Eigen/Core>
@@ -8,12 +9,6 @@
 #include <vector>
 
 namespace whirl::ends {
-
-/// Q(l) = l^2 M + l D + K at one speed and its change with the speed, dense.
-struct DenseProblem {
-    Eigen::MatrixXd M, D, K;
-    Eigen::MatrixXd D_rate, K_rate;
-};
 
 /// A rotor on few planar shapes, or whole, at any speed of a range. Between neighbouring rows of
 /// bearing tables D is linear in the speed and K quadratic: such a part of the range is made once,

@@ -263,27 +263,4 @@ std::vector<RealPair> DefinitePencil::smallest(double s, int wanted) const {
     return iterate(s, wanted);
 }
 
-std::vector<RealPair> DefinitePencil::smallest_at_rest(int wanted) const {
-    const Factors &f = *_factors;
-    if (f.modal || 3 * (wanted + 2) > 2 * size())
-        return smallest(0, wanted);
-    const auto apply = [&](const double *z, double *y) {
-        const Eigen::VectorXd b = f.Ft * f.shape(Eigen::Map<const Eigen::VectorXd>(z, size()));
-        Eigen::Map<Eigen::VectorXd>(y, size()) =
-            f.L.triangularView<Eigen::Lower>().solve(Eigen::VectorXd(f.F * b));
-    };
-    std::vector<RealPair> pairs;
-    const int planes = (wanted + 1) / 2 + 2;
-    for (const auto &[square, a] :
-         largest_magnitude({size(), apply, deterministic_vector(size())}, planes, {})) {
-        Eigen::VectorXd z(2 * size());
-        const double mu = std::sqrt(square);
-        z << a, f.Ft * f.shape(a) / mu;
-        pairs.push_back(pair_from(0, mu, z));
-        pairs.push_back(pairs.back());
-        pairs.back().value *= -1;
-    }
-    return confirmed(0, pairs, wanted) ? pairs : smallest(0, wanted);
-}
-
 } // namespace whirl::linalg

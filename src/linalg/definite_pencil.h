@@ -35,10 +35,6 @@ class DefinitePencil {
     /// @throws SolverError where the count cannot be met.
     [[nodiscard]] std::vector<RealPair> smallest(double s, int wanted) const;
 
-    /// The same for s = 0, by a problem of half the size for w^2: in a fraction of the time, but
-    /// what is large against the least is lost in rounding twice as fast.
-    [[nodiscard]] std::vector<RealPair> smallest_at_rest(int wanted) const;
-
     /// Number of eigenvalues with 0 < w < bound plus those with -bound < w < 0.
     [[nodiscard]] int count_below(double s, double bound) const;
 

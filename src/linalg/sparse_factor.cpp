@@ -3,7 +3,9 @@
 #include <suitesparse/klu.h>
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
+#include <numbers>
 #include <type_traits>
 #include <vector>
 
@@ -132,6 +134,17 @@ bool SparseFactor<Scalar>::negative_determinant() const requires std::is_same_v<
     const bool flipped = odd(_data->numeric->Pnum, n) != odd(_data->symbolic->Q, n);
     const auto negative = std::count_if(pivots, pivots + n, [](double u) { return u < 0; });
     return flipped != (negative % 2 == 1);
+}
+
+template <class Scalar>
+double SparseFactor<Scalar>::determinant_phase() const requires(!std::is_same_v<Scalar, double>) {
+    const int n = _data->symbolic->n;
+    const auto *pivots = static_cast<const Scalar *>(_data->numeric->Udiag);
+    const bool flipped = odd(_data->numeric->Pnum, n) != odd(_data->symbolic->Q, n);
+    double phase = flipped ? std::numbers::pi : 0;
+    for (int i = 0; i < n; ++i)
+        phase = std::remainder(phase + std::arg(pivots[i]), 2 * std::numbers::pi);
+    return phase;
 }
 
 template class SparseFactor<double>;

@@ -52,6 +52,8 @@ template <class Scalar> class SparseFactor {
 
     /// Of a real matrix.
     [[nodiscard]] bool negative_determinant() const requires std::is_same_v<Scalar, double>;
+    /// Argument of the determinant of a complex matrix, rad.
+    [[nodiscard]] double determinant_phase() const requires(!std::is_same_v<Scalar, double>);
 
   private:
     struct Data;

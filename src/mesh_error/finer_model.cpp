@@ -96,6 +96,8 @@ std::vector<double> FinerModel::errors_by_refinement(const modes::Spectrum &some
     std::vector<modes::WhirlMode> guesses = some.modes;
     for (modes::WhirlMode &mode : guesses) {
         mode.shape = embedded(mode.shape);
+        if (_coarse.form() == results::Form::general && mode.left.size() > 0)
+            mode.left = embedded(mode.left);
         if (_coarse.form() == results::Form::rotating)
             mode.rotating_vector = embedded(mode.rotating_vector);
         else if (_coarse.form() == results::Form::hill)
@@ -110,7 +112,7 @@ std::vector<double> FinerModel::errors_by_refinement(const modes::Spectrum &some
 
 /// Modes of the finer model that resemble a mode nearly as much as the one most like it count.
 std::vector<double> FinerModel::errors_by_shape(const modes::Spectrum &coarse) const {
-    if (_coarse.follows() || results::in_rotating_axes(_coarse.form()))
+    if (_coarse.refines() || results::in_rotating_axes(_coarse.form()))
         if (std::vector<double> errors = errors_by_refinement(coarse); !errors.empty())
             return errors;
     constexpr double nearly = 0.5;

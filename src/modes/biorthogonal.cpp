@@ -2,7 +2,6 @@
 
 #include "linalg/dense/products.h"
 #include "linalg/lanes/complex4.h"
-#include "linalg/lanes/vector_products.h"
 #include "linalg/quadratic/quadratic_pattern.h"
 #include "linalg/sparse_factor.h"
 
@@ -136,6 +135,7 @@ Eigen::MatrixXcd left_vectors(const QuadraticAt &problem, const Eigen::VectorXcd
     return Y;
 }
 
+/// Vectors of equal eigenvalues may be mixed: makes left^T right the unit matrix where it can be.
 void separate_columns(Eigen::MatrixXcd &left, const Eigen::MatrixXcd &right) {
     const Eigen::MatrixXcd products = linalg::transposed_times(left, right);
     const Eigen::Index n = products.rows();
@@ -153,18 +153,11 @@ void separate_columns(Eigen::MatrixXcd &left, const Eigen::MatrixXcd &right) {
 
 } // namespace
 
-void ModeBasis::complete() const {
-    if (const auto make = std::exchange(later, nullptr))
-        make(*this);
-}
-
 Eigen::MatrixXd overlaps(const ModeBasis &a, const ModeBasis &b) {
     if (!a.is_complex())
         return linalg::transposed_times(a.left, b.right)
             .cwiseProduct(linalg::transposed_times(b.left, a.right).transpose())
             .cwiseAbs();
-    a.complete();
-    b.complete();
     const auto products = [&](const Eigen::MatrixXcd &of_a, const Eigen::MatrixXcd &of_b) {
         return Eigen::MatrixXd(
             linalg::transposed_times(a.complex_left, of_b)
@@ -177,16 +170,13 @@ Eigen::MatrixXd overlaps(const ModeBasis &a, const ModeBasis &b) {
     return out;
 }
 
-void separate(const ModeBasis &basis) { separate_columns(basis.complex_left, basis.complex_right); }
-
 std::complex<double> overlap(const ModeBasis &a, const ModeBasis &b, Eigen::Index i,
                              Eigen::Index j) {
     if (!a.is_complex())
         return a.left.col(i).dot(b.right.col(j)) * b.left.col(j).dot(a.right.col(i));
-    a.complete();
-    b.complete();
-    return linalg::product_of_columns(a.complex_left, i, b.complex_right, j) *
-           linalg::product_of_columns(b.complex_left, j, a.complex_right, i);
+    // Not conjugated.
+    return a.complex_left.col(i).cwiseProduct(b.complex_right.col(j)).sum() *
+           b.complex_left.col(j).cwiseProduct(a.complex_right.col(i)).sum();
 }
 
 ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXd &values,
@@ -200,7 +190,7 @@ ModeBasis basis_of(const ComplexQuadraticAt &problem, const Eigen::VectorXcd &va
                    const Eigen::MatrixXcd &vectors) {
     ModeBasis out;
     fill<Complex>(problem, values, vectors, vectors, out.complex_left, out.complex_right, out);
-    separate(out);
+    separate_columns(out.complex_left, out.complex_right);
     return out;
 }
 
@@ -208,7 +198,7 @@ ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXcd &values,
                    const Eigen::MatrixXcd &vectors, const Eigen::MatrixXcd &left) {
     ModeBasis out;
     fill<Complex>(problem, values, vectors, left, out.complex_left, out.complex_right, out);
-    separate(out);
+    separate_columns(out.complex_left, out.complex_right);
     return out;
 }
 

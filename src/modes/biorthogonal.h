@@ -5,7 +5,6 @@
 
 #include <complex>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace whirl::modes {
@@ -34,13 +33,8 @@ using ComplexQuadraticAt = QuadraticOf<std::complex<double>>;
 /// complex in the others; the other pair is empty. A mode with v = 0 has zeros.
 struct ModeBasis {
     Eigen::MatrixXd left, right;
-    mutable Eigen::MatrixXcd complex_left, complex_right;
-    /// Of followed modes, whose complex states are made only when they are asked for: right vectors
-    /// of length 1, in unknowns that all count alike.
-    Eigen::MatrixXcd alike;
-    mutable std::function<void(const ModeBasis &)> later;
-    void complete() const;
-    [[nodiscard]] bool is_complex() const { return alike.size() + complex_left.size() > 0; }
+    Eigen::MatrixXcd complex_left, complex_right;
+    [[nodiscard]] bool is_complex() const { return complex_left.size() > 0; }
     /// In rotating axes a mode may be followed by a copy of its continuation, its conjugate or one
     /// of a Hill series: right vectors of such copies, and the copy that leads back from each.
     std::vector<Eigen::MatrixXcd> copies;
@@ -75,8 +69,5 @@ struct ModeBasis {
 ///                  the right ones mirrored, else they are found by inverse iteration
 [[nodiscard]] ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXcd &values,
                                  const Eigen::MatrixXcd &vectors, bool mirrored);
-
-/// Vectors of equal eigenvalues may be mixed: makes left^T right the unit matrix where it can be.
-void separate(const ModeBasis &basis);
 
 } // namespace whirl::modes

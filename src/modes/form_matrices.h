@@ -35,6 +35,25 @@ class FormMatrices {
     /// Form planar_damped.
     [[nodiscard]] ComplexQuadraticAt complex_at(double speed) const;
 
+    using Sparse = Eigen::SparseMatrix<double>;
+    /// Entries of a block on (x, y) as the matrix has them.
+    enum class Part { real, imaginary };
+    /// Of l^2 M + l (D + s Ds) + K + s Ks at a speed s, forms of the fixed frame; bearing tables as
+    /// at rest.
+    struct Terms {
+        const Sparse *D, *Ds, *K, *Ks;
+    };
+    [[nodiscard]] Terms terms(Part part) const {
+        return part == Part::real ? Terms{&_D, &_Ds, &_K, &_Ks} : Terms{&_iD, &_iDs, &_iK, &_iKs};
+    }
+    /// What the bearings are at another speed less what they are at one.
+    struct Supports {
+        Sparse D, K, Ks;
+    };
+    [[nodiscard]] Supports support_change(double from, double to, Part part) const;
+    [[nodiscard]] const assembly::Discretization &discretization() const { return _discretization; }
+    [[nodiscard]] results::Form form() const { return _form; }
+
     /// The mirror image in y -> -y of each matrix is its transpose, at every speed: so for bearings
     /// without coupling of the planes, or with kxy = -kyx.
     [[nodiscard]] bool mirrored() const { return _mirrored; }
@@ -43,7 +62,6 @@ class FormMatrices {
     [[nodiscard]] int size() const { return static_cast<int>(_M.rows()); }
 
   private:
-    using Sparse = Eigen::SparseMatrix<double>;
     const assembly::Discretization &_discretization;
     results::Form _form;
     bool _mirrored = true;
@@ -52,16 +70,10 @@ class FormMatrices {
     /// Form planar_damped: the imaginary parts of D, Ds, K, Ks; at() is then about the real ones.
     Sparse _iD, _iDs, _iK, _iKs;
 
-    struct Supports {
-        Sparse D, K, Ks;
-    };
-    /// Entries of a block on (x, y) as the matrix has them.
-    enum class Part { real, imaginary };
     void set_general(const assembly::FixedSystem &system);
     void set_rotating(const assembly::RotatingSystem &system);
     void set_damped_planar();
     void add_tables(QuadraticAt &problem, double speed, Part part) const;
-    [[nodiscard]] Supports support_change(double from, double to, Part part) const;
 };
 
 } // namespace whirl::modes

@@ -19,10 +19,6 @@ GeneralSpectrum::GeneralSpectrum(const assembly::Discretization &discretization,
     : _discretization(discretization), _bearing_speed(bearing_speed),
       _system(assembly::assemble_fixed(discretization, bearing_speed)) {}
 
-GeneralSpectrum::GeneralSpectrum(const assembly::Discretization &discretization,
-                                 assembly::FixedSystem system)
-    : _discretization(discretization), _bearing_speed(0), _system(std::move(system)) {}
-
 class GeneralSpectrum::AtSpeed {
   public:
     AtSpeed(const GeneralSpectrum &of, double speed)
@@ -147,12 +143,6 @@ Spectrum GeneralSpectrum::modes(double speed, int wanted, Errors errors) const {
             return out; // what lies above cannot be resolved beside what is found
         }
     }
-}
-
-bool GeneralSpectrum::needs_all(double speed, int wanted) const {
-    AtSpeed problem(*this, speed);
-    const linalg::QuadraticOptions options = problem.options(std::min(_system.M.size(), wanted));
-    return !problem.solver(options.shift).by_toar(options);
 }
 
 } // namespace whirl::modes

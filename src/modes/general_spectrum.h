@@ -12,18 +12,10 @@ class GeneralSpectrum {
   public:
     /// Bearings as at `bearing_speed` (rad/s).
     GeneralSpectrum(const assembly::Discretization &discretization, double bearing_speed);
-    /// Matrices made from those of a rotor that is held.
-    GeneralSpectrum(const assembly::Discretization &discretization, assembly::FixedSystem system);
 
     /// At least `wanted` whirl modes of least modulus, or all: Im > 0 or zero modes, whirl not set.
     [[nodiscard]] Spectrum modes(double speed, int wanted,
                                  Errors errors = Errors::with_left_vectors) const;
-
-    /// Whether as many are found, if at all, among all eigenvalues alone. By one attempt without
-    /// them: a few hundredths of a second, where they would take seconds.
-    [[nodiscard]] bool needs_all(double speed, int wanted) const;
-
-    [[nodiscard]] const assembly::FixedSystem &system() const { return _system; }
 
   private:
     const assembly::Discretization &_discretization;

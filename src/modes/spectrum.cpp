@@ -5,16 +5,14 @@
 #include "balancers/arrangement.h"
 #include "linalg/check.h"
 #include "model/errors.h"
-#include "modes/following/continuation.h"
-#include "modes/following/followed_modes.h"
 #include "modes/form_matrices.h"
 #include "modes/general_spectrum.h"
 #include "modes/hill/floquet_shapes.h"
 #include "modes/hill/floquet_spectrum.h"
 #include "modes/hill/series_modes_near.h"
 #include "modes/orbits.h"
-#include "modes/planar_damped.h"
-#include "modes/reduced/few_shapes.h"
+#include "modes/planar_whirl.h"
+#include "modes/refined_spectrum.h"
 #include "modes/rotating_spectrum.h"
 #include "modes/solver/data.h"
 #include "modes/solver/degenerate.h"
@@ -57,7 +55,7 @@ const assembly::Discretization &SpectrumSolver::discretization() const { return 
 results::Form SpectrumSolver::form() const { return _data->form; }
 
 int SpectrumSolver::unknowns() const {
-    if (_data->few || _data->shapes || results::in_rotating_axes(_data->form))
+    if (_data->shapes || results::in_rotating_axes(_data->form))
         return _data->matrices().size();
     return _data->d.planar_size() * (results::is_planar(_data->form) ? 1 : 2);
 }
@@ -71,84 +69,46 @@ Spectrum SpectrumSolver::symmetric(double speed, int wanted) const {
     return spectrum;
 }
 
-Spectrum SpectrumSolver::damped_alone(double speed, int wanted, Errors errors) const {
-    if (_data->form == results::Form::planar_damped)
-        return _data->at_speed(_data->planar_damped, speed).modes(speed, wanted);
-    return _data->at_speed(_data->general, speed).modes(speed, wanted, errors);
-}
-
-void SpectrumSolver::expect(std::size_t speeds) const {
+void SpectrumSolver::expect(const std::vector<double> &speeds, int wanted) const {
     const bool planar = _data->form == results::Form::planar;
     if ((planar || _data->form == results::Form::hyperbolic) && !_data->tables)
-        _data->at_speed(_data->symmetric, 0, planar).expect(static_cast<int>(speeds));
+        _data->at_speed(_data->symmetric, 0, planar).expect(static_cast<int>(speeds.size()));
+    if (refines())
+        _data->refined().expect(speeds, wanted + _data->most_zero_modes(speeds.front()));
 }
 
 bool SpectrumSolver::carries_over(bool follow) const {
-    if (_data->form == results::Form::planar_damped)
-        return !_data->tables;
-    if (_data->form == results::Form::rotating) // shapes are of all that has been asked for
-        return follow && !_data->tables;
-    return _data->form == results::Form::general && follow && !_data->few &&
-           _data->symmetric_matrices() != nullptr;
+    // Shapes are of all that has been asked for.
+    return _data->form == results::Form::rotating && follow && !_data->tables;
 }
 
-bool SpectrumSolver::needs_all_eigenvalues(double speed, int wanted) const {
-    return _data->form == results::Form::general && !_data->few &&
-           _data->at_speed(_data->general, speed).needs_all(speed, wanted);
+void SpectrumSolver::take_all_unknowns() const { _data->all_unknowns = true; }
+
+bool SpectrumSolver::refines() const {
+    return !_data->all_unknowns &&
+           (_data->form == results::Form::general || _data->form == results::Form::planar_damped);
 }
 
 Spectrum SpectrumSolver::damped(double speed, int wanted, Errors errors) const {
-    if (_data->few)
-        return _data->few->modes(speed, wanted);
-    if (_data->following)
-        if (const FollowedSpeed *followed = _data->following->at(speed, wanted))
-            return modes_of(_data->following->problem(), *followed);
-    return damped_alone(speed, wanted, errors);
-}
-
-bool SpectrumSolver::take_few_shapes(int modes) {
-    if (_data->form == results::Form::general && !_data->tables)
-        _data->few = FewShapes::of(_data->d, modes);
-    return _data->few != nullptr;
-}
-
-double SpectrumSolver::left_out(double speed, const WhirlMode &mode) const {
-    return _data->few ? _data->few->left_out(speed, mode) : 0;
+    const bool planar = _data->form == results::Form::planar_damped;
+    if (refines()) {
+        try {
+            Spectrum found = _data->refined().modes(speed, wanted);
+            return _data->planar_as_real() ? as_planar(std::move(found), speed) : found;
+        } catch (const linalg::SolverError &) { // all unknowns decide
+        }
+    }
+    Spectrum found = _data->at_speed(_data->general, speed).modes(speed, wanted, errors);
+    return planar ? as_planar(std::move(found), speed) : found;
 }
 
 void SpectrumSolver::follow(const std::vector<double> &speeds, int wanted) const {
     constexpr std::size_t several = 8; // fewer cost less one by one
-    if (_data->few)
+    if (!results::in_rotating_axes(_data->form) ||
+        (speeds.size() < several && !_data->turning_range))
         return;
-    if (results::in_rotating_axes(_data->form)) {
-        if (speeds.size() >= several || _data->turning_range) {
-            const auto [from, to] = std::minmax_element(speeds.begin(), speeds.end());
-            _data->take_turning({*from, *to, wanted});
-        }
-        return;
-    }
-    if (!_data->following) {
-        const SymmetricProblem *problem = _data->symmetric_matrices();
-        if (problem == nullptr)
-            return;
-        const auto start = [this](double speed, int modes) {
-            return starting_pairs(damped_alone(speed, modes, Errors::of_right_vectors),
-                                  _data->form);
-        };
-        Continuation::Start undamped;
-        if (_data->form == results::Form::general &&
-            !problem->has(SymmetricProblem::stiffness_turned))
-            undamped = [this](double speed, int modes) {
-                const SymmetricSpectrum &of = _data->at_speed(_data->symmetric, 0, false);
-                StartingPairs at_rest = starting_pairs(of.modes_at_rest(modes), 0);
-                const bool slow = std::all_of(
-                    at_rest.whirls.begin(), at_rest.whirls.end(),
-                    [speed](const auto &pair) { return std::abs(pair.first) > std::abs(speed); });
-                return slow ? at_rest : starting_pairs(of.modes(speed, modes), speed);
-            };
-        _data->following = std::make_unique<Continuation>(*problem, _data->d, start, undamped);
-    }
-    _data->following->follow(speeds, wanted);
+    const auto [from, to] = std::minmax_element(speeds.begin(), speeds.end());
+    _data->take_turning({*from, *to, wanted});
 }
 
 std::unique_ptr<SpectrumSolver> SpectrumSolver::by_monodromy(double from, double to,
@@ -171,25 +131,6 @@ bool SpectrumSolver::by_matrix(double speed, int wanted) const {
 
 double SpectrumSolver::slow() const { return by_matrix() ? _data->floquet->slow() : 0; }
 
-bool SpectrumSolver::follows() const { return _data->following != nullptr; }
-
-std::vector<std::optional<SpectrumSolver::Motion>>
-SpectrumSolver::followed(const std::vector<MotionAt> &asked) const {
-    std::vector<std::optional<Motion>> out(asked.size());
-    if (!follows())
-        return out;
-    std::vector<Continuation::Single> singles;
-    for (const auto &[speed, followed] : asked)
-        singles.push_back({speed, static_cast<std::size_t>(followed)});
-    const auto pairs = _data->following->single(singles);
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-        if (pairs[i] && pairs[i]->value.imag() >= 0)
-            out[i] = {pairs[i]->value, pairs[i]->rate};
-        else if (pairs[i])
-            out[i] = {std::conj(pairs[i]->value), std::conj(pairs[i]->rate)};
-    return out;
-}
-
 std::vector<WhirlMode> SpectrumSolver::near(double speed,
                                             const std::vector<WhirlMode> &guesses) const {
     if (_data->form == results::Form::rotating && !_data->tables) {
@@ -203,8 +144,8 @@ std::vector<WhirlMode> SpectrumSolver::near(double speed,
         return series_modes_near(*_data->rotating,
                                  Data::made(_data->series, _data->d, _data->balancers), speed,
                                  guesses);
-    const SymmetricProblem *problem = _data->symmetric_matrices();
-    return problem == nullptr ? std::vector<WhirlMode>() : modes_near(*problem, speed, guesses);
+    return refines() && !_data->planar_as_real() ? _data->refined().near(speed, guesses)
+                                                 : std::vector<WhirlMode>();
 }
 
 Spectrum SpectrumSolver::rotating(double speed, int wanted, Errors errors) const {

@@ -39,28 +39,21 @@ class SpectrumSolver {
     [[nodiscard]] Spectrum at(double speed, int wanted,
                               Errors errors = Errors::with_left_vectors) const;
 
-    /// So many speeds are asked for next, here or by other processes: what is found at one of them
+    /// These speeds are asked for next, here or by other processes: what is found at one of them
     /// does not depend on who asks for the others.
-    void expect(std::size_t speeds) const;
+    void expect(const std::vector<double> &speeds, int wanted) const;
     /// Whether that holds no longer: what was found at one speed helps at the next.
     /// @param follow  follow() is asked for
     [[nodiscard]] bool carries_over(bool follow) const;
 
-    /// Form general: whether so many modes are found among all eigenvalues alone, which costs the
-    /// cube of the unknowns. Known by one attempt that does without them.
-    [[nodiscard]] bool needs_all_eigenvalues(double speed, int wanted) const;
+    /// `reduction = "off"`: from now on damped forms of the fixed frame by SLEPc on all unknowns at
+    /// each speed.
+    void take_all_unknowns() const;
+    /// Whether modes are those of shapes refined on the whole rotor (refined_spectrum.h).
+    [[nodiscard]] bool refines() const;
 
-    /// Damped rotors with symmetric matrices (SymmetricProblem): follows as many modes through
-    /// these speeds; at() then knows them there, and finds those between by few steps.
+    /// Form rotating: by few shapes over the range of these speeds, where they do.
     void follow(const std::vector<double> &speeds, int wanted) const;
-
-    /// Form general: from now on the modes of the rotor on few shapes, those at rest and what bends
-    /// it where something acts (reduction/planar_shapes.h): nearly those of the whole rotor in much
-    /// less time. @returns whether that is so: not where bearings change with speed or do not hold
-    /// the rotor, nor where shapes are no fewer than half of the unknowns
-    bool take_few_shapes(int modes);
-    /// What the shapes leave out of the eigenvalue of such a mode, estimated, relative to it.
-    [[nodiscard]] double left_out(double speed, const WhirlMode &mode) const;
 
     /// Form rotating: this rotor on the few shapes that its motions were found to have over a range
     /// of speeds, after follow() through several; for searches that ask at hundreds of speeds. Its
@@ -87,19 +80,6 @@ class SpectrumSolver {
     /// Of such a rotor: changes of the eigenvalues of modes with speed, from a spectrum just
     /// beside; not a number where it is not clear which one a mode becomes.
     [[nodiscard]] Eigen::VectorXcd rates(const Spectrum &spectrum) const;
-
-    /// follow() has been asked for, and can be met.
-    [[nodiscard]] bool follows() const;
-
-    struct MotionAt {
-        double speed;
-        int followed; ///< WhirlMode::followed
-    };
-    struct Motion {
-        std::complex<double> eigenvalue, rate; ///< Im >= 0
-    };
-    /// Single motions between speeds they were followed through; none where not told from others.
-    [[nodiscard]] std::vector<std::optional<Motion>> followed(const std::vector<MotionAt> &) const;
 
     /// Modes near guesses over the unknowns of this rotor, one for each; none where they cannot be
     /// found from these. Form hill: guesses over any unknowns, at speeds other than 0, by as many
@@ -132,7 +112,6 @@ class SpectrumSolver {
 
     explicit SpectrumSolver(std::unique_ptr<Data> data);
     [[nodiscard]] Spectrum symmetric(double speed, int wanted) const;
-    [[nodiscard]] Spectrum damped_alone(double speed, int wanted, Errors errors) const;
     [[nodiscard]] Spectrum damped(double speed, int wanted, Errors errors) const;
     [[nodiscard]] Spectrum rotating(double speed, int wanted, Errors errors) const;
     [[nodiscard]] ModeBasis hill_basis(const Spectrum &spectrum) const;

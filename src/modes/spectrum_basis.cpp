@@ -1,6 +1,5 @@
 // Left and right vectors of the modes of a spectrum, by the form of its unknowns.
 
-#include "modes/following/followed_modes.h"
 #include "modes/hill/series_basis.h"
 #include "modes/solver/data.h"
 #include "modes/spectrum.h"
@@ -84,12 +83,6 @@ ModeBasis basis_in(Form form, const FormMatrices &matrices, double speed, const 
 
 ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
     const Form form = _data->form;
-    const FollowedSpeed *followed =
-        _data->following ? _data->following->known(spectrum.speed) : nullptr;
-    if (followed != nullptr && std::ranges::all_of(spectrum.modes, [](const WhirlMode &mode) {
-            return mode.followed >= 0;
-        }))
-        return basis_of(_data->following->problem(), *followed, spectrum.modes);
     if (form == Form::hill)
         return hill_basis(spectrum);
     const FormMatrices &matrices = _data->matrices();
@@ -99,9 +92,7 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
     for (Eigen::Index i = 0; i < count; ++i) {
         const WhirlMode &mode = spectrum.modes[static_cast<std::size_t>(i)];
         of.values(i) = value_of(mode, form, spectrum.speed);
-        of.right.col(i) = form == Form::rotating ? mode.rotating_vector
-                          : _data->few           ? _data->few->amplitudes(mode.shape)
-                                                 : mode.shape;
+        of.right.col(i) = form == Form::rotating ? mode.rotating_vector : mode.shape;
         of.left_known = of.left_known && mode.left.size() == n;
         if (of.left_known)
             of.left.col(i) = mode.left;

@@ -80,12 +80,6 @@ std::vector<WhirlMode> SymmetricSpectrum::modes(double speed, int wanted) const 
     return modes_of(_pencil->smallest(speed, eigenvalues), speed);
 }
 
-std::vector<WhirlMode> SymmetricSpectrum::modes_at_rest(int wanted) const {
-    if (!_supported || _planar)
-        return modes(0, wanted);
-    return modes_of(_pencil->smallest_at_rest(std::min(2 * _M.size(), 2 * wanted)), 0);
-}
-
 std::vector<WhirlMode> SymmetricSpectrum::free_modes(double speed, int wanted) const {
     const results::Form form = _planar ? results::Form::planar : results::Form::hyperbolic;
     const ZeroModes zeros = zero_modes(_discretization, form, _bearing_speed, speed);

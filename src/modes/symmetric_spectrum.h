@@ -23,9 +23,6 @@ class SymmetricSpectrum {
     /// planar form.
     [[nodiscard]] std::vector<WhirlMode> modes(double speed, int wanted) const;
 
-    /// The same at rest, to begin with: faster, and less accurate the larger the frequencies.
-    [[nodiscard]] std::vector<WhirlMode> modes_at_rest(int wanted) const;
-
   private:
     const assembly::Discretization &_discretization;
     bool _planar;

@@ -91,7 +91,6 @@ struct WhirlMode {
     /// False in form hill: of a series cut off, or of a rotor on few shapes that was not found with
     /// all unknowns. Such a value may be off by anything.
     bool confirmed = true;
-    int followed = -1; ///< place among the pairs of a Continuation at its speed, where it is one
 };
 
 /// The whirl modes at one spin speed with the lowest frequencies, with what else was met.

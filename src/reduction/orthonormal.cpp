@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace whirl::reduction {
 
@@ -26,31 +27,43 @@ void take_in(Eigen::MatrixXd &shapes, const Eigen::SparseMatrix<double> &H,
     }
 }
 
-void take_in_newest_first(Eigen::MatrixXd &shapes, const Eigen::SparseMatrix<double> &H,
-                          Eigen::MatrixXd columns, double newness) {
-    const auto sizes = [&] {
-        return Eigen::RowVectorXd(
-            columns.cwiseProduct(H * columns).colwise().sum().cwiseMax(0).cwiseSqrt());
-    };
-    const Eigen::RowVectorXd before = sizes();
-    for (Eigen::Index j = 0; j < columns.cols(); ++j)
-        columns.col(j) /= before(j) > 0 ? before(j) : 1;
+namespace {
+
+Eigen::RowVectorXd lengths(const Eigen::MatrixXd &columns, const Eigen::SparseMatrix<double> &H) {
+    return columns.cwiseProduct(H * columns).colwise().sum().cwiseMax(0).cwiseSqrt();
+}
+
+} // namespace
+
+void take_in_longest_first(Eigen::MatrixXd &shapes, const Eigen::SparseMatrix<double> &H,
+                           Eigen::MatrixXd columns, double shortest) {
     const Eigen::MatrixXd forces = H * columns;
     columns -= linalg::times(shapes, linalg::transposed_times(shapes, forces));
+    Eigen::RowVectorXd squares = lengths(columns, H).cwiseAbs2();
     for (Eigen::Index left = columns.cols(); left > 0; --left) {
-        Eigen::Index newest = 0;
-        if (!(sizes().maxCoeff(&newest) > newness))
+        Eigen::Index longest = 0;
+        if (!(squares.maxCoeff(&longest) > shortest * shortest))
             return;
         const Eigen::Index known = shapes.cols();
-        take_in(shapes, H, columns.col(newest), 0.5); // of what is left of it nothing is known
-        columns.col(newest).setZero();
+        take_in(shapes, H, columns.col(longest), 0.5); // of what is left of it nothing is known
+        columns.col(longest).setZero();
+        squares(longest) = 0;
         if (shapes.cols() == known)
             continue;
         const Eigen::VectorXd v = shapes.rightCols<1>();
         const Eigen::VectorXd force = H * v;
-        for (Eigen::Index j = 0; j < columns.cols(); ++j)
-            columns.col(j) -= force.dot(columns.col(j)) * v;
+        const Eigen::RowVectorXd along = force.transpose() * columns;
+        columns -= v * along;
+        squares -= along.cwiseAbs2();
     }
+}
+
+void take_in_newest_first(Eigen::MatrixXd &shapes, const Eigen::SparseMatrix<double> &H,
+                          Eigen::MatrixXd columns, double newness) {
+    const Eigen::RowVectorXd before = lengths(columns, H);
+    for (Eigen::Index j = 0; j < columns.cols(); ++j)
+        columns.col(j) /= before(j) > 0 ? before(j) : 1;
+    take_in_longest_first(shapes, H, std::move(columns), newness);
 }
 
 } // namespace whirl::reduction

@@ -13,6 +13,10 @@ namespace whirl::reduction {
 void take_in(Eigen::MatrixXd &shapes, const Eigen::SparseMatrix<double> &H,
              const Eigen::MatrixXd &columns, double newness);
 
+/// The same, always next the longest of what is left of the columns, down to a length under H.
+void take_in_longest_first(Eigen::MatrixXd &shapes, const Eigen::SparseMatrix<double> &H,
+                           Eigen::MatrixXd columns, double shortest);
+
 /// The same, always next the column of which most is new: few shapes for many columns alike.
 void take_in_newest_first(Eigen::MatrixXd &shapes, const Eigen::SparseMatrix<double> &H,
                           Eigen::MatrixXd columns, double newness);

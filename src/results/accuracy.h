@@ -13,8 +13,8 @@ struct AccuracyRow {
     int order = 1;
     int elements = 1; ///< of the whole shaft
     /// "full": one speed with the whole rotor, from its assembly on. "reduced": one of the speeds
-    /// of a sweep in which modes are followed from speed to speed, with its part of what is done
-    /// once.
+    /// of a sweep in which modes are refined from those on few shapes, with its part of what is
+    /// done once.
     std::string method = "full";
     int unknowns = 0;
     double seconds = 0;

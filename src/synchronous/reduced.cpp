@@ -2,10 +2,9 @@
 
 #include "assembly/frequency_scales.h"
 #include "assembly/planar_part.h"
-#include "linalg/check.h"
-#include "linalg/dense/complex_schur.h"
 #include "linalg/dense/products.h"
 #include "linalg/symmetric_eigen.h"
+#include "modes/roots/roots.h"
 #include "modes/zero_modes.h"
 #include "reduction/planar_shapes.h"
 #include "synchronous/parts.h"
@@ -190,37 +189,17 @@ std::vector<ReducedRoot> ReducedSynchronous::conservative(const Dense &at, int z
     return {};
 }
 
-/// All eigenvalues mu = 1 / (l - shift) of the companion form; the lower halves of its right
-/// vectors are those of Q, the upper ones of its left vectors Q(shift)^H times the left ones of Q.
 std::vector<ReducedRoot> ReducedSynchronous::any(const Dense &at, int zeros) const {
-    const double shift = 0.1 * _scale;
-    const Eigen::Index m = at.K.rows();
-    const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(at.K + shift * at.D + shift * shift * at.M);
-    Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(2 * m, 2 * m);
-    companion.topLeftCorner(m, m) =
-        -linalg::solved(lu, Eigen::MatrixXcd(_scale * (at.D + 2 * shift * at.M)));
-    companion.topRightCorner(m, m) = -linalg::solved(lu, Eigen::MatrixXcd(_scale * _scale * at.M));
-    companion.bottomLeftCorner(m, m).setIdentity();
-    if (!companion.allFinite())
-        throw linalg::SolverError("the reduced synchronous problem is singular");
-    const linalg::ComplexEigen eigen = linalg::complex_eigen(std::move(companion));
     std::vector<ReducedRoot> out;
-    for (Eigen::Index i = 0; i < 2 * m; ++i) {
-        const Complex mu = eigen.values(i);
-        if (std::abs(mu) < 1e-14)
-            continue;
-        Complex l = shift + _scale / mu;
+    for (modes::Root &root :
+         modes::all_roots<Complex>({at.M, at.D, at.K, {}, {}}, 0.1 * _scale, zeros)) {
         constexpr double rounding = 1e-9;
-        if (std::abs(l.imag()) < rounding * std::abs(l)) // two motions that do not oscillate
+        Complex l = root.value;
+        if (std::abs(l.imag()) < rounding * std::abs(l)) // it does not oscillate
             l.imag(0);
-        const Eigen::VectorXcd x = eigen.right.col(i).tail(m);
-        const Eigen::VectorXcd y =
-            linalg::adjoint_solved(lu, Eigen::VectorXcd(eigen.left.col(i).head(m)));
-        const Complex by_root = y.dot((2.0 * l) * (at.M * x) + at.D * x);
-        out.push_back({l, 0, x, y / std::conj(by_root)});
+        if (l.imag() >= 0)
+            out.push_back({l, 0, std::move(root.right), root.left / std::conj(root.slope)});
     }
-    drop_least(out, zeros);
-    std::erase_if(out, [](const ReducedRoot &root) { return root.eigenvalue.imag() < 0; });
     return out;
 }
 

@@ -11,15 +11,26 @@ namespace whirl::tracking {
 
 namespace {
 
-using Asked = modes::SpectrumSolver::MotionAt;
-using Motion = modes::SpectrumSolver::Motion;
-
-/// A crossing while it is looked for.
+/// A crossing while it is looked for, the eigenvalue of its motion as a cubic of the speed between
+/// the ends of the step.
 struct Search {
     FollowedCrossing found;
-    int followed;
-    double low, high; ///< the step, rad/s
-    bool settled = false, lost = false;
+    StepEnd low, high;
+    std::complex<double> a, b, slope_a, slope_b; ///< eigenvalues there and their slopes
+    modes::WhirlMode mode;                       ///< of the nearer end, then the last one found
+
+    [[nodiscard]] std::complex<double> guess() const {
+        const double h = high.speed - low.speed;
+        const double t = (found.speed - low.speed) / h;
+        const std::complex<double> rise = b - a;
+        return a + t * (h * slope_a + t * (3.0 * rise - h * (2.0 * slope_a + slope_b) +
+                                           t * (h * (slope_a + slope_b) - 2.0 * rise)));
+    }
+    /// Slope of the distance from the multiple there.
+    [[nodiscard]] double slope() const {
+        const double t = (found.speed - low.speed) / (high.speed - low.speed);
+        return low.slope + t * (high.slope - low.slope);
+    }
 };
 
 /// Whether the distance changes its sign between the ends, well inside of the step, and both slopes
@@ -39,60 +50,76 @@ std::optional<Search> search_of(const SweepNodes &nodes, std::size_t k, const Li
     const modes::Spectrum &next = nodes.spectrum(k + 1);
     const modes::WhirlMode &mode = here.modes[link.from];
     const modes::WhirlMode &later = next.modes[link.to];
-    const bool one_motion = mode.followed >= 0 && mode.followed == later.followed &&
-                            mode.eigenvalue.imag() != 0 && later.eigenvalue.imag() != 0;
-    if (!one_motion || here.speed * next.speed <= 0)
+    if (mode.eigenvalue.imag() == 0 || later.eigenvalue.imag() == 0 || mode.whirl != later.whirl ||
+        here.speed * next.speed <= 0)
         return std::nullopt;
     const StepEnd a = end_of(here, nodes.rates(k).above, link.from, multiple);
     const StepEnd b = end_of(next, nodes.rates(k + 1).below, link.to, multiple);
     if (!plain(a, b))
         return std::nullopt;
     const double share = a.distance / (a.distance - b.distance);
-    return Search{
-        {k, link.line, a.speed + share * (b.speed - a.speed), 0}, mode.followed, a.speed, b.speed};
+    return Search{{k, link.line, a.speed + share * (b.speed - a.speed), 0},
+                  a,
+                  b,
+                  mode.eigenvalue,
+                  later.eigenvalue,
+                  nodes.rates(k).above(static_cast<Eigen::Index>(link.from)),
+                  nodes.rates(k + 1).below(static_cast<Eigen::Index>(link.to)),
+                  share < 0.5 ? mode : later};
 }
 
-/// One step of Newton's method; the last one is that from a distance of zero.
-void advance(Search &search, const std::optional<Motion> &motion, double multiple) {
-    if (!motion) {
-        search.lost = true;
-        return;
+/// The root of the motion alone. The slope is known well enough for a factor of a hundred in each
+/// step, and then from the last two.
+/// @returns nothing where it is lost
+std::optional<FollowedCrossing> settled(const modes::SpectrumSolver &solver, Search search,
+                                        double multiple) {
+    constexpr int most_steps = 12;
+    constexpr double another = 0.1; // of the step's change, from where the cubic leads
+    const double change = std::abs(search.b - search.a);
+    double slope = search.slope();
+    double last_speed = 0;
+    double last_distance = 0;
+    for (int step = 0; step < most_steps; ++step) {
+        const double speed = search.found.speed;
+        if (!(std::abs(speed - search.low.speed) < std::abs(search.high.speed - search.low.speed) &&
+              std::abs(speed - search.high.speed) < std::abs(search.high.speed - search.low.speed)))
+            return std::nullopt;
+        const std::complex<double> expected = search.guess();
+        const bool negative = search.mode.rotating_value.imag() < 0;
+        search.mode.eigenvalue = expected;
+        search.mode.rotating_value = negative ? std::conj(expected) : expected;
+        std::vector<modes::WhirlMode> found = solver.near(speed, {search.mode});
+        if (found.empty() || !(std::abs(found.front().eigenvalue - expected) <= another * change))
+            return std::nullopt;
+        search.mode = std::move(found.front());
+        const double target = multiple * std::abs(speed);
+        const double distance = search.mode.eigenvalue.imag() - target;
+        if (step > 0 && speed != last_speed) {
+            const double secant = (distance - last_distance) / (speed - last_speed);
+            slope = std::isfinite(secant) && secant * slope > 0 ? secant : slope;
+        }
+        last_speed = speed;
+        last_distance = distance;
+        search.found.speed -= distance / slope;
+        search.found.real = modes::determined_value(search.mode).real();
+        if (std::abs(distance) <= resolved * target &&
+            std::abs(search.found.speed - speed) < 1e3 * resolved * std::abs(speed))
+            return search.found;
     }
-    const double speed = search.found.speed;
-    const double target = multiple * std::abs(speed);
-    const double distance = motion->eigenvalue.imag() - target;
-    const double slope = motion->rate.imag() - (std::signbit(speed) ? -multiple : multiple);
-    search.found.speed -= distance / slope;
-    search.found.real = motion->eigenvalue.real();
-    search.settled = std::abs(distance) <= resolved * target &&
-                     std::abs(search.found.speed - speed) < 1e3 * resolved * std::abs(speed);
-    search.lost = !(search.found.speed > search.low && search.found.speed < search.high);
+    return std::nullopt;
 }
 
 } // namespace
 
 std::vector<FollowedCrossing> followed_crossings(const SweepNodes &nodes, double multiple) {
-    constexpr int most_steps = 8;
     std::vector<FollowedCrossing> out;
-    if (!nodes.solver().follows())
+    if (!nodes.solver().refines())
         return out;
-    std::vector<Search> open;
     for (std::size_t k = 0; k + 1 < nodes.count(); ++k)
         for (const Link &link : nodes.links(k))
             if (const std::optional<Search> search = search_of(nodes, k, link, multiple))
-                open.push_back(*search);
-    for (int step = 0; step < most_steps && !open.empty(); ++step) {
-        std::vector<Asked> asked;
-        for (const Search &search : open)
-            asked.push_back({search.found.speed, search.followed});
-        const auto motions = nodes.solver().followed(asked);
-        for (std::size_t i = 0; i < open.size(); ++i)
-            advance(open[i], motions[i], multiple);
-        for (const Search &search : open)
-            if (search.settled && !search.lost)
-                out.push_back(search.found);
-        std::erase_if(open, [](const Search &search) { return search.settled || search.lost; });
-    }
+                if (const auto crossing = settled(nodes.solver(), *search, multiple))
+                    out.push_back(*crossing);
     return out;
 }
 

@@ -15,8 +15,8 @@ struct FollowedCrossing {
 };
 
 /// Crossings within steps through which one motion was followed, without another one near by, and
-/// goes over from one side of the multiple to the other without turning back: by Newton's method on
-/// the motion alone, of all steps together. What is not found so is left out.
+/// goes over from one side of the multiple to the other without turning back: by a secant method on
+/// the motion alone (SpectrumSolver::near). What is not found so is left out.
 [[nodiscard]] std::vector<FollowedCrossing> followed_crossings(const SweepNodes &nodes,
                                                                double multiple);
 

@@ -188,7 +188,7 @@ LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &s
     }
     const mesh_error::FinerModel finer(rotor, solver);
     // Of each mode the finer one can be found from it.
-    const bool singly = solver.follows() || results::in_rotating_axes(solver.form());
+    const bool singly = solver.refines() || results::in_rotating_axes(solver.form());
     std::set<std::size_t> probes{0, spectra.size() / 2, spectra.size() - 1};
     if (const std::size_t slow = slowest_probed(solver, spectra); series && slow < spectra.size())
         probes.insert(slow); // not at rest: needs most harmonics

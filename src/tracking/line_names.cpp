@@ -110,6 +110,22 @@ std::vector<double> naming_speeds(const model::SpeedRange &range) {
     return out;
 }
 
+std::vector<double> followed_speeds(const model::Rotor &rotor, const model::SpeedRange &range) {
+    constexpr std::size_t most_rows = 40;
+    std::vector<double> rows = rotor.table_bends();
+    std::erase_if(rows, [&range](double row) {
+        return range.count == 1 || row <= std::min(range.from, range.to) ||
+               row >= std::max(range.from, range.to);
+    });
+    const std::size_t every = rows.size() / most_rows + 1;
+    std::vector<double> out = naming_speeds(range);
+    for (std::size_t i = 0; i < rows.size(); i += every)
+        out.push_back(rows[i]);
+    std::ranges::sort(out);
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+}
+
 std::vector<LineName> line_names(const std::vector<Line> &lines,
                                  const std::vector<modes::Spectrum> &spectra,
                                  const std::vector<std::size_t> &naming, int modes) {

@@ -13,6 +13,12 @@ namespace whirl::tracking {
 /// for there; one, where there is but one.
 [[nodiscard]] std::vector<double> naming_speeds(const model::SpeedRange &range);
 
+/// The speeds through which lines are followed: those that name them and the rows of bearing tables
+/// between them, at most some forty: what begins or ends between two rows does so at other speeds
+/// of the diagram too.
+[[nodiscard]] std::vector<double> followed_speeds(const model::Rotor &rotor,
+                                                  const model::SpeedRange &range);
+
 struct LineName {
     std::string label; ///< "1B", "1F", "2B", ..., "3M", "e1F"; empty: none
     /// However many speeds the line is followed over, it has this name.

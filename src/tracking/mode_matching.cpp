@@ -1,6 +1,5 @@
 #include "tracking/mode_matching.h"
 
-#include "linalg/lanes/vector_products.h"
 #include "tracking/bands/locked_whirl.h"
 
 #include <algorithm>
@@ -53,7 +52,7 @@ void join(Matching &matching, Eigen::Index i, Eigen::Index j) {
 
 Matching nothing_matched(const Snapshot &a, const Snapshot &b) {
     return {std::vector<int>(a.spectrum.modes.size(), Matching::none),
-            std::vector<int>(b.spectrum.modes.size(), Matching::none), false};
+            std::vector<int>(b.spectrum.modes.size(), Matching::none), false, false};
 }
 
 bool is_sure(const Eigen::MatrixXd &overlap, Eigen::Index i, Eigen::Index j) {
@@ -152,8 +151,6 @@ int expected_at(const Snapshot &a, const Snapshot &b, Eigen::Index i) {
 bool nearly_alike(const modes::ModeBasis &a, const modes::ModeBasis &b, Eigen::Index i,
                   Eigen::Index j) {
     constexpr double nearly = 0.1;
-    if (a.alike.size() > 0 && b.alike.size() > 0)
-        return std::norm(linalg::dot(a.alike.col(i), b.alike.col(j))) > 1 - nearly;
     return std::abs(modes::overlap(a, b, i, j) - 1.0) < nearly;
 }
 
@@ -199,16 +196,25 @@ Matching match_by_vectors(const Snapshot &a, const Snapshot &b, int important) {
             if (overlap(i, j) >= possible)
                 candidates.emplace_back(-overlap(i, j), i, j);
     take_best(std::move(candidates), out);
+    const auto ends = [](const Snapshot &here, Eigen::Index i, const Snapshot &there) {
+        const Absence why = fate(here.spectrum, static_cast<int>(i), there.spectrum);
+        return why == Absence::overdamped || why == Absence::divergent;
+    };
+    bool unsure = false;
+    bool ended = false;
     for (Eigen::Index i = 0; i < overlap.rows(); ++i) {
         const int j = out.to[static_cast<std::size_t>(i)];
-        if ((is_low(low_a, i) || (j != Matching::none && is_low(low_b, j))) &&
-            (j == Matching::none ? !stands_at_rest(a, i, b) : !is_sure(overlap, i, j)))
-            out.ambiguous = true;
+        if (j == Matching::none && is_low(low_a, i) && !stands_at_rest(a, i, b))
+            (ends(a, i, b) ? ended : unsure) = true;
+        if (j != Matching::none && (is_low(low_a, i) || is_low(low_b, j)))
+            unsure = unsure || !is_sure(overlap, i, j);
     }
     for (Eigen::Index j = 0; j < overlap.cols(); ++j)
-        out.ambiguous = out.ambiguous || (is_low(low_b, j) &&
-                                          out.from[static_cast<std::size_t>(j)] == Matching::none &&
-                                          !stands_at_rest(b, j, a));
+        if (is_low(low_b, j) && out.from[static_cast<std::size_t>(j)] == Matching::none &&
+            !stands_at_rest(b, j, a))
+            (ends(b, j, a) ? ended : unsure) = true;
+    out.ambiguous = unsure || ended;
+    out.but_for_ends = ended && !unsure;
     return out;
 }
 

@@ -27,6 +27,8 @@ struct Matching {
     std::vector<int> to;   ///< place of the continuation, or `none`
     std::vector<int> from; ///< the same seen from the other speed
     bool ambiguous = false;
+    /// That is so for no more than modes which end or begin on the real axis in between.
+    bool but_for_ends = false;
 };
 
 /// Pairs in descending order of overlap. It is ambiguous where one of the `important` lowest modes

@@ -13,26 +13,6 @@ namespace whirl::tracking {
 
 namespace {
 
-/// The most at the first speed, where names are counted, and of the modes to be named.
-double most_left_out(const modes::SpectrumSolver &solver,
-                     const std::vector<modes::Spectrum> &spectra, const std::vector<char> &asked,
-                     int modes, const ModesToName &wanted) {
-    double most = 0;
-    for (std::size_t k = 0; k < spectra.size(); ++k)
-        for (std::size_t i = 0; i < spectra[k].modes.size(); ++i)
-            if ((k == 0 && static_cast<int>(i) < modes) ||
-                (asked[k] != 0 && wanted.which(spectra[k], i)))
-                most = std::max(most, solver.left_out(spectra[k].speed, spectra[k].modes[i]));
-    return most;
-}
-
-/// Damping moves so many motions off that the modes are found among all eigenvalues, of many
-/// unknowns: a tenth of a second for every spectrum, or more.
-bool each_is_dear(const modes::SpectrumSolver &solver, double speed, int modes) {
-    constexpr int many_unknowns = 100;
-    return solver.unknowns() > many_unknowns && solver.needs_all_eigenvalues(speed, modes);
-}
-
 /// A mode to be named whose line comes in from beyond the modes computed: more would show more of
 /// it.
 bool comes_from_beyond(const Line &line, const std::vector<modes::Spectrum> &spectra,
@@ -51,7 +31,8 @@ bool comes_from_beyond(const Line &line, const std::vector<modes::Spectrum> &spe
 ModeNames::ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRange &range, int modes,
                      bool follow, const ModesToName &wanted) {
     const std::vector<double> named_at = naming_speeds(range);
-    _speeds = named_at;
+    const std::vector<double> nodes = followed_speeds(solver.discretization().rotor(), range);
+    _speeds = nodes;
     for (const double speed : wanted.speeds) {
         const bool inside = speed >= named_at.front() && speed <= named_at.back();
         // Beyond standstill senses change their names.
@@ -69,12 +50,10 @@ ModeNames::ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRang
     }
     Tracking tracking;
     int computed = modes + 2;
-    if (wanted.most_more && each_is_dear(solver, _speeds.front(), computed))
-        throw model::AnalysisFailure("each spectrum of this rotor costs more than names are worth");
     std::optional<int> left = wanted.most_more;
     for (int attempt = 0; attempt < 4; ++attempt) {
         _spectra = spectra_alone(solver, _speeds, computed, follow);
-        tracking = track(solver, _spectra, modes, left, named_at);
+        tracking = track(solver, _spectra, modes, left, nodes);
         if (left && attempt > 0)
             *left -= static_cast<int>(_speeds.size());
         if (tracking.cut_short || left.value_or(0) < 0)
@@ -86,7 +65,6 @@ ModeNames::ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRang
             break;
         computed += std::max(4, modes / 2);
     }
-    _left_out = most_left_out(solver, _spectra, asked, modes, wanted);
     _rates = tracking.rates;
     const std::vector<LineName> names = line_names(tracking.lines, _spectra, naming, modes);
     for (const modes::Spectrum &spectrum : _spectra)

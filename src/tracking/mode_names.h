@@ -20,7 +20,7 @@ struct ModesToName {
     /// Which of a spectrum at one of these speeds; of the others a name may be missing.
     std::function<bool(const modes::Spectrum &, std::size_t place)> which;
     /// Spectra that may be solved beside the first one at each speed; where that does not suffice,
-    /// there are no names, nor where each of them costs as much. None: as many as it takes.
+    /// there are no names. None: as many as it takes.
     std::optional<int> most_more = std::nullopt;
 };
 
@@ -34,10 +34,6 @@ class ModeNames {
     /// @throws model::AnalysisFailure where modes are not found, or not with the spectra allowed.
     ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRange &range, int modes,
               bool follow, const ModesToName &wanted);
-
-    /// Of the modes that names are counted by and of those to be named: the most that is left out
-    /// of an eigenvalue (SpectrumSolver::left_out).
-    [[nodiscard]] double left_out() const { return _left_out; }
 
     /// The spectrum at one of the speeds asked for; null where it is out of reach: beyond speeds
     /// of both signs, or of the other sign.
@@ -63,7 +59,6 @@ class ModeNames {
     std::vector<modes::Spectrum> _spectra;
     std::vector<Rates> _rates;
     std::vector<std::vector<std::string>> _names; ///< of each mode at each speed
-    double _left_out = 0;
 
     [[nodiscard]] std::optional<std::size_t> place_of(double speed) const;
 };

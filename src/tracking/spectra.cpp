@@ -51,7 +51,7 @@ void get(Bytes &bytes, modes::Spectrum &spectrum) {
 std::vector<modes::Spectrum> spectra_of(const modes::SpectrumSolver &solver,
                                         const std::vector<double> &sweep,
                                         const std::vector<double> &own, int wanted, bool follow) {
-    solver.expect(sweep.size());
+    solver.expect(sweep, wanted);
     if (follow)
         solver.follow(sweep, wanted);
     std::vector<modes::Spectrum> spectra;

@@ -7,8 +7,7 @@
 namespace whirl::tracking {
 
 /// Spectra at many speeds, by this process.
-/// @param follow  damped rotors with symmetric matrices: from speed to speed, see
-///                SpectrumSolver::follow
+/// @param follow  see SpectrumSolver::follow
 /// @throws model::AnalysisFailure where modes are not found.
 [[nodiscard]] std::vector<modes::Spectrum> spectra_alone(const modes::SpectrumSolver &solver,
                                                          const std::vector<double> &speeds,

@@ -153,7 +153,8 @@ class ModeFollower {
         const bool fine = std::abs(to - from) <= _finest;
         const bool exchanged = !fine && (may_veer(*a, *b, direct, _important, planar) ||
                                          may_turn_real(*a, *b, direct));
-        if (!direct.ambiguous && (last || !exchanged)) {
+        const bool clear = !direct.ambiguous || (fine && direct.but_for_ends);
+        if (clear && (last || !exchanged)) {
             chain.append(plain(direct, a->spectrum, b->spectrum), b);
             return;
         }

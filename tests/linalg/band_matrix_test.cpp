@@ -1,8 +1,6 @@
 #include "linalg/dense/band_matrix.h"
 
 #include "linalg/check.h"
-#include "linalg/lanes/symmetric_factors.h"
-#include "linalg/lanes/vector_products.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -49,108 +47,6 @@ TEST(BandMatrix, singular_matrix_is_refused) {
     band(1, 1) = 4;
     band(2, 2) = 1;
     EXPECT_THROW(band.eliminate(), SolverError);
-}
-
-TEST(SymmetricFactors, FourAtOnceAgreeWithDenseSolutions) {
-    constexpr int size = 23;
-    std::vector<Eigen::MatrixXcd> A(lanes, Eigen::MatrixXcd::Zero(size, size));
-    std::vector<Eigen::VectorXcd> b(lanes, Eigen::VectorXcd(size));
-    for (int lane = 0; lane < lanes; ++lane)
-        for (int i = 0; i < size; ++i) {
-            b[static_cast<std::size_t>(lane)](i) = number(i, 3 * i + 1 + lane);
-            for (int j = std::max(0, i - 3); j <= i; ++j) // a band with a hole
-                if (i - j != 2)
-                    A[static_cast<std::size_t>(lane)](i, j) =
-                        A[static_cast<std::size_t>(lane)](j, i) =
-                            i == j ? 3.0 + 2.0 * number(i + lane, j + 1) : number(i, j + lane);
-        }
-    SymmetricFactors::Sparse pattern = A[0].sparseView();
-    pattern.makeCompressed();
-    SymmetricFactors factors(pattern);
-    Vector4 values(factors.entries());
-    const std::vector<int> places = factors.places(static_cast<std::size_t>(pattern.nonZeros()));
-    for (Eigen::Index j = 0; j < size; ++j)
-        for (Eigen::Index p = pattern.outerIndexPtr()[j]; p < pattern.outerIndexPtr()[j + 1]; ++p)
-            for (int lane = 0; lane < lanes; ++lane)
-                if (const int place = places[static_cast<std::size_t>(p)]; place >= 0)
-                    values[static_cast<std::size_t>(place)].set(
-                        lane, A[static_cast<std::size_t>(lane)](pattern.innerIndexPtr()[p], j));
-    for (const bool sound : factors.factorize(values))
-        EXPECT_TRUE(sound);
-    Vector4 x;
-    set(x, {b.data(), &b[1], &b[2], &b[3]});
-    factors.solve(x);
-    for (int lane = 0; lane < lanes; ++lane) {
-        const auto i = static_cast<std::size_t>(lane);
-        const Eigen::VectorXcd expected = A[i].partialPivLu().solve(b[i]);
-        EXPECT_LT((vector_of(x, lane) - expected).norm(), 1e-12 * expected.norm()) << lane;
-        const double phase = std::arg(A[i].determinant());
-        const double apart = factors.determinant_phases()[i] - phase;
-        EXPECT_LT(std::abs(std::remainder(apart, 2 * std::numbers::pi)), 1e-10) << lane;
-    }
-}
-
-TEST(SymmetricFactors, AZeroPivotIsToldInItsLane) {
-    SymmetricFactors::Sparse pattern(1, 1);
-    pattern.insert(0, 0) = 1;
-    pattern.makeCompressed();
-    SymmetricFactors factors(pattern);
-    Vector4 values(1);
-    for (int lane = 0; lane < lanes; ++lane)
-        values[0].set(lane, lane == 2 ? 0 : 1);
-    EXPECT_EQ(factors.factorize(values), (std::array<bool, lanes>{true, true, false, true}));
-}
-
-// Sizes that fill the lanes and sizes that do not, against sums entry by entry.
-TEST(VectorProducts, AreTheSumsEntryByEntry) {
-    const std::complex<double> f(0.3, -1.7);
-    for (const int size : {0, 1, 2, 3, 4, 7, 32}) {
-        Eigen::VectorXcd a(size);
-        Eigen::VectorXcd b(size);
-        std::complex<double> sum = 0;
-        for (int k = 0; k < size; ++k) {
-            a(k) = number(k, 1);
-            b(k) = number(2, k);
-            sum += std::conj(a(k)) * b(k);
-        }
-        EXPECT_NEAR(std::abs(dot(a, b) - sum), 0, 1e-15 * (1 + size));
-        Eigen::VectorXcd y = b;
-        add_multiple(f, a, y);
-        for (int k = 0; k < size; ++k)
-            EXPECT_NEAR(std::abs(y(k) - (b(k) + f * a(k))), 0, 4e-16 * 4);
-    }
-}
-
-// Sizes below, at and beyond those of a block; entries are at most 1, the tolerances some
-// roundings.
-TEST(VectorProducts, OfColumnsSumsAndLanesAreThoseOfEigen) {
-    constexpr double rounding = 4e-16;
-    for (const Eigen::Index size : {1, 2, 3, 7, 8, 9, 40}) {
-        const Eigen::MatrixXcd A = Eigen::MatrixXcd::Random(size, 4);
-        const Eigen::MatrixXcd B = Eigen::MatrixXcd::Random(size, 3);
-        const std::complex<double> product = (A.col(2).transpose() * B.col(1)).value();
-        EXPECT_NEAR(std::abs(product_of_columns(A, 2, B, 1) - product), 0,
-                    rounding * static_cast<double>(4 + size));
-
-        std::vector<Eigen::VectorXcd> vectors;
-        Vector4 four(static_cast<std::size_t>(size));
-        Complex4 factors{};
-        for (int lane = 0; lane < lanes; ++lane) {
-            vectors.emplace_back(A.col(lane));
-            factors.set(lane, B(0, lane % 3));
-            for (Eigen::Index k = 0; k < size; ++k)
-                four[static_cast<std::size_t>(k)].set(lane, A(k, lane));
-        }
-        const Eigen::VectorXcd sum = sum_of({{0.3, &vectors[0]}, {-2.5, &vectors[3]}});
-        EXPECT_NEAR((sum - (0.3 * A.col(0) - 2.5 * A.col(3))).cwiseAbs().maxCoeff(), 0,
-                    5 * rounding);
-        const std::array<Eigen::VectorXcd, lanes> scaled = vectors_of(four, factors);
-        for (int lane = 0; lane < lanes; ++lane)
-            EXPECT_NEAR((scaled[static_cast<std::size_t>(lane)] - factors.at(lane) * A.col(lane))
-                            .cwiseAbs()
-                            .maxCoeff(),
-                        0, 2 * rounding);
-    }
 }
 
 } // namespace

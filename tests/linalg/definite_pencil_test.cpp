@@ -83,25 +83,6 @@ TEST(DefinitePencil, ChainOfMassesOfThreeSizes) {
     }
 }
 
-/// The same chain at rest by half the size: w^2 is lost in rounding twice as fast as w.
-TEST(DefinitePencil, AtRestBySquaresOfTheFrequencies) {
-    for (const int n : {10, 120, 400}) {
-        const Eigen::MatrixXd K = chain(n);
-        const Eigen::MatrixXd I = Eigen::MatrixXd::Identity(n, n);
-        const DefinitePencil pencil(tests::matrix_of(K), tests::matrix_of(I),
-                                    tests::matrix_of(0 * I));
-        const std::vector<RealPair> pairs = pencil.smallest_at_rest(8);
-        ASSERT_GE(pairs.size(), 8U);
-        for (std::size_t i = 0; i < 8; ++i) {
-            const double exact = of_chain(n, i);
-            EXPECT_NEAR(std::abs(pairs[i].value), exact, 1e-11 * exact) << n << " " << i;
-            const Eigen::VectorXd x = pairs[i].vector;
-            EXPECT_LT((K * x - exact * exact * x).norm(), 1e-8 * x.norm()) << n << " " << i;
-        }
-        EXPECT_NE(std::signbit(pairs[0].value), std::signbit(pairs[1].value));
-    }
-}
-
 TEST(DefinitePencil, ResidualAndRoundingBoundTheError) {
     const int n = 60;
     const Eigen::MatrixXd K = tests::random_definite(n, 1);

@@ -8,9 +8,9 @@
 #include "forced/response_peaks.h"
 #include "linalg/check.h"
 #include "model/variants.h"
-#include "modes/following/continuation.h"
 #include "modes/form_matrices.h"
 #include "modes/formulation.h"
+#include "modes/roots/whole_pencil.h"
 #include "modes/spectrum.h"
 #include "properties/draw.h"
 #include "properties/random_scenes.h"
@@ -121,20 +121,20 @@ struct DenseRotor {
 
 bool whirls(Complex value) { return value.imag() > modes::real_axis * std::abs(value); }
 
-void check_whirl_speeds(const modes::Spectrum &spectrum, bool followed, const DenseRotor &dense,
-                        bool rotating, int number, Findings &out) {
+void check_whirl_speeds(const modes::Spectrum &spectrum, const std::string &kind, bool refined,
+                        const DenseRotor &dense, bool rotating, int number, Findings &out) {
     double last = 0;
     int listed = 0;
     for (const modes::WhirlMode &mode : spectrum.modes) {
         const Complex value = rotating ? mode.rotating_value : mode.eigenvalue;
         const double size = std::abs(mode.eigenvalue);
         // What the program states of rounding, once for each of the two solutions.
-        const double stated = followed ? mode.residual : 0;
-        const double each = mode.rounding + (followed ? 0 : mode.residual);
+        const double stated = refined ? mode.residual : 0;
+        const double each = mode.rounding + (refined ? 0 : mode.residual);
         const double rounding = 2 * each + 4 * epsilon;
         const Complex whole = dense.next_to(value, (2 * stated + rounding) * size);
-        out.numbers.push_back({followed ? "whirl speed, followed" : "whirl speed, solved", number,
-                               spectrum.speed, std::abs(whole - value) / size, stated, rounding});
+        out.numbers.push_back({"whirl speed, " + kind, number, spectrum.speed,
+                               std::abs(whole - value) / size, stated, rounding});
         last = std::max(last, mode.eigenvalue.imag());
     }
     if (rotating || spectrum.modes.empty())
@@ -253,8 +253,9 @@ class DenseResponse {
 model::Case damped_scene(int number) {
     model::Case scene = random_scene(number);
     scene.rotor.shaft.order = number % 3 == 0 ? 2 : 1; // dense eigenvalues, by thousands
+    const int elements = number % 4 == 1 ? 4 : 1; // more unknowns than the shapes between speeds
     for (model::Segment &segment : scene.rotor.shaft.segments)
-        segment.elements = 1;
+        segment.elements = elements;
     Draw draw(static_cast<std::uint64_t>(number) + 77);
     for (model::Bearing &bearing : scene.rotor.bearings)
         for (model::BearingCoefficients &row : bearing.rows)
@@ -271,8 +272,7 @@ void check_eigenvalues(const model::Case &scene, int number, Findings &out) {
     const int order = scene.rotor.shaft.order;
     const std::vector<double> speeds = scene.speeds->values();
     const modes::SpectrumSolver solver(scene.rotor, form, order);
-    if (form == Form::general || form == Form::planar_damped)
-        solver.follow(speeds, scene.campbell.modes);
+    solver.expect(speeds, scene.campbell.modes);
     const assembly::Discretization &d = solver.discretization();
     stability::StabilityModel model = stability::stability_model(scene, speeds);
     const auto arrangement = balancers::arrangement_at_balance(scene.rotor);
@@ -283,70 +283,69 @@ void check_eigenvalues(const model::Case &scene, int number, Findings &out) {
     for (const double speed : speeds) {
         const DenseRotor dense(d, form, speed);
         const modes::Spectrum spectrum = solver.at(speed, scene.campbell.modes);
-        const bool followed =
-            std::any_of(spectrum.modes.begin(), spectrum.modes.end(),
-                        [](const modes::WhirlMode &mode) { return mode.followed >= 0; });
-        check_whirl_speeds(spectrum, followed, dense, rotating, number, out);
+        check_whirl_speeds(spectrum, solver.refines() ? "refined" : "solved", solver.refines(),
+                           dense, rotating, number, out);
         check_growing(motions, shapes != nullptr, speed, dense, number, out);
     }
+    if (!solver.refines())
+        return;
+    for (const double share : {0.07, 0.29, 0.43, 0.71}) { // none of the speeds solved at first
+        const double speed = speeds.front() + share * (speeds.back() - speeds.front());
+        check_whirl_speeds(solver.at(speed, scene.campbell.modes), "between", true,
+                           DenseRotor(d, form, speed), rotating, number, out);
+    }
 }
 
-/// The slowest eigenvalues of a rotor and a circle between two of them.
-modes::FollowedSpeed slowest(const DenseRotor &dense, double speed) {
-    modes::FollowedSpeed out;
-    out.speed = speed;
-    std::vector<Complex> upper;
-    for (const Complex value : dense.values)
-        if (value.imag() >= 0)
-            upper.push_back(value);
-    std::sort(upper.begin(), upper.end(),
-              [](Complex a, Complex b) { return std::abs(a) < std::abs(b); });
-    constexpr std::size_t most = 20;
-    upper.resize(std::min(upper.size(), most));
+/// A circle in the widest gap between the moduli of the slowest eigenvalues.
+double circle_among(const std::vector<Complex> &slowest) {
+    double radius = 0;
     double widest = 1;
-    for (std::size_t i = 0; i < upper.size(); ++i) {
-        modes::SymmetricPair pair;
-        pair.value = upper[i];
-        out.pairs.push_back(pair);
-        const double gap = i > 2 ? std::abs(upper[i]) / std::abs(upper[i - 1]) : 0;
+    for (std::size_t i = 6; i < slowest.size(); ++i) {
+        const double gap = std::abs(slowest[i]) / std::abs(slowest[i - 1]);
         if (gap > widest) {
             widest = gap;
-            out.radius = std::abs(upper[i]) / std::sqrt(gap);
+            radius = std::abs(slowest[i]) / std::sqrt(gap);
         }
     }
-    return out;
+    return radius;
 }
 
-/// Leaves some pairs out. @returns how many eigenvalues are missing within the circle
-int leave_out(Draw &draw, modes::FollowedSpeed &at) {
-    int missing = 0;
-    std::vector<modes::SymmetricPair> kept;
-    for (const modes::SymmetricPair &pair : at.pairs)
-        if (std::abs(pair.value) < at.radius && draw.chance(0.12))
-            missing += pair.value.imag() > 0 ? 2 : 1;
-        else
-            kept.push_back(pair);
-    at.pairs = std::move(kept);
-    return missing;
-}
-
+/// Whether none of them is left out is told by the argument of the determinant.
 void check_winding(const model::Case &scene, int number, Findings &out) {
     const Form form = modes::choose_formulation(scene).form;
-    const assembly::Discretization d(scene.rotor, scene.rotor.shaft.order);
-    const auto problem = modes::SymmetricProblem::of(d, form);
-    if (!problem || form != Form::general)
+    if (form != Form::general)
         return;
+    const assembly::Discretization d(scene.rotor, scene.rotor.shaft.order);
     Draw draw(static_cast<std::uint64_t>(number) + 4711);
-    const std::vector<double> speeds = scene.speeds->values();
-    const modes::FollowedSpeed first = slowest(DenseRotor(d, form, speeds[0]), speeds[0]);
-    const modes::FollowedSpeed second = slowest(DenseRotor(d, form, speeds[1]), speeds[1]);
+    const double speed = scene.speeds->values()[1];
+    const DenseRotor dense(d, form, speed);
+    std::vector<Complex> slowest = dense.values;
+    std::sort(slowest.begin(), slowest.end(),
+              [](Complex a, Complex b) { return std::abs(a) < std::abs(b); });
+    constexpr std::size_t most = 40;
+    slowest.resize(std::min(slowest.size(), most));
+    const double radius = circle_among(slowest);
+    modes::WholePencil<double> pencil;
+    pencil.set(modes::FormMatrices(d, form, {}).at(speed), radius);
     constexpr int tries = 6;
     for (int k = 0; k < tries; ++k) {
-        modes::FollowedSpeed left = second;
-        const bool none = leave_out(draw, left) == 0;
-        const bool same = modes::none_missing(*problem, first, first.radius, left, left.radius);
+        std::vector<Complex> known;
+        bool none = true; // is missing
+        for (const Complex value : slowest) {
+            const bool leave = std::abs(value) < radius && draw.chance(0.06);
+            none = none && !leave;
+            if (!leave)
+                known.push_back(value);
+        }
+        // Both conjugates or none.
+        for (const Complex value : slowest)
+            if (value.imag() > 0 &&
+                std::ranges::count(known, value) != std::ranges::count(known, std::conj(value)))
+                std::erase_if(known,
+                              [&](Complex a) { return a == value || a == std::conj(value); });
+        const bool complete = modes::complete_within(pencil, {0, radius}, known).value_or(!none);
         out.counts.push_back(
-            {"argument of the determinant", number, speeds[0], same ? 1 : 0, none ? 1 : 0});
+            {"argument of the determinant", number, speed, complete ? 1 : 0, none ? 1 : 0});
     }
 }
 

@@ -290,11 +290,12 @@ std::vector<Complex> whirl_at(const oracles::CaseRotor &rotor, double speed) {
 }
 
 // Bearings that damp heavily within one step of the grid, where motions cease to whirl and begin
-// again: crossings beside the step are listed, and no others.
+// again: crossings beside the step are listed, and no others; a line ends there and another begins.
 TEST(OverdampedBetweenSpeeds, crossings_beside_the_step_are_those_of_the_oracle) {
     tests::Random random(3214);
     constexpr int steps = 8;
     std::size_t crossed = 0;
+    int ended = 0;
     for (int i = 0; i < 20; ++i) {
         const double top = random(300, 800);
         const double step = top / steps;
@@ -323,6 +324,22 @@ TEST(OverdampedBetweenSpeeds, crossings_beside_the_step_are_those_of_the_oracle)
         const auto first = static_cast<std::size_t>(from / step);
         const double a = result.speeds[first];
         const double b = result.speeds[first + 1];
+        // Lines through the step: no more than there are motions of such frequencies on the way.
+        std::ptrdiff_t through = 0;
+        double highest = 0;
+        for (const results::CampbellMode &mode : result.modes)
+            if (mode.frequency[first] && mode.frequency[first + 1]) {
+                ++through;
+                highest = std::max({highest, *mode.frequency[first], *mode.frequency[first + 1]});
+            }
+        const auto up_to = [&](double speed) {
+            return std::ranges::count_if(whirl_at(rotor, speed), [highest](Complex l) {
+                return l.imag() < 1.2 * highest; // frequencies change with the damping
+            });
+        };
+        const std::ptrdiff_t on_the_way = up_to((from + to) / 2);
+        EXPECT_LE(through, on_the_way);
+        ended += on_the_way < up_to(a) ? 1 : 0;
         // Crossings with 1x outside that step: Im l passes the speed.
         for (const auto &[low, high] : {std::pair(0.0, a), std::pair(b, top)}) {
             std::vector<double> right;
@@ -357,6 +374,7 @@ TEST(OverdampedBetweenSpeeds, crossings_beside_the_step_are_those_of_the_oracle)
         }
     }
     EXPECT_GE(crossed, 20U);
+    EXPECT_GE(ended, 10);
 }
 
 /// What the shaft's damping, which turns with it, brings to rest in the rotor.

@@ -62,43 +62,18 @@ std::optional<results::Form> form_for_names(const model::Case &scene) {
     }
 }
 
-/// Lines that lie nearer than this part of a frequency change their order nowhere but there.
-constexpr double near_lines = 1e-4;
-
-std::optional<tracking::ModeNames> names_by(const modes::SpectrumSolver &solver,
-                                            const model::Case &scene,
-                                            const tracking::ModesToName &wanted) {
-    return tracking::mode_names(solver, *scene.speeds, scene.campbell.modes, scene.reduction,
-                                wanted);
-}
-
-/// By the general form on few shapes; none where these leave out more than is allowed.
-std::optional<tracking::ModeNames> names_on_few_shapes(const model::Case &scene, int order,
-                                                       const tracking::ModesToName &wanted,
-                                                       double allowed) {
-    modes::SpectrumSolver few(scene.rotor, results::Form::general, order);
-    if (!scene.reduction || !few.take_few_shapes(scene.campbell.modes + 2))
-        return std::nullopt;
-    auto found = names_by(few, scene, wanted);
-    return found && found->left_out() < allowed ? std::move(found) : std::nullopt;
-}
-
-/// The names come beside the answer: spectra of the whole rotor that may be solved for them alone.
+/// The names come beside the answer: spectra that may be solved for them alone.
 constexpr int most_more = 60;
 
-/// On few shapes where these describe the modes as well as names need it: not those that are in
-/// resonance far beyond the speeds of the case.
 std::optional<tracking::ModeNames> names_of(const model::Case &scene, results::Form form, int order,
-                                            const tracking::ModesToName &wanted) {
-    const auto beyond = [&range = *scene.speeds](double speed) { return speed > range.to; };
-    if (form == results::Form::general &&
-        !(wanted.beyond_range && std::ranges::any_of(wanted.speeds, beyond)))
-        if (auto found = names_on_few_shapes(scene, order, wanted, near_lines))
-            return found;
-    tracking::ModesToName of_whole = wanted;
+                                            tracking::ModesToName wanted) {
     if (form == results::Form::general)
-        of_whole.most_more = most_more;
-    return names_by(modes::SpectrumSolver(scene.rotor, form, order), scene, of_whole);
+        wanted.most_more = most_more;
+    const modes::SpectrumSolver solver(scene.rotor, form, order);
+    if (!scene.reduction)
+        solver.take_all_unknowns();
+    return tracking::mode_names(solver, *scene.speeds, scene.campbell.modes, scene.reduction,
+                                wanted);
 }
 
 } // namespace
@@ -171,30 +146,16 @@ std::string name_at(const results::StabilityEnd &end, const tracking::ModeNames 
     return found;
 }
 
-/// Whether a mode is that of one of the ends, or of few shapes might be.
+/// Whether a mode is that of one of the ends.
 bool at_an_end(std::complex<double> value, double speed,
                const std::vector<results::StabilityEnd> &ends) {
-    constexpr double about = 1e-3; // more than few shapes may leave out
+    constexpr double about = 1e-3;
     for (const results::StabilityEnd &end : ends)
         if (end.speed == speed)
             for (const double frequency : frequencies_of(end))
                 if (std::abs(value - std::complex<double>(0, frequency)) < about * frequency)
                     return true;
     return false;
-}
-
-/// Names that cost little beside the answer they are for: on few shapes in any form, and of the
-/// whole rotor only where it is small or its bearings change with speed.
-std::optional<tracking::ModeNames> names_beside(const model::Case &scene, results::Form form,
-                                                int order, const tracking::ModesToName &wanted) {
-    constexpr double enough = 0.1 * near_lines; // an end's motion is looked for as near as that
-    constexpr int small = 30;                   // unknowns of one plane
-    if (auto found = names_on_few_shapes(scene, order, wanted, enough))
-        return found;
-    const modes::SpectrumSolver whole(scene.rotor, form, order);
-    if (whole.discretization().planar_size() > small && !scene.rotor.bearings_depend_on_speed())
-        return std::nullopt;
-    return names_by(whole, scene, wanted);
 }
 
 } // namespace
@@ -210,7 +171,7 @@ void name_modes(std::vector<results::StabilityEnd> &ends, const model::Case &sce
     const auto which = [&ends](const modes::Spectrum &spectrum, std::size_t place) {
         return at_an_end(spectrum.modes[place].eigenvalue, spectrum.speed, ends);
     };
-    const auto names = names_beside(scene, form, order, {speeds, false, which, most_more});
+    const auto names = names_of(scene, form, order, {speeds, false, which, most_more});
     if (!names)
         return;
     for (results::StabilityEnd &end : ends)

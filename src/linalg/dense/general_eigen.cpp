@@ -13,6 +13,22 @@ void dlahqr_(const PetscBLASInt *schur, const PetscBLASInt *vectors, const Petsc
              const PetscBLASInt *low, const PetscBLASInt *high, double *H, const PetscBLASInt *ldh,
              double *real, double *imaginary, const PetscBLASInt *first, const PetscBLASInt *last,
              double *Z, const PetscBLASInt *ldz, PetscBLASInt *failed);
+void zgehrd_(const PetscBLASInt *n, const PetscBLASInt *low, const PetscBLASInt *high,
+             std::complex<double> *A, const PetscBLASInt *lda, std::complex<double> *tau,
+             std::complex<double> *work, const PetscBLASInt *room, PetscBLASInt *failed);
+void zunghr_(const PetscBLASInt *n, const PetscBLASInt *low, const PetscBLASInt *high,
+             std::complex<double> *A, const PetscBLASInt *lda, const std::complex<double> *tau,
+             std::complex<double> *work, const PetscBLASInt *room, PetscBLASInt *failed);
+void zlahqr_(const PetscBLASInt *schur, const PetscBLASInt *vectors, const PetscBLASInt *n,
+             const PetscBLASInt *low, const PetscBLASInt *high, std::complex<double> *H,
+             const PetscBLASInt *ldh, std::complex<double> *values, const PetscBLASInt *first,
+             const PetscBLASInt *last, std::complex<double> *Z, const PetscBLASInt *ldz,
+             PetscBLASInt *failed);
+void ztrevc_(const char *side, const char *which, const PetscBLASInt *selected,
+             const PetscBLASInt *n, std::complex<double> *T, const PetscBLASInt *ldt,
+             std::complex<double> *left, const PetscBLASInt *ldl, std::complex<double> *right,
+             const PetscBLASInt *ldr, const PetscBLASInt *columns, PetscBLASInt *found,
+             std::complex<double> *work, double *real_work, PetscBLASInt *failed);
 }
 
 namespace whirl::linalg {
@@ -100,6 +116,39 @@ GeneralEigen general_eigen(Eigen::MatrixXd A, Vectors which) {
     out.right = (schur.Q * out.right).eval();
     if (both)
         out.left = (schur.Q * out.left).eval();
+    return out;
+}
+
+ComplexEigen general_eigen(Eigen::MatrixXcd A) {
+    const auto n = static_cast<PetscBLASInt>(A.rows());
+    const PetscBLASInt one = 1;
+    const PetscBLASInt yes = 1;
+    const PetscBLASInt room = 34 * std::max<PetscBLASInt>(n, 1); // blocks of up to 33 columns
+    PetscBLASInt failed = 0;
+    Eigen::VectorXcd work(room);
+    Eigen::VectorXcd tau(std::max<PetscBLASInt>(n, 1));
+    zgehrd_(&n, &one, &n, A.data(), &n, tau.data(), work.data(), &room, &failed);
+    Eigen::MatrixXcd Q = A;
+    if (failed == 0)
+        zunghr_(&n, &one, &n, Q.data(), &n, tau.data(), work.data(), &room, &failed);
+    for (Eigen::Index j = 0; j + 2 < A.cols(); ++j)
+        A.col(j).tail(n - j - 2).setZero();
+    ComplexEigen out{Eigen::VectorXcd(n), Eigen::MatrixXcd(n, n), Eigen::MatrixXcd(n, n), {}};
+    if (failed == 0)
+        zlahqr_(&yes, &yes, &n, &one, &n, A.data(), &n, out.values.data(), &one, &n, Q.data(), &n,
+                &failed);
+    PetscBLASInt found = 0;
+    Eigen::VectorXd real_work(std::max<PetscBLASInt>(n, 1));
+    if (failed == 0)
+        ztrevc_("B", "A", nullptr, &n, A.data(), &n, out.left.data(), &n, out.right.data(), &n, &n,
+                &found, work.data(), real_work.data(), &failed);
+    if (failed != 0)
+        throw SolverError("the dense eigensolver did not converge");
+    out.products.resize(n);
+    for (Eigen::Index j = 0; j < n; ++j)
+        out.products(j) = out.left.col(j).dot(out.right.col(j));
+    out.right = (Q * out.right).eval();
+    out.left = (Q * out.left).eval();
     return out;
 }
 

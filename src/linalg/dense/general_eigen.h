@@ -27,6 +27,17 @@ enum class Vectors { right, both };
 /// @throws SolverError where it does not converge
 [[nodiscard]] GeneralEigen general_eigen(Eigen::MatrixXd A, Vectors which);
 
+/// The same of a complex matrix, in complex numbers.
+struct ComplexEigen {
+    Eigen::VectorXcd values;
+    Eigen::MatrixXcd right, left; ///< A v = value v and u^H A = value u^H, a column each
+    Eigen::VectorXcd products;    ///< u^H v of each value
+};
+
+/// By the same algorithm (LAPACK's zlahqr), right and left vectors.
+/// @throws SolverError where it does not converge
+[[nodiscard]] ComplexEigen general_eigen(Eigen::MatrixXcd A);
+
 /// The same with right vectors by Eigen's QR algorithm, slower: what rounding makes of defective
 /// eigenvalues differs, and with it what they hide of others.
 /// @throws SolverError where it does not converge

@@ -296,19 +296,6 @@ QuadraticResult QuadraticSolver::solve(const QuadraticOptions &options) {
     return result;
 }
 
-bool QuadraticSolver::by_toar(QuadraticOptions options) {
-    if (prefers_dense(_data->problem.size(), options.wanted))
-        return false;
-    options.method = QuadraticMethod::toar;
-    options.condition = false;
-    try {
-        (void)solve(options);
-        return true;
-    } catch (const SolverError &) {
-        return false;
-    }
-}
-
 QuadraticResult solve_quadratic(const Sparse &M, const Sparse &D, const Sparse &K,
                                 const QuadraticOptions &options) {
     return QuadraticSolver(M, D, K, options.shift).solve(options);

@@ -71,9 +71,6 @@ class QuadraticSolver {
     /// @param options  with the shift given above
     /// @throws SolverError as solve_quadratic()
     [[nodiscard]] QuadraticResult solve(const QuadraticOptions &options);
-    /// Whether TOAR finds as many as wanted, without all eigenvalues: what they cost, the cube of
-    /// the unknowns, is not spent on the answer.
-    [[nodiscard]] bool by_toar(QuadraticOptions options);
 
   private:
     struct Data;

@@ -114,7 +114,7 @@ namespace {
 constexpr double beside = 1e-8;
 /// What may be lost by pivots that are not the largest, of the matrix: a hundred times its
 /// rounding.
-constexpr double solved = 2e-14;
+constexpr double well_solved = 2e-14;
 
 } // namespace
 
@@ -172,7 +172,7 @@ void QuadraticProblem::take_condition(ComplexPair &pair, int lane) {
     Eigen::VectorXcd left = vector_of(_four.left, lane);
     const double lost = (vector_of(_four.lost, lane) - vector_of(_four.start, lane)).norm();
     const double entries = vector_of(_four.Q, lane).norm();
-    if (_four.sound[static_cast<std::size_t>(lane)] && lost <= solved * entries * left.norm())
+    if (_four.sound[static_cast<std::size_t>(lane)] && lost <= well_solved * entries * left.norm())
         left.normalize();
     else
         left = left_vector(pair.value, slope.conjugate());

@@ -3,13 +3,11 @@
 #include "assembly/discretization.h"
 #include "balancers/arrangement.h"
 #include "balancers/linear_element.h"
-#include "modes/following/continuation.h"
 #include "modes/form_matrices.h"
 #include "modes/general_spectrum.h"
 #include "modes/hill/floquet_spectrum.h"
 #include "modes/orbits.h"
-#include "modes/planar_damped.h"
-#include "modes/reduced/few_shapes.h"
+#include "modes/refined_spectrum.h"
 #include "modes/rotating_spectrum.h"
 #include "modes/spectrum.h"
 #include "modes/symmetric_spectrum.h"
@@ -32,7 +30,6 @@ struct SpectrumSolver::Data {
     bool tables; ///< bearings change with speed: assemble again at every speed
     Stations stations;
     std::unique_ptr<SymmetricSpectrum> symmetric;
-    std::unique_ptr<PlanarDamped> planar_damped;
     std::unique_ptr<GeneralSpectrum> general;
     std::vector<balancers::BalancerElement> balancers;
     std::unique_ptr<RotatingSpectrum> rotating;
@@ -45,8 +42,7 @@ struct SpectrumSolver::Data {
     std::unique_ptr<periodic::WholeRotor> series;   ///< form hill: single motions
     std::map<double, Spectrum> beside;              ///< with floquet: next to some speeds
     int refinement;
-    std::unique_ptr<Continuation> following; ///< none before follow()
-    std::unique_ptr<FewShapes> few;          ///< none: the whole rotor
+    bool all_unknowns = false; ///< damped forms of the fixed frame: no shapes
 
     Data(const model::Rotor &rotor, results::Form which, int order, int parts, int harmonics,
          std::shared_ptr<const Eigen::MatrixXd> few_shapes = nullptr)
@@ -107,23 +103,25 @@ struct SpectrumSolver::Data {
     }
 
     const FormMatrices &matrices() {
-        return few      ? few->matrices()
-               : shapes ? made(_matrices, d, rotating->system())
-                        : made(_matrices, d, form, balancers);
+        return shapes ? made(_matrices, d, rotating->system())
+                      : made(_matrices, d, form, balancers);
     }
 
-    /// None where the matrices are not symmetric, bearings change with the speed, or something
-    /// moves without mass.
-    const SymmetricProblem *symmetric_matrices() {
-        if (!_symmetric_problem)
-            _symmetric_problem = SymmetricProblem::of(d, form);
-        return _symmetric_problem->get();
+    /// Form planar_damped with motions that are free: found in the real form, in which it is known
+    /// which of them creep.
+    bool planar_as_real() { return form == results::Form::planar_damped && most_zero_modes(0) > 0; }
+
+    /// Damped forms of the fixed frame.
+    RefinedSpectrum &refined() {
+        if (planar_as_real())
+            return made(_refined, d, made(_general_matrices, d, results::Form::general, balancers));
+        return made(_refined, d, matrices());
     }
 
   private:
     std::optional<int> _zero_modes;
-    std::unique_ptr<FormMatrices> _matrices;
-    std::optional<std::unique_ptr<SymmetricProblem>> _symmetric_problem;
+    std::unique_ptr<FormMatrices> _matrices, _general_matrices;
+    std::unique_ptr<RefinedSpectrum> _refined;
 };
 
 } // namespace whirl::modes

@@ -1,0 +1,586 @@
+#include "modes/refined_spectrum.h"
+
+#include "assembly/frequency_scales.h"
+#include "linalg/check.h"
+#include "linalg/dense/products.h"
+#include "modes/planar_whirl.h"
+#include "modes/roots/followed_roots.h"
+#include "modes/roots/reduced_form.h"
+#include "modes/roots/whole_pencil.h"
+#include "modes/zero_modes.h"
+#include "reduction/orthonormal.h"
+#include "reduction/planar_shapes.h"
+#include "results/formulation.h"
+
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace whirl::modes {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Bases of growing size; the last one is the whole rotor, where it is small enough.
+constexpr int bases = 4;
+/// Unknowns of one plane up to which all of them are taken at last.
+constexpr int largest_whole = 160;
+
+/// Two that were found from different guesses are the same motion.
+template <class Found> bool same_root(const Found &a, const Found &b) {
+    constexpr double near = 1e-7;
+    constexpr double parallel = 1 - 1e-6;
+    return std::abs(a.value - b.value) <= near * std::abs(a.value) &&
+           std::abs(a.right.dot(b.right)) > parallel * a.right.norm() * b.right.norm();
+}
+
+} // namespace
+
+class RefinedSpectrum::Data {
+  public:
+    virtual ~Data() = default;
+    virtual Spectrum modes(double speed, int wanted) = 0;
+    virtual std::vector<WhirlMode> near(double speed, const std::vector<WhirlMode> &guesses) = 0;
+    virtual void expect(const std::vector<double> &speeds, int wanted) = 0;
+};
+
+namespace {
+
+/// @tparam Scalar  of the matrices: real in form general, complex in form planar_damped
+template <class Scalar> class Refined : public RefinedSpectrum::Data {
+  public:
+    Refined(const assembly::Discretization &d, const FormMatrices &matrices)
+        : _d(d), _matrices(matrices), _relaxation(Relaxation::of(d.rotor().shaft)),
+          _supports(assembly::support_scale(d)), _elastic(assembly::elastic_scale(d)) {}
+
+    void expect(const std::vector<double> &speeds, int wanted) override {
+        constexpr int steps = 4;
+        Range range{std::ranges::min(speeds), std::ranges::max(speeds), wanted};
+        if (_counted && _counted->covers(range))
+            return;
+        range.wanted += 4; // more may be asked for next
+        if (_counted)
+            range = {std::min(range.from, _counted->from), std::max(range.to, _counted->to),
+                     std::max(range.wanted, _counted->wanted)};
+        _columns.clear();
+        _between.reset();
+        _counted.reset();
+        std::vector<double> nodes;
+        std::map<double, Spectrum> known;
+        _collects = true;
+        for (int k = 0; k <= steps; ++k) {
+            double speed = range.from + (range.to - range.from) * k / steps;
+            const double nearest = *std::ranges::min_element(
+                speeds, {}, [speed](double one) { return std::abs(one - speed); });
+            if (std::abs(nearest - speed) < 0.3 * (range.to - range.from) / steps)
+                speed = nearest;
+            if (known.contains(speed))
+                continue;
+            nodes.push_back(speed);
+            try {
+                known.emplace(speed, modes(speed, range.wanted, k % (steps / 2) == 0));
+            } catch (const linalg::SolverError &) { // told when it is asked for
+                _collects = false;
+                return;
+            }
+        }
+        _collects = false;
+        _counted = range;
+        _known = std::move(known);
+        enrich(nodes);
+    }
+
+    Spectrum modes(double speed, int wanted) override {
+        if (const auto known = _known.find(speed);
+            known != _known.end() && wanted <= _counted->wanted)
+            return known->second;
+        return modes(speed, wanted, !_counted || !_counted->covers({speed, speed, wanted}));
+    }
+
+    std::vector<WhirlMode> near(double speed, const std::vector<WhirlMode> &guesses) override {
+        set(speed);
+        std::vector<WhirlMode> out;
+        for (const WhirlMode &mode : guesses) {
+            WholeRoot guess{real ? mode.eigenvalue : mode.rotating_value, mode.shape, {}};
+            guess.left = left_of(mode);
+            const std::optional<WholeRoot> found = _pencil.refined(guess);
+            constexpr double far = 0.2;
+            if (!found || !(std::abs(found->value - guess.value) <= far * std::abs(guess.value)))
+                return {};
+            out.push_back(mode_of(*found, speed));
+        }
+        return out;
+    }
+
+  private:
+    static constexpr bool real = std::is_same_v<Scalar, double>;
+    const assembly::Discretization &_d;
+    const FormMatrices &_matrices;
+    Relaxation _relaxation;
+    double _supports, _elastic; ///< of the order of the motions on the supports, and of the shaft
+    WholePencil<Scalar> _pencil;
+    std::optional<double> _speed;                         ///< that the pencil is set to
+    std::map<int, std::unique_ptr<ReducedForm>> _reduced; ///< by modes at rest; null: not to be had
+    int _basis = 0; ///< the least one that has done where eigenvalues were counted
+    struct Range {
+        double from, to; ///< rad/s
+        int wanted;
+        [[nodiscard]] bool covers(const Range &other) const {
+            return other.from >= from && other.to <= to && other.wanted <= wanted;
+        }
+    };
+    std::optional<Range> _counted;
+    std::map<double, Spectrum> _known; ///< of some speeds there
+
+    Spectrum modes(double speed, int wanted, bool counts) {
+        set(speed);
+        if (!counts && _between) {
+            try {
+                if (std::optional<Spectrum> found = modes_between(speed, wanted))
+                    return *std::move(found);
+            } catch (const linalg::SolverError &) { // of the dense problem
+            }
+        }
+        for (int basis = _basis; basis < bases; ++basis) {
+            const ReducedForm *form = reduced(basis, wanted);
+            if (form == nullptr)
+                continue;
+            try {
+                if (std::optional<Spectrum> found = modes(*form, speed, wanted, counts)) {
+                    if (counts)
+                        _basis = basis;
+                    return *std::move(found);
+                }
+            } catch (const linalg::SolverError &) { // of the dense problem: another basis may do
+            }
+            if (form->is_whole())
+                break;
+        }
+        throw linalg::SolverError("the shapes of the rotor miss some of its eigenvalues");
+    }
+
+    std::optional<reduction::PlanarShapes> _shapes; ///< of the least basis
+    bool _collects = false;                         ///< vectors of the speeds solved
+    std::vector<Eigen::MatrixXd> _columns;          ///< their parts, of each plane of the form
+    /// The rotor on shapes that span these vectors: nearly exact between the speeds.
+    struct Between {
+        ReducedForm form;
+        const ReducedForm &base;                ///< whose roots are the guesses
+        std::vector<Eigen::MatrixXd> from_base; ///< amplitudes of each plane, of those of the base
+        std::unique_ptr<FollowedRoots<Scalar>> followed;
+        Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> held; ///< of the metric of the shapes
+    };
+    std::unique_ptr<Between> _between;
+
+    static constexpr Eigen::Index planes = real ? 2 : 1;
+    /// N x 2 of each plane: real and imaginary parts.
+    [[nodiscard]] static Eigen::MatrixXd parts_of(const Eigen::VectorXcd &vector) {
+        return Eigen::Map<const Eigen::MatrixXd>(reinterpret_cast<const double *>(vector.data()),
+                                                 2 * planes, vector.size() / planes)
+            .transpose();
+    }
+
+    void collect(Eigen::VectorXcd vector) {
+        if (!_shapes)
+            return;
+        // As much as may be in the real part.
+        vector *= std::polar(1.0, -0.5 * std::arg(Complex(vector.cwiseProduct(vector).sum())));
+        Eigen::MatrixXd parts = parts_of(vector);
+        const Eigen::MatrixXd forces = _shapes->metric() * parts;
+        parts /= std::sqrt(parts.cwiseProduct(forces).sum());
+        _columns.resize(planes, Eigen::MatrixXd(parts.rows(), 0));
+        for (Eigen::Index plane = 0; plane < planes; ++plane) {
+            Eigen::MatrixXd &of = _columns[static_cast<std::size_t>(plane)];
+            of.conservativeResize(Eigen::NoChange, of.cols() + 2);
+            of.rightCols(2) = parts.middleCols(2 * plane, 2);
+        }
+    }
+
+    void enrich(const std::vector<double> &nodes) {
+        const ReducedForm *base = reduced(_basis, _counted->wanted);
+        if (_columns.empty() || base == nullptr || base->is_whole())
+            return;
+        // Of the length of a motion: what both vectors lack of one is about as small, and an
+        // eigenvalue is off by their product.
+        constexpr double shortest = 1e-5;
+        std::vector<Eigen::MatrixXd> shapes;
+        std::vector<Eigen::MatrixXd> from_base;
+        for (const Eigen::MatrixXd &columns : _columns) {
+            Eigen::MatrixXd of(columns.rows(), 0);
+            reduction::take_in_longest_first(of, _shapes->metric(), columns, shortest);
+            const Eigen::MatrixXd forces = _shapes->metric() * base->shapes()[shapes.size()];
+            from_base.push_back(linalg::transposed_times(of, forces));
+            shapes.push_back(std::move(of));
+        }
+        _columns.clear();
+        _between.reset(new Between{
+            ReducedForm(_matrices, std::move(shapes)), *base, std::move(from_base), {}, {}});
+        _between->held.compute(_shapes->metric());
+        _between->followed = std::make_unique<FollowedRoots<Scalar>>(
+            _between->form, [this](double speed) { return around(speed); });
+        for (const double speed : nodes)
+            _between->followed->add(speed);
+    }
+
+    /// All within reach of those wanted, as exact as the shapes of the counted speeds have them.
+    typename FollowedRoots<Scalar>::All around(double speed) {
+        constexpr double beyond = 1.7; // of the farthest wanted: others that may take its place
+        const int wanted = _counted->wanted;
+        const ZeroModes zeros = zero_modes(_d, results::Form::general, speed, speed);
+        typename FollowedRoots<Scalar>::All out;
+        try {
+            const std::vector<Root> roots = roots_of(_between->base, speed, wanted, zeros);
+            const std::optional<Choice> chosen =
+                choice(roots, centre(wanted), speed, wanted, false);
+            if (!chosen)
+                return {};
+            for (const std::size_t i : chosen->wanted)
+                out.reach = std::max(out.reach, 1.05 * std::abs(roots[i].value));
+            const DenseQuadratic<Scalar> problem = _between->form.template at<Scalar>(speed);
+            for (const Root &root : roots) {
+                if (std::abs(root.value) > beyond * out.reach)
+                    continue;
+                std::optional<Root> found = in_between(problem, root);
+                if (found && std::ranges::none_of(
+                                 out.roots, [&](const Root &a) { return same_root(a, *found); }))
+                    out.roots.push_back(*std::move(found));
+                else if (std::abs(root.value) <= out.reach)
+                    return {};
+            }
+        } catch (const linalg::SolverError &) {
+            return {};
+        }
+        return out;
+    }
+
+    [[nodiscard]] std::optional<Root> in_between(const DenseQuadratic<Scalar> &problem,
+                                                 Root of_base) const {
+        of_base.right = from_base(of_base.right);
+        of_base.left = from_base(of_base.left);
+        return _between->form.iterated(problem, std::move(of_base));
+    }
+
+    [[nodiscard]] Eigen::VectorXcd from_base(const Eigen::VectorXcd &reduced) const {
+        Eigen::Index rows = 0;
+        for (const Eigen::MatrixXd &T : _between->from_base)
+            rows += T.rows();
+        Eigen::VectorXcd out(rows);
+        Eigen::Index row = 0;
+        Eigen::Index column = 0;
+        for (const Eigen::MatrixXd &T : _between->from_base) {
+            out.segment(row, T.rows()) = T * reduced.segment(column, T.cols());
+            row += T.rows();
+            column += T.cols();
+        }
+        return out;
+    }
+
+    [[nodiscard]] Eigen::VectorXcd held(const Eigen::VectorXcd &force) const {
+        const Eigen::MatrixXd bent = _between->held.solve(parts_of(force));
+        Eigen::VectorXcd out(force.size());
+        Eigen::Map<Eigen::MatrixXd>(reinterpret_cast<double *>(out.data()), 2 * planes,
+                                    bent.rows()) = bent.transpose();
+        return out;
+    }
+
+    void set(double speed) {
+        if (_speed == speed)
+            return;
+        const double scale = std::max(_supports, std::abs(speed));
+        if constexpr (real)
+            _pencil.set(_matrices.at(speed), scale);
+        else
+            _pencil.set(_matrices.complex_at(speed), scale);
+        _speed = speed;
+    }
+
+    [[nodiscard]] Eigen::VectorXcd left_of(const WhirlMode &mode) const {
+        if (!real) // a symmetric matrix
+            return mode.shape.conjugate();
+        if (mode.left.size() == mode.shape.size())
+            return mode.left.conjugate();
+        Eigen::VectorXcd out = mode.shape.conjugate(); // in the mirror, as for most supports
+        for (Eigen::Index k = 1; k < out.size(); k += 2)
+            out(k) = -out(k);
+        return out;
+    }
+
+    /// Null where there are no such shapes.
+    const ReducedForm *reduced(int basis, int wanted) {
+        const int N = _d.planar_size();
+        // A mode at rest is two whirl modes; more for what speed brings down.
+        const int at_rest = (wanted / 2 + 3) << basis;
+        const bool whole = _d.rigid() || 2 * at_rest >= N || basis + 1 == bases;
+        if (whole && N > largest_whole && !_d.rigid() && 2 * at_rest < N)
+            return nullptr;
+        const auto [known, is_new] = _reduced.try_emplace(whole ? 0 : at_rest);
+        if (!is_new)
+            return known->second.get();
+        if (whole) {
+            known->second =
+                std::make_unique<ReducedForm>(_matrices, std::vector<Eigen::MatrixXd>());
+            return known->second.get();
+        }
+        // Free motions, and bearings that push away, are held by the mass.
+        for (const double top : {0.0, 0.3, 3.0, 30.0}) {
+            try {
+                const reduction::PlanarShapes shapes(_d, top * _elastic, at_rest);
+                known->second = std::make_unique<ReducedForm>(
+                    _matrices, std::vector<Eigen::MatrixXd>(planes, shapes.matrix()));
+                if (!_shapes)
+                    _shapes = shapes;
+                break;
+            } catch (const linalg::SolverError &) {
+            }
+        }
+        return known->second.get();
+    }
+
+    /// The rate at which the shaft's motions come to rest is not far beyond the modes wanted: two a
+    /// bending shape, whose frequencies grow with the square of its number. Then the circle is
+    /// around a shift away from there.
+    [[nodiscard]] double centre(int wanted) const {
+        const double shapes = wanted / 2.0 + 1;
+        return _relaxation.rate < shapes * shapes * _elastic ? _relaxation.shift() : 0;
+    }
+
+    [[nodiscard]] bool whirls(Complex value, double speed) const {
+        return std::abs(value.imag()) > real_axis * std::abs(value) &&
+               !_relaxation.stands(value, speed);
+    }
+
+    /// Which of the roots, ascending from the centre, are wanted, and a circle around them.
+    struct Choice {
+        std::vector<std::size_t> wanted;
+        Circle circle;
+        double complete_radius = 0; ///< 1/s
+    };
+    /// Those that whirl with the lowest frequencies, up to twice as far from the centre as there
+    /// are as many (heavily damped ones of low frequency are as far), and those without whirl that
+    /// are no farther than as many.
+    [[nodiscard]] std::optional<Choice> choice(const std::vector<Root> &roots, double centre,
+                                               double speed, int wanted, bool all) const {
+        constexpr double farther = 2;
+        constexpr double clear = 1.2; // a gap wide enough
+        constexpr int beyond = 12;    // roots to find one among
+        const auto away = [&](std::size_t i) { return std::abs(roots[i].value - centre); };
+        const double infinite = std::numeric_limits<double>::infinity();
+        std::vector<std::size_t> whirling;
+        for (std::size_t i = 0; i < roots.size(); ++i)
+            if (whirls(roots[i].value, speed))
+                whirling.push_back(i);
+        const auto asked = static_cast<std::size_t>(wanted);
+        if (whirling.size() < asked && !all)
+            return std::nullopt;
+        const double near = whirling.size() < asked ? infinite : away(whirling[asked - 1]);
+        std::erase_if(whirling, [&](std::size_t i) { return away(i) > farther * near; });
+        std::ranges::stable_sort(whirling, {},
+                                 [&](std::size_t i) { return std::abs(roots[i].value.imag()); });
+        whirling.resize(std::min(whirling.size(), asked));
+        Choice out;
+        out.wanted = whirling;
+        for (std::size_t i = 0; i < roots.size() && away(i) <= near; ++i)
+            if (!whirls(roots[i].value, speed))
+                out.wanted.push_back(i);
+        std::ranges::sort(out.wanted);
+        if (out.wanted.empty())
+            return std::nullopt;
+        out.complete_radius = std::max(0.0, near - centre);
+        out.circle = {centre, infinite};
+        double widest = 1;
+        for (std::size_t i = out.wanted.back();
+             i + 1 < roots.size() && i < out.wanted.back() + beyond && widest < clear; ++i)
+            if (const double ratio = away(i + 1) / away(i); ratio > widest) {
+                widest = ratio;
+                out.circle.radius = std::sqrt(away(i) * away(i + 1));
+            }
+        return std::isfinite(out.circle.radius) || all ? std::optional(out) : std::nullopt;
+    }
+
+    /// Between counted speeds: nothing where these do not tell all.
+    std::optional<Spectrum> modes_between(double speed, int wanted) {
+        constexpr double small = 1e-9; // of the eigenvalue: then the correction is its own error
+        const ZeroModes zeros = zero_modes(_d, results::Form::general, speed, speed);
+        const double c = centre(wanted);
+        const auto sort = [c](std::vector<Root> &roots) {
+            std::ranges::stable_sort(roots, {},
+                                     [c](const Root &root) { return std::abs(root.value - c); });
+        };
+        const ReducedForm &base = _between->base;
+        const DenseQuadratic<Scalar> problem = _between->form.template at<Scalar>(speed);
+        std::optional<std::vector<Root>> roots = _between->followed->at(speed);
+        const bool followed = roots.has_value();
+        if (followed) {
+            sort(*roots);
+            // Guesses may be out of order.
+            constexpr double out_of_order = 1.05;
+            const std::optional<Choice> about = choice(*roots, c, speed, wanted, false);
+            if (!about)
+                return std::nullopt;
+            const double farthest =
+                out_of_order * std::abs((*roots)[about->wanted.back()].value - c);
+            for (Root &root : *roots) {
+                if (std::abs(root.value - c) > farthest)
+                    break;
+                std::optional<Root> found = _between->form.iterated(problem, std::move(root));
+                if (!found)
+                    return std::nullopt;
+                root = *std::move(found);
+            }
+            sort(*roots);
+        } else {
+            roots = roots_of(base, speed, wanted, zeros);
+        }
+        const std::optional<Choice> chosen = choice(*roots, c, speed, wanted, false);
+        if (!chosen)
+            return std::nullopt;
+        std::vector<WholeRoot> found;
+        for (const std::size_t i : chosen->wanted) {
+            const Root &of = (*roots)[i];
+            const std::optional<Root> root = followed ? of : in_between(problem, of);
+            std::optional<WholeRoot> whole;
+            if (root)
+                whole = _pencil.corrected(
+                    {root->value, _between->form.lifted(root->right),
+                     _between->form.lifted(root->left)},
+                    [this](const auto &f) { return held(f); }, _matrices.mirrored());
+            if (!whole || !(whole->residual <= small)) {
+                whole = _pencil.refined(
+                    whole ? *whole
+                          : WholeRoot{of.value, base.lifted(of.right), base.lifted(of.left)});
+            }
+            if (!whole || std::ranges::any_of(
+                              found, [&](const WholeRoot &a) { return same_root(a, *whole); }))
+                return std::nullopt;
+            found.push_back(*std::move(whole));
+        }
+        return spectrum_of(found, zeros, chosen->complete_radius, speed);
+    }
+
+    /// All with Im >= 0, of a complex problem all: the next ones to the centre first.
+    [[nodiscard]] std::vector<Root> roots_of(const ReducedForm &form, double speed, int wanted,
+                                             const ZeroModes &zeros) const {
+        const double c = centre(wanted);
+        const double shift = c > 0 ? c : 0.31 * std::max(std::abs(speed), _supports);
+        std::vector<Root> roots =
+            all_roots(form.template at<Scalar>(speed), shift, zeros.eigenvalues);
+        if (real)
+            std::erase_if(roots, [](const Root &root) { return root.value.imag() < 0; });
+        std::ranges::stable_sort(roots, {},
+                                 [c](const Root &root) { return std::abs(root.value - c); });
+        return roots;
+    }
+
+    std::optional<Spectrum> modes(const ReducedForm &form, double speed, int wanted, bool counts) {
+        const ZeroModes zeros = zero_modes(_d, results::Form::general, speed, speed);
+        const double c = centre(wanted);
+        std::vector<Root> roots = roots_of(form, speed, wanted, zeros);
+        const std::optional<Choice> chosen = choice(roots, c, speed, wanted, form.is_whole());
+        if (!chosen)
+            return std::nullopt;
+        std::vector<WholeRoot> found;
+        for (const std::size_t i : chosen->wanted) {
+            Root &root = roots[i];
+            const WholeRoot guess{root.value, form.lifted(root.right), form.lifted(root.left)};
+            std::optional<WholeRoot> whole = _pencil.refined(guess);
+            if (!whole || std::ranges::any_of(
+                              found, [&](const WholeRoot &a) { return same_root(a, *whole); }))
+                return std::nullopt;
+            constexpr double far = 0.02; // more than shapes that do may leave out
+            counts = counts || std::abs(whole->value - root.value) > far * std::abs(root.value) ||
+                     (real && (root.value.imag() == 0) != (whole->value.imag() == 0));
+            root.value = whole->value;
+            if (_collects) {
+                collect(whole->right);
+                if (!_matrices.mirrored())
+                    collect(whole->left);
+            }
+            found.push_back(*std::move(whole));
+        }
+        if (_collects) {
+            int more = 4;
+            for (std::size_t i = 0; i < roots.size() && more > 0; ++i)
+                if (std::ranges::find(chosen->wanted, i) == chosen->wanted.end()) {
+                    collect(form.lifted(roots[i].right));
+                    --more;
+                }
+        }
+        if (counts && std::isfinite(chosen->circle.radius) &&
+            !complete(roots, zeros.eigenvalues, chosen->circle))
+            return std::nullopt;
+        return spectrum_of(found, zeros, chosen->complete_radius, speed);
+    }
+
+    /// All within the circle are known.
+    [[nodiscard]] bool complete(const std::vector<Root> &roots, int zeros, const Circle &circle) {
+        std::vector<Complex> known(static_cast<std::size_t>(zeros), 0.0);
+        for (const Root &root : roots) {
+            known.push_back(root.value);
+            if (real && root.value.imag() != 0)
+                known.push_back(std::conj(root.value));
+        }
+        return complete_within(_pencil, circle, known).value_or(false);
+    }
+
+    [[nodiscard]] WhirlMode mode_of(const WholeRoot &root, double speed) const {
+        WhirlMode mode;
+        mode.eigenvalue = {root.value.real(), std::abs(root.value.imag())};
+        mode.residual = root.residual;
+        mode.rounding = root.rounding;
+        Eigen::Index largest = 0;
+        root.right.cwiseAbs2().maxCoeff(&largest);
+        mode.shape = root.right / root.right(largest);
+        if (real) {
+            mode.left = root.left.conjugate();
+            if (root.value.imag() < 0) {
+                mode.shape = mode.shape.conjugate().eval();
+                mode.left = mode.left.conjugate().eval();
+            }
+        } else {
+            set_planar_whirl(mode, root.value, root.value.imag() > 0, speed);
+        }
+        return mode;
+    }
+
+    [[nodiscard]] Spectrum spectrum_of(const std::vector<WholeRoot> &found, const ZeroModes &zeros,
+                                       double complete_radius, double speed) const {
+        Spectrum out;
+        out.speed = speed;
+        out.relaxation = _relaxation;
+        out.modes = zeros.modes;
+        for (const WholeRoot &root : found)
+            out.add(root.value, mode_of(root, speed));
+        out.complete_radius = complete_radius;
+        return out;
+    }
+};
+
+} // namespace
+
+RefinedSpectrum::RefinedSpectrum(const assembly::Discretization &d, const FormMatrices &matrices) {
+    if (matrices.form() == results::Form::planar_damped)
+        _data = std::make_unique<Refined<Complex>>(d, matrices);
+    else
+        _data = std::make_unique<Refined<double>>(d, matrices);
+}
+
+RefinedSpectrum::~RefinedSpectrum() = default;
+
+void RefinedSpectrum::expect(const std::vector<double> &speeds, int wanted) {
+    if (!speeds.empty())
+        _data->expect(speeds, wanted);
+}
+
+Spectrum RefinedSpectrum::modes(double speed, int wanted) { return _data->modes(speed, wanted); }
+
+std::vector<WhirlMode> RefinedSpectrum::near(double speed, const std::vector<WhirlMode> &guesses) {
+    return _data->near(speed, guesses);
+}
+
+} // namespace whirl::modes

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "assembly/discretization.h"
+#include "modes/form_matrices.h"
+#include "modes/whirl_mode.h"
+
+#include <memory>
+#include <vector>
+
+namespace whirl::modes {
+
+/// Whirl modes in a form of the fixed frame with damping (general, planar_damped), at any speed.
+///
+/// The rotor on a few planar shapes (reduction/planar_shapes.h) has all its eigenvalues from one
+/// small dense problem; each that is wanted is then refined on the whole rotor, from both sides
+/// (roots/whole_pencil.h). That the shapes miss none is counted on the whole rotor at some speeds,
+/// the ends of the range among them, and wherever an eigenvalue turns out to be another one than
+/// the shapes had. Where it does not hold, more shapes are taken.
+class RefinedSpectrum {
+  public:
+    /// @param matrices  of the discretised rotor, kept by reference
+    RefinedSpectrum(const assembly::Discretization &discretization, const FormMatrices &matrices);
+    ~RefinedSpectrum();
+    RefinedSpectrum(const RefinedSpectrum &) = delete;
+    RefinedSpectrum &operator=(const RefinedSpectrum &) = delete;
+    RefinedSpectrum(RefinedSpectrum &&) = delete;
+    RefinedSpectrum &operator=(RefinedSpectrum &&) = delete;
+    class Data;
+
+    /// These speeds are asked for next, ascending or descending, here or by other processes:
+    /// between them eigenvalues are counted at a few alone.
+    void expect(const std::vector<double> &speeds, int wanted);
+
+    /// The `wanted` whirl modes with the lowest frequencies, or all, and motions without whirl that
+    /// are as slow: Im >= 0, of form planar_damped whirl set, zero modes beside them.
+    /// @throws linalg::SolverError where they are not all found
+    [[nodiscard]] Spectrum modes(double speed, int wanted);
+
+    /// Modes near guesses of their eigenvalues and shapes, one for each; none where they cannot be
+    /// found from these.
+    [[nodiscard]] std::vector<WhirlMode> near(double speed, const std::vector<WhirlMode> &guesses);
+
+  private:
+    std::unique_ptr<Data> _data;
+};
+
+} // namespace whirl::modes

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <vector>
+
+namespace whirl::modes {
+
+/// Q(l) = l^2 M + l D + K of a reduced rotor at one speed, and its change with the speed, dense.
+template <class Scalar> struct DenseQuadratic {
+    using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+    Matrix M, D, K;
+    Matrix D_rate, K_rate; ///< empty: the rates of its roots are not asked for
+};
+
+/// An eigenvalue l of a motion exp(l t) at one spin speed.
+struct Root {
+    std::complex<double> value;   ///< l, 1/s
+    std::complex<double> rate;    ///< dl/dspeed
+    double noise = 0;             ///< how far rounding can move Re l, 1/s
+    bool sharp = false;           ///< no more than that of the matrix entries: by inverse iteration
+    Eigen::VectorXcd right, left; ///< Q(l) right = 0, left^H Q(l) = 0
+    std::complex<double> slope;   ///< left^H Q'(l) right
+
+    /// 1 grows, -1 dies out, 0: not to be told from neither.
+    [[nodiscard]] int sign() const {
+        return value.real() > noise ? 1 : value.real() < -noise ? -1 : 0;
+    }
+};
+
+/// All eigenvalues, of a real problem both conjugates, but those that are zero at every speed.
+/// @param shift  positive, of the order of the slow motions, 1/s
+/// @param zeros  eigenvalues known to be zero: the least ones are left out
+/// @throws linalg::SolverError
+template <class Scalar>
+[[nodiscard]] std::vector<Root> all_roots(const DenseQuadratic<Scalar> &problem, double shift,
+                                          int zeros);
+
+} // namespace whirl::modes
