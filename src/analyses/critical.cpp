@@ -93,7 +93,7 @@ void note_completeness(const synchronous::SynchronousModes &found, bool more_wan
         notes.emplace_back(rigid ? "the rotor has no more critical speeds than the ones listed"
                                  : "the model has no more critical speeds than the ones listed "
                                    "(all were counted); a finer mesh can have more");
-    else if (more_wanted || found.complete_to < last)
+    else if (!std::isinf(found.complete_to) && (more_wanted || found.complete_to < last))
         notes.emplace_back("the list is complete up to {}", as::speed(found.complete_to));
 }
 

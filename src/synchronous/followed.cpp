@@ -565,6 +565,7 @@ SynchronousModes followed_modes(const SynchronousProblem &problem, const WholeRo
     }
     const double last = found.empty() ? 0 : found.back().mode.eigenvalue.imag();
     out.complete_to = no_more && reduced.whole() ? infinity : std::max({row, top, last});
+    out.complete_to = std::min(out.complete_to, reduced.known_to());
     int negative = 0;
     for (FoundRoot &root : found) {
         out.branches.push_back(root.downwards ? ++negative : negative--);

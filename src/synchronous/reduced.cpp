@@ -194,7 +194,14 @@ std::vector<ReducedRoot> ReducedSynchronous::any(const Dense &at, int zeros) con
     for (modes::Root &root :
          modes::all_roots<Complex>({at.M, at.D, at.K, {}, {}}, 0.1 * _scale, zeros)) {
         constexpr double rounding = 1e-9;
+        constexpr double far = 1e4;    // of the slow motions
+        constexpr double known = 1e-2; // relative
         Complex l = root.value;
+        // Motions of elements almost without mass are lost in rounding among the others.
+        if (std::abs(l) > far * _scale && root.noise > known * std::abs(l)) {
+            _known_to = std::min(_known_to, std::abs(l));
+            continue;
+        }
         if (std::abs(l.imag()) < rounding * std::abs(l)) // it does not oscillate
             l.imag(0);
         if (l.imag() >= 0)

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <complex>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -54,6 +55,8 @@ class ReducedSynchronous {
                                               double steepness) const;
 
     [[nodiscard]] Eigen::VectorXcd lifted(const Eigen::VectorXcd &shape) const;
+    /// Up to which |l| all roots so far were resolved, 1/s: those beyond may be lost in rounding.
+    [[nodiscard]] double known_to() const { return _known_to; }
     /// All unknowns are left: nothing is missing.
     [[nodiscard]] bool whole() const { return _shapes.cols() == _shapes.rows(); }
 
@@ -75,6 +78,7 @@ class ReducedSynchronous {
         std::vector<ReducedRoot> roots;
     };
     mutable std::vector<Known> _known;
+    mutable double _known_to = std::numeric_limits<double>::infinity();
 
     [[nodiscard]] Eigen::MatrixXcd projected(const ComplexQuadratic::Sparse &A) const;
     [[nodiscard]] int zeros_at(double speed, std::size_t piece) const;
