@@ -79,18 +79,21 @@ void keep_lowest(synchronous::SynchronousModes &list, int wanted, double top) {
 }
 
 /// Which critical speeds the list can lack, in words.
-void note_completeness(const synchronous::SynchronousModes &found, bool more_wanted, bool rigid,
-                       results::CriticalResult &result) {
+/// @param top  of the range of the case, rad/s
+void note_completeness(const synchronous::SynchronousModes &found, bool more_wanted, double top,
+                       bool rigid, results::CriticalResult &result) {
     std::vector<results::Sentence> &notes = result.model.notes;
-    for (const auto &[from, to] : found.doubtful)
-        notes.emplace_back("critical speeds from {} may be missing: the count there is not certain",
-                           as::speed.range(from, to));
     const double last = result.critical_speeds.empty() ? 0 : result.critical_speeds.back().speed;
+    for (const auto &[from, to] : found.doubtful)
+        if (more_wanted || from <= std::max(top, last))
+            notes.emplace_back(
+                "critical speeds from {} may be missing: the count there is not certain",
+                as::speed.range(from, to));
     if (more_wanted && std::isinf(found.complete_to) && found.doubtful.empty())
         notes.emplace_back(rigid ? "the rotor has no more critical speeds than the ones listed"
                                  : "the model has no more critical speeds than the ones listed "
                                    "(all were counted); a finer mesh can have more");
-    else if (more_wanted || found.complete_to < last)
+    else if (!std::isinf(found.complete_to) && (more_wanted || found.complete_to < last))
         notes.emplace_back("the list is complete up to {}", as::speed(found.complete_to));
 }
 
@@ -126,7 +129,8 @@ Sentence light_shaft_text(const model::Rotor &rotor) {
 
 /// Critical speeds with elements of one order.
 results::CriticalResult of_order(const model::Case &scene, const results::Formulation &formulation,
-                                 int order, bool judged) {
+                                 int order, bool judged,
+                                 const synchronous::SharedShapes *shapes = nullptr) {
     results::CriticalResult result;
     results::ModelSummary &model = result.model;
     const results::Form form = formulation.form;
@@ -138,15 +142,14 @@ results::CriticalResult of_order(const model::Case &scene, const results::Formul
     double top = scene.speeds ? std::max(scene.speeds->to, scene.speeds->from) : 0;
     if (scene.operation)
         top = std::max(top, operation::highest_relevant_speed(*scene.operation));
-    const bool symmetric = scene.formulation != model::FormChoice::general;
     const int wanted = scene.campbell.modes;
     // In rotating axes the same motion in two directions counts twice.
     const int ask = form == results::Form::rotating ? 2 * wanted : wanted;
     synchronous::SynchronousModes list =
-        synchronous::all_synchronous_modes(d, form, ask, top, symmetric);
+        synchronous::all_synchronous_modes(d, form, ask, top, shapes);
     keep_lowest(list, ask, top);
     const std::vector<results::ErrorParts> errors =
-        judged ? synchronous::errors_by_finer_model(d, form, list, symmetric, model.notes)
+        judged ? synchronous::errors_by_finer_model(d, form, list, model.notes)
                : std::vector<results::ErrorParts>(list.modes.size(),
                                                   {std::numeric_limits<double>::infinity(), 0, 0});
     for (std::size_t i = 0; i < list.modes.size(); ++i) {
@@ -165,7 +168,7 @@ results::CriticalResult of_order(const model::Case &scene, const results::Formul
     if (form == results::Form::rotating)
         drop_second_directions(result.critical_speeds, wanted, top);
     const bool more_wanted = static_cast<int>(result.critical_speeds.size()) < wanted;
-    note_completeness(list, more_wanted, scene.rotor.shaft.rigid, result);
+    note_completeness(list, more_wanted, top, scene.rotor.shaft.rigid, result);
     note_rounding(scene.rotor, result);
     return result;
 }
@@ -179,10 +182,11 @@ double largest_error(const results::CriticalResult &result) {
 
 /// With order = "auto" the lowest at which every critical speed listed meets the tolerance.
 results::CriticalResult of_resolved_order(const model::Case &scene,
-                                          const results::Formulation &formulation, bool judged) {
+                                          const results::Formulation &formulation, bool judged,
+                                          const synchronous::SharedShapes *shapes) {
     const model::Shaft &shaft = scene.rotor.shaft;
     if (!shaft.order_auto || shaft.rigid || !judged)
-        return of_order(scene, formulation, shaft.rigid ? 1 : shaft.order, judged);
+        return of_order(scene, formulation, shaft.rigid ? 1 : shaft.order, judged, shapes);
     results::CriticalResult result;
     (void)mesh_error::lowest_order(shaft.tolerance, [&](int order) {
         result = of_order(scene, formulation, order, judged);
@@ -191,7 +195,8 @@ results::CriticalResult of_resolved_order(const model::Case &scene,
     return result;
 }
 
-results::CriticalResult critical_of(const model::Case &as_given, bool judged) {
+results::CriticalResult critical_of(const model::Case &as_given, bool judged,
+                                    const synchronous::SharedShapes *shapes = nullptr) {
     const results::Formulation formulation =
         modes::without_planar_damped(modes::choose_formulation(as_given), as_given.rotor);
     refuse_hill(formulation.form);
@@ -199,7 +204,7 @@ results::CriticalResult critical_of(const model::Case &as_given, bool judged) {
         formulation.form == results::Form::rotating ? undamped(as_given) : as_given;
     results::CriticalResult result;
     try {
-        result = of_resolved_order(scene, formulation, judged);
+        result = of_resolved_order(scene, formulation, judged, shapes);
     } catch (const linalg::SolverError &) {
         throw model::AnalysisFailure(Sentence(
             "the critical speeds could not be found: the eigensolver did not converge or missed "
@@ -268,8 +273,20 @@ results::CriticalResult critical_speeds(const model::Case &scene, bool map) {
     return result;
 }
 
-results::CriticalResult unjudged_critical_speeds(const model::Case &scene) {
-    return critical_of(scene, false);
+results::CriticalResult unjudged_critical_speeds(const model::Case &scene,
+                                                 const synchronous::SharedShapes *shapes) {
+    return critical_of(scene, false, shapes);
+}
+
+std::optional<synchronous::SharedShapes> shapes_for_samples(const model::Case &scene, int order,
+                                                            double highest) {
+    constexpr double beyond = 1.2; // of a rotor that is stiffer
+    try {
+        return synchronous::shared_shapes(assembly::Discretization(scene.rotor, order),
+                                          beyond * highest, scene.campbell.modes);
+    } catch (const linalg::SolverError &) {
+        return std::nullopt;
+    }
 }
 
 } // namespace whirl::analyses

@@ -2,7 +2,9 @@
 
 #include "model/case.h"
 #include "results/critical.h"
+#include "synchronous/reduced.h"
 
+#include <optional>
 #include <vector>
 
 namespace whirl::analyses {
@@ -15,7 +17,7 @@ namespace whirl::analyses {
 /// 0, Hermitian. General: l = i W in the quadratic problem, l^2 (M - iG) + l (C - i Kc) + K, of
 /// which Im l is the speed and Re l is reported; roots with |Re l| >= Im l (no resonance peak) are
 /// left out. Bearing tables: the same with the coefficients at the speed found; all such speeds
-/// (SymmetricSynchronous, followed_modes). Asymmetric rotors on equal bearings: forward, balls
+/// (synchronous::followed_modes). Asymmetric rotors on equal bearings: forward, balls
 /// held, and without damping. Errors: critical_errors; infinite where they are not known.
 ///
 /// @param map  with the critical speed map (critical_map)
@@ -24,7 +26,17 @@ namespace whirl::analyses {
 /// The same with elements of the order given, errors and completeness not judged: for many rotors
 /// that differ a little from one whose errors are known. Of asymmetric rotors each direction of a
 /// motion is listed, as equal ones need not stay equal, and twice as many.
-[[nodiscard]] results::CriticalResult unjudged_critical_speeds(const model::Case &scene);
+/// @param shapes  shapes_for_samples() of one of them; none: each rotor's own
+[[nodiscard]] results::CriticalResult
+unjudged_critical_speeds(const model::Case &scene,
+                         const synchronous::SharedShapes *shapes = nullptr);
+
+/// Shapes that serve all rotors which differ a little from a case.
+/// @param order    of the elements
+/// @param highest  of its critical speeds, rad/s
+/// @returns none where they cannot be found at once
+[[nodiscard]] std::optional<synchronous::SharedShapes>
+shapes_for_samples(const model::Case &scene, int order, double highest);
 
 /// The same motion in two directions, where nothing asymmetric takes part, is one whirl: leaves as
 /// many as are wanted, and all up to a speed.

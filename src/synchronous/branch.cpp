@@ -1,6 +1,6 @@
 #include "synchronous/branch.h"
 
-#include "linalg/sparse_factor.h"
+#include "linalg/check.h"
 #include "synchronous/parts.h"
 
 #include <algorithm>
@@ -11,11 +11,13 @@ namespace whirl::synchronous {
 
 namespace {
 
-using Complex = std::complex<double>;
-using ComplexSparse = ComplexQuadratic::Sparse;
+using PatternMap = Eigen::Map<const ComplexQuadratic::Sparse>;
 
-/// Steps below this part that shrink no more are rounding, which very stiff meshes have.
-constexpr double no_better = 1e-7;
+/// A sparse matrix of the pattern of another one.
+PatternMap with_values(const ComplexQuadratic::Sparse &pattern, const Eigen::VectorXcd &values) {
+    return {pattern.rows(),          pattern.cols(),          pattern.nonZeros(),
+            pattern.outerIndexPtr(), pattern.innerIndexPtr(), values.data()};
+}
 
 void normalise(Eigen::VectorXcd &x) {
     Eigen::Index largest = 0;
@@ -23,103 +25,226 @@ void normalise(Eigen::VectorXcd &x) {
     x /= x(largest);
 }
 
+} // namespace
+
+WholeRoots::WholeRoots(const SynchronousProblem &problem) : _problem(problem), _factors(true) {
+    const ComplexQuadratic &first = problem.first();
+    // Cancelled entries keep their places: the pattern is that of all matrices at every speed.
+    _Q = first.M.cwiseAbs().cast<Complex>() + first.D.cwiseAbs().cast<Complex>() +
+         first.K.cwiseAbs().cast<Complex>();
+    for (std::size_t i = 1; i < problem.rows().size(); ++i)
+        _Q = ComplexQuadratic::Sparse(_Q + problem.change(i).D + problem.change(i).K);
+    _Q.makeCompressed();
+    const double speed = problem.rows().back();
+    _scale = unit_diagonal(first.K.diagonal().cwiseAbs() +
+                           speed * speed * Eigen::VectorXd(first.M.diagonal().cwiseAbs()));
+    for (const auto &[values, matrix] :
+         {std::pair(&_M, &first.M), std::pair(&_D, &first.D), std::pair(&_K, &first.K)}) {
+        *values = Eigen::VectorXcd::Zero(_Q.nonZeros());
+        for (const auto &[place, value] : entries_of(*matrix))
+            (*values)(place) = value;
+    }
+    for (std::size_t i = 0; i < problem.rows().size(); ++i)
+        _changes.push_back({entries_of(problem.change(i).D), entries_of(problem.change(i).K)});
+}
+
+/// Scaled, with their places in the pattern.
+WholeRoots::Entries WholeRoots::entries_of(const ComplexQuadratic::Sparse &A) const {
+    Entries out;
+    for (int j = 0; j < A.outerSize(); ++j) {
+        const auto *begin = _Q.innerIndexPtr() + _Q.outerIndexPtr()[j];
+        const auto *end = _Q.innerIndexPtr() + _Q.outerIndexPtr()[j + 1];
+        for (ComplexQuadratic::Sparse::InnerIterator it(A, j); it; ++it)
+            out.emplace_back(std::lower_bound(begin, end, static_cast<int>(it.row())) -
+                                 _Q.innerIndexPtr(),
+                             _scale(it.row()) * _scale(j) * it.value());
+    }
+    return out;
+}
+
+/// 0 below the first row, i between rows i - 1 and i, the number of rows above the last one.
+std::size_t WholeRoots::piece_of(double speed) const {
+    const std::vector<double> &rows = _problem.rows();
+    return _problem.constant()
+               ? 0
+               : static_cast<std::size_t>(std::ranges::upper_bound(rows, speed) - rows.begin());
+}
+
+/// D and K at its beginning.
+WholeRoots::At WholeRoots::piece(std::size_t i) const {
+    const std::vector<double> &rows = _problem.rows();
+    const std::size_t from = i == 0 ? 0 : i - 1;
+    const std::size_t to = std::min(i, rows.size() - 1);
+    At out{_D, _K, {}, {}, rows[from], rows[to]};
+    for (const auto &[place, value] : _changes[from].D)
+        out.D(place) += value;
+    for (const auto &[place, value] : _changes[from].K)
+        out.K(place) += value;
+    if (from == to)
+        return out;
+    const double length = out.to - out.from;
+    for (const auto &[entries, which] :
+         {std::pair(&out.D_rate, &Change::D), std::pair(&out.K_rate, &Change::K)}) {
+        for (const auto &[place, value] : _changes[to].*which)
+            entries->emplace_back(place, value / length);
+        for (const auto &[place, value] : _changes[from].*which)
+            entries->emplace_back(place, -value / length);
+    }
+    return out;
+}
+
+void WholeRoots::read_at(const At &piece, double speed, At &out) const {
+    if (piece.from == piece.to)
+        return;
+    const double t = speed - piece.from;
+    for (const auto &[place, value] : piece.D_rate)
+        out.D(place) = piece.D(place);
+    for (const auto &[place, value] : piece.K_rate)
+        out.K(place) = piece.K(place);
+    for (const auto &[place, value] : piece.D_rate)
+        out.D(place) += t * value;
+    for (const auto &[place, value] : piece.K_rate)
+        out.K(place) += t * value;
+}
+
+bool WholeRoots::factorize(const At &at, Complex l) const {
+    // Exactly singular is too much.
+    for (const double beside : {0.0, 1e-13, -3e-13}) {
+        const Complex m = l * (1 + beside);
+        Eigen::Map<Eigen::VectorXcd>(_Q.valuePtr(), _Q.nonZeros()) = (m * m) * _M + m * at.D + at.K;
+        if (_factors.factorize(_Q))
+            return true;
+        _factors.forget_pivots();
+    }
+    return false;
+}
+
+/// y^H A x
+std::complex<double> WholeRoots::product(const Eigen::VectorXcd &y, const Eigen::VectorXcd &values,
+                                         const Eigen::VectorXcd &x) const {
+    return y.dot(with_values(_Q, values) * x);
+}
+
+std::complex<double> WholeRoots::product(const Eigen::VectorXcd &y, const Entries &entries,
+                                         const Eigen::VectorXcd &x) const {
+    Complex sum = 0;
+    for (const auto &[place, value] : entries) {
+        const auto *column =
+            std::upper_bound(_Q.outerIndexPtr(), _Q.outerIndexPtr() + _Q.outerSize() + 1, place) -
+            1;
+        sum += std::conj(y(_Q.innerIndexPtr()[place])) * value * x(column - _Q.outerIndexPtr());
+    }
+    return sum;
+}
+
 /// Rounding of the entries of Q(l) against the derivative.
-double rounding_of(const ComplexQuadratic &Q, Complex l, const Eigen::VectorXcd &x,
-                   const Eigen::VectorXcd &y, Complex derivative) {
+double WholeRoots::rounding(const At &at, Complex l, const Eigen::VectorXcd &x,
+                            const Eigen::VectorXcd &y, Complex derivative) const {
+    const double size = std::abs(l);
     const Eigen::VectorXd a = x.cwiseAbs();
     const Eigen::VectorXd b = y.cwiseAbs();
-    const double size = std::abs(l);
-    const Eigen::SparseMatrix<double> M = Q.M.cwiseAbs();
-    const Eigen::SparseMatrix<double> D = Q.D.cwiseAbs();
-    const Eigen::SparseMatrix<double> K = Q.K.cwiseAbs();
-    const double entries = b.dot(K * a) + size * b.dot(D * a) + size * size * b.dot(M * a);
+    double entries = 0;
+    for (Eigen::Index j = 0; j < _Q.outerSize(); ++j)
+        for (auto place = _Q.outerIndexPtr()[j]; place < _Q.outerIndexPtr()[j + 1]; ++place)
+            entries += b(_Q.innerIndexPtr()[place]) * a(j) *
+                       (std::abs(at.K(place)) + size * std::abs(at.D(place)) +
+                        size * size * std::abs(_M(place)));
     return std::numeric_limits<double>::epsilon() * entries / (std::abs(derivative) * size);
 }
 
-} // namespace
-
-LinearSynchronous::LinearSynchronous(ComplexQuadratic from, ComplexQuadratic to, double s_from,
-                                     double s_to)
-    : _from(std::move(from)), _to(std::move(to)), _s_from(s_from), _s_to(s_to) {
-    const Eigen::VectorXd size = _from.K.diagonal().cwiseAbs() +
-                                 s_to * s_to * Eigen::VectorXd(_from.M.diagonal().cwiseAbs());
-    _scale = unit_diagonal(size);
-    const Eigen::VectorXcd scale = _scale.cast<Complex>();
-    for (ComplexQuadratic *Q : {&_from, &_to})
-        for (ComplexSparse *A : {&Q->M, &Q->D, &Q->K})
-            *A = scale.asDiagonal() * ComplexSparse(*A * scale.asDiagonal());
-    _D_slope = (_to.D - _from.D) / (s_to - s_from);
-    _K_slope = (_to.K - _from.K) / (s_to - s_from);
-}
-
-std::optional<BranchPoint> LinearSynchronous::point(double s, Complex l,
-                                                    const Eigen::VectorXcd &start,
-                                                    double tolerance) const {
-    const double t = s - _s_from;
-    const ComplexQuadratic Q{_from.M, _from.D + t * _D_slope, _from.K + t * _K_slope};
-    BranchPoint out;
+std::optional<BranchPoint> WholeRoots::in_piece(const At &piece, Complex l,
+                                                const Eigen::VectorXcd &start) const {
+    constexpr int most_steps = 20;
+    constexpr double settled = 1e-13; // relative, of the step that would follow
+    // Steps below this part that shrink no more are rounding, which very stiff meshes have; so are
+    // larger ones within what rounding of the entries can cause.
+    constexpr double no_better = 1e-7;
+    constexpr double most_rounding = 1e-3; // of a root that is one
+    const bool tables = piece.from < piece.to;
+    At at = piece;
     Eigen::VectorXcd x = _scale.cwiseInverse().cwiseProduct(start);
     Eigen::VectorXcd y = x;
-    linalg::SparseFactor<Complex> lu;
-    double last_step = std::numeric_limits<double>::infinity();
-    for (int iteration = 0; iteration < 12; ++iteration) {
-        const ComplexSparse slope = Q.slope(l);
-        // Exactly singular is too much.
-        if (!lu.factorize(Q.at(l)) && !lu.factorize(Q.at(l * (1 + 1e-13))) &&
-            !lu.factorize(Q.at(l * (1 - 3e-13))))
+    double last_step = 1;
+    for (int step = 0; step < most_steps; ++step) {
+        read_at(piece, l.imag(), at);
+        if (!factorize(at, l))
             return std::nullopt;
-        for (int repeat = 0; repeat < (iteration == 0 ? 3 : 1); ++repeat) {
-            x = lu.solution(slope * x);
-            y = lu.adjoint_solution(slope.adjoint() * y);
+        const Eigen::VectorXcd slope = (2.0 * l) * _M + at.D;
+        const PatternMap S = with_values(_Q, slope);
+        for (int repeat = 0; repeat < (step == 0 ? 2 : 1); ++repeat) {
+            x = _factors.solution(S * x);
+            y = _factors.adjoint_solution(S.adjoint() * y);
             normalise(x);
             normalise(y);
         }
         if (!x.allFinite() || !y.allFinite())
             return std::nullopt;
-        const Complex derivative = y.dot(slope * x);
-        const Complex step = y.dot(Q.at(l) * x) / derivative;
-        l -= step;
-        const double size = std::abs(step) / std::abs(l);
-        if (size < tolerance || (size < no_better && size >= last_step / 4)) {
+        const Complex derivative = y.dot(S * x);
+        const Eigen::VectorXcd values = (l * l) * _M + l * at.D + at.K;
+        const Complex value = product(y, values, x) / derivative;
+        // l = a + i s: value + da + (i + rate) ds = 0
+        const Complex rate =
+            tables ? (l * product(y, at.D_rate, x) + product(y, at.K_rate, x)) / derivative
+                   : Complex(0);
+        const double ds = -value.imag() / (1 + rate.imag());
+        const Complex change(-value.real() - rate.real() * ds, ds);
+        l += change;
+        const double size = std::abs(change) / std::abs(l);
+        if (!std::isfinite(size))
+            return std::nullopt;
+        const bool stays = step > 0 && size >= last_step / 4;
+        const bool done = size * std::min(1.0, size / last_step) < settled;
+        const double left = done || stays ? rounding(at, l, x, y, derivative) : 0;
+        if (done || (stays && (size < no_better || size < std::min(10 * left, most_rounding)))) {
+            BranchPoint out;
             out.eigenvalue = l;
+            out.slope = -rate;
             out.shape = _scale.cwiseProduct(x);
             normalise(out.shape);
-            out.slope = -y.dot(l * (_D_slope * x) + _K_slope * x) / derivative;
-            out.residual = size < tolerance ? 0 : size;
-            out.rounding = rounding_of(Q, l, x, y, derivative);
+            // The speed answers to an error of l by 1 / |Im dl/ds - 1|.
+            const double gain = std::max(1.0, 1 / std::abs(1 + rate.imag()));
+            out.residual = stays ? gain * size : 0;
+            out.rounding = gain * left;
+            out.pushes_down = product(x, _M, x).real() > 0;
             return out;
         }
-        last_step = size;
+        last_step = std::min(size, 1.0);
     }
     return std::nullopt;
 }
 
-std::optional<BranchPoint> LinearSynchronous::standing(double s, Complex l,
-                                                       const Eigen::VectorXcd &x) const {
-    Eigen::VectorXcd shape = x;
-    const double slack = 1e-9 * _s_to;
-    double last_step = std::numeric_limits<double>::infinity();
-    for (int iteration = 0; iteration < 20; ++iteration) {
-        std::optional<BranchPoint> here = point(s, l, shape);
-        if (!here)
-            return std::nullopt;
-        const double slope = here->slope.imag() - 1;
-        const double step = (here->eigenvalue.imag() - s) / -slope;
-        const double size = std::abs(step) / s;
-        if (size <= 4e-14 || (size < no_better && size >= last_step / 4)) {
-            // The speed answers to an error of l by 1 / |Im dl/ds - 1|.
-            const double gain = std::max(1.0, 1 / std::abs(slope));
-            here->eigenvalue.imag(s);
-            here->residual = gain * here->residual + (size <= 4e-14 ? 0 : size);
-            here->rounding *= gain;
-            return here;
+int WholeRoots::negative_eigenvalues(double speed) const {
+    const At from = piece(piece_of(speed));
+    At at = from;
+    read_at(from, speed, at);
+    Eigen::Map<Eigen::VectorXcd>(_Q.valuePtr(), _Q.nonZeros()) = at.K - (speed * speed) * _M;
+    if (_inertia.rows() == 0)
+        _inertia.analyzePattern(_Q);
+    _inertia.factorize(_Q);
+    if (_inertia.info() != Eigen::Success)
+        throw linalg::SolverError("an inertia count met a zero pivot");
+    return static_cast<int>((_inertia.vectorD().real().array() < 0).count());
+}
+
+std::optional<BranchPoint> WholeRoots::near(Complex l, const Eigen::VectorXcd &x) const {
+    constexpr double at_a_row = 1e-9; // relative: beyond what rounding moves a root by
+    const auto here = static_cast<int>(piece_of(l.imag()));
+    const auto last = static_cast<int>(_problem.constant() ? 0 : _problem.rows().size());
+    for (const int aside : {0, -1, 1, -2, 2}) {
+        const int i = here + aside;
+        if (i < 0 || i > last)
+            continue;
+        const At at = piece(static_cast<std::size_t>(i));
+        auto found = in_piece(at, l, x);
+        if (!found) { // the pivots of another matrix may not do
+            _factors.forget_pivots();
+            found = in_piece(at, l, x);
         }
-        last_step = size;
-        s += step;
-        l = here->eigenvalue + step * here->slope;
-        shape = here->shape;
-        if (!(s >= _s_from - slack && s <= _s_to + slack))
-            return std::nullopt;
+        const double speed = found ? found->eigenvalue.imag() : 0;
+        const bool below = i > 0 && speed < at.from * (1 - at_a_row);
+        const bool above = i < last && speed > at.to * (1 + at_a_row);
+        if (found && !below && !above)
+            return found;
     }
     return std::nullopt;
 }

@@ -1,44 +1,83 @@
 #pragma once
 
-#include "synchronous/general.h"
+#include "linalg/sparse_factor.h"
+#include "synchronous/problem.h"
 
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+
+#include <complex>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace whirl::synchronous {
 
-/// An eigenvalue of a problem whose coefficients are linear in s, and what becomes of it.
+/// A synchronous root of the whole rotor, and what becomes of it with the speed s at which the
+/// bearing tables are read.
 struct BranchPoint {
-    std::complex<double> eigenvalue; ///< l, 1/s
+    std::complex<double> eigenvalue; ///< l, 1/s; with tables Im l = s
     std::complex<double> slope;      ///< dl/ds
     Eigen::VectorXcd shape;          ///< largest modulus 1
     double residual = 0;             ///< relative change of l that would explain what is left
     double rounding = 0;             ///< relative error that rounding of the entries can cause
+    bool pushes_down = true;         ///< x^H M x > 0
+
+    /// Of a conservative problem: as W grows, an eigenvalue of K(W) - W^2 M falls through zero.
+    [[nodiscard]] bool downwards() const { return pushes_down == (slope.imag() < 1); }
 };
 
-/// Synchronous problem between two rows of bearing tables, linear in the speed s at which they are
-/// read.
-class LinearSynchronous {
+/// The synchronous roots of the whole rotor, each from one near it: l with the bearings as at Im l.
+/// All matrices are kept on one pattern, whose order of elimination is found once.
+class WholeRoots {
   public:
-    LinearSynchronous(ComplexQuadratic from, ComplexQuadratic to, double s_from, double s_to);
+    /// @param problem  must outlive this
+    explicit WholeRoots(const SynchronousProblem &problem);
 
-    /// The eigenvalue near `l` with a vector near `x`, by two-sided inverse iteration: right and
-    /// left vectors x, y, l -> l - y^H Q x / y^H Q' x, dl/ds = -y^H (dQ/ds) x / y^H Q' x.
-    /// @param tolerance  relative, of the last step of l
-    /// @returns none where it does not settle.
-    [[nodiscard]] std::optional<BranchPoint> point(double s, std::complex<double> l,
-                                                   const Eigen::VectorXcd &x,
-                                                   double tolerance = 1e-13) const;
+    /// The root near `l` with a vector near `x`; none where the iteration goes to none.
+    /// Two-sided Rayleigh quotient iteration with right and left vectors x, y: Newton's method for
+    /// y^H Q(l, s) x = 0, and Im l = s as two real equations, with better vectors at each step.
+    [[nodiscard]] std::optional<BranchPoint> near(std::complex<double> l,
+                                                  const Eigen::VectorXcd &x) const;
 
-    /// The speed at which Im l(s) = s, from a point near it; none where Newton's method does not
-    /// settle or leaves the piece.
-    [[nodiscard]] std::optional<BranchPoint> standing(double s, std::complex<double> l,
-                                                      const Eigen::VectorXcd &x) const;
+    /// Negative eigenvalues of K(W) - W^2 M of a conservative problem.
+    /// @throws linalg::SolverError where a pivot is zero
+    [[nodiscard]] int negative_eigenvalues(double speed) const;
 
   private:
-    ComplexQuadratic _from, _to; ///< of scaled unknowns
-    Eigen::VectorXd _scale;      ///< of the unknowns
-    ComplexQuadratic::Sparse _D_slope, _K_slope;
-    double _s_from, _s_to;
+    using Complex = std::complex<double>;
+    using Entries = std::vector<std::pair<Eigen::Index, Complex>>; ///< place, value
+
+    const SynchronousProblem &_problem;
+    Eigen::VectorXd _scale; ///< of the unknowns: the matrices are those of scaled ones
+    Eigen::VectorXcd _M, _D, _K;
+    struct Change {
+        Entries D, K;
+    };
+    std::vector<Change> _changes; ///< of D and K at the rows
+    mutable ComplexQuadratic::Sparse _Q;
+    mutable linalg::SparseFactor<Complex> _factors;
+    mutable Eigen::SimplicialLDLT<ComplexQuadratic::Sparse> _inertia;
+
+    /// D and K at a speed in a piece of the tables, and their rates.
+    struct At {
+        Eigen::VectorXcd D, K;
+        Entries D_rate, K_rate;
+        double from = 0, to = 0; ///< rad/s; equal: constant
+    };
+    [[nodiscard]] Entries entries_of(const ComplexQuadratic::Sparse &A) const;
+    [[nodiscard]] std::size_t piece_of(double speed) const;
+    [[nodiscard]] At piece(std::size_t i) const;
+    void read_at(const At &piece, double speed, At &out) const;
+    [[nodiscard]] std::optional<BranchPoint> in_piece(const At &piece, Complex l,
+                                                      const Eigen::VectorXcd &x) const;
+    [[nodiscard]] bool factorize(const At &at, Complex l) const;
+    [[nodiscard]] Complex product(const Eigen::VectorXcd &y, const Eigen::VectorXcd &values,
+                                  const Eigen::VectorXcd &x) const;
+    [[nodiscard]] Complex product(const Eigen::VectorXcd &y, const Entries &entries,
+                                  const Eigen::VectorXcd &x) const;
+    [[nodiscard]] double rounding(const At &at, Complex l, const Eigen::VectorXcd &x,
+                                  const Eigen::VectorXcd &y, Complex derivative) const;
 };
 
 } // namespace whirl::synchronous

@@ -6,7 +6,7 @@
 #include "results/formulation.h"
 #include "results/sentence.h"
 #include "synchronous/branch.h"
-#include "synchronous/general.h"
+#include "synchronous/problem.h"
 
 #include <fmt/format.h>
 
@@ -101,30 +101,108 @@ results::ErrorParts error_against(const modes::WhirlMode &mode, std::complex<dou
     return {mesh_error::estimate_safety * apart + noise, 0, mode.residual + mode.rounding};
 }
 
-/// Each eigenvalue of a rotor with constant coefficients found again on a finer model, next to
-/// where it is, by inverse iteration: where the finer model's list is not found, as with more
-/// unknowns than a dense solver takes. None where another mode of the list may be the nearest; one
-/// above the list is not seen.
+/// The motion of a rotor on a finer model of the same mesh, whose functions contain its own.
+/// @param places  Discretization::places_in()
+Eigen::VectorXcd embedded(const Eigen::VectorXcd &shape, const std::vector<int> &places,
+                          int unknowns, bool pairs) {
+    const Eigen::Index width = pairs ? 2 : 1;
+    Eigen::VectorXcd out = Eigen::VectorXcd::Zero(width * unknowns);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        out.segment(width * places[i], width) =
+            shape.segment(width * static_cast<Eigen::Index>(i), width);
+    return out;
+}
+
+/// Roots of the finer model, each next to one of the rotor's; none where one is not found, or found
+/// twice, or where the finer model has others between them.
+struct FinerRoots {
+    std::vector<modes::WhirlMode> modes;
+    bool told = true; ///< which belongs to which
+};
+
+bool found_before(const std::vector<modes::WhirlMode> &modes, const BranchPoint &point) {
+    return std::ranges::any_of(modes, [&](const modes::WhirlMode &other) {
+        const double cosine =
+            std::abs(other.shape.dot(point.shape)) / (other.shape.norm() * point.shape.norm());
+        return std::abs(other.eigenvalue - point.eigenvalue) < 1e-8 * std::abs(point.eigenvalue) &&
+               cosine > 0.99;
+    });
+}
+
+/// @param modes  ascending, of one problem
+FinerRoots finer_roots(const std::vector<modes::WhirlMode> &modes,
+                       const assembly::Discretization &rotor, const SynchronousProblem &finer) {
+    FinerRoots out;
+    const std::vector<int> places = rotor.places_in(finer.rotor());
+    const WholeRoots roots(finer);
+    int passages = 0; // of eigenvalues of K - W^2 M through zero, downwards
+    for (const modes::WhirlMode &mode : modes) {
+        const auto point =
+            roots.near(mode.eigenvalue,
+                       embedded(mode.shape, places, finer.rotor().planar_size(), finer.pairs()));
+        if (!point || found_before(out.modes, *point)) {
+            out.told = false;
+            return out;
+        }
+        modes::WhirlMode found;
+        found.eigenvalue = point->eigenvalue;
+        found.shape = point->shape;
+        found.residual = point->residual;
+        found.rounding = point->rounding;
+        passages += point->downwards() ? 1 : -1;
+        out.modes.push_back(std::move(found));
+    }
+    const auto speed = [](const modes::WhirlMode &mode) { return mode.eigenvalue.imag(); };
+    if (finer.conservative()) {
+        // In the order of the rotor's own and none other up to the last: by Courant and Fischer
+        // each eigenvalue's passage is then that of the same eigenvalue.
+        constexpr double beside = 1e-7; // of the speed: far above rounding
+        const double first = speed(out.modes.front());
+        const double last = speed(out.modes.back());
+        out.told = std::ranges::is_sorted(out.modes, {}, speed) &&
+                   roots.negative_eigenvalues(last * (1 + beside)) -
+                           roots.negative_eigenvalues(1e-3 * first) ==
+                       passages;
+        return out;
+    }
+    const modes::Stations own = modes::Stations::for_orbits(rotor);
+    const modes::Stations others = modes::Stations::for_orbits(finer.rotor());
+    for (std::size_t i = 0; i < modes.size() && out.told; ++i) {
+        constexpr double alike = 0.5; // of one motion at the most, among those across each other
+        out.told =
+            std::norm(deflections(own, modes[i]).dot(deflections(others, out.modes[i]))) > alike;
+    }
+    return out;
+}
+
+/// Errors against the roots of a finer model next to these; none where it is not clear which of
+/// them belong together.
 std::vector<std::optional<results::ErrorParts>>
-errors_one_by_one(const SynchronousModes &list, const assembly::Discretization &finer,
-                  results::Form form) {
-    const ComplexQuadratic Q = GeneralSynchronous(finer, form).problem(0);
-    const LinearSynchronous constant(Q, Q, 0, 1);
-    Eigen::VectorXcd start(Q.K.rows());
-    for (Eigen::Index i = 0; i < start.size(); ++i) // without symmetry between planes, as for TOAR
-        start(i) = {1 + 0.5 * std::sin(1 + 1.7 * static_cast<double>(i)),
-                    std::cos(2.3 * static_cast<double>(i))};
-    std::vector<std::optional<results::ErrorParts>> errors;
-    for (const modes::WhirlMode &mode : list.modes) {
-        double room = std::abs(mode.eigenvalue);
-        for (const modes::WhirlMode &other : list.modes)
-            if (&other != &mode)
-                room = std::min(room, std::abs(other.eigenvalue - mode.eigenvalue));
-        errors.emplace_back();
-        const auto found = constant.point(0, mode.eigenvalue, start);
-        if (found && std::abs(found->eigenvalue - mode.eigenvalue) < room / 4)
-            errors.back() =
-                error_against(mode, found->eigenvalue, found->residual + found->rounding);
+errors_by_roots(const SynchronousModes &list, const assembly::Discretization &rotor,
+                const assembly::Discretization &finer, results::Form form) {
+    std::vector<std::optional<results::ErrorParts>> errors(list.modes.size());
+    const bool planar = form == results::Form::planar;
+    for (const results::Whirl whirl : {results::Whirl::forward, results::Whirl::backward}) {
+        std::vector<modes::WhirlMode> own;
+        std::vector<std::size_t> places;
+        for (std::size_t i = 0; i < list.modes.size(); ++i)
+            if (!planar || list.modes[i].whirl == whirl) {
+                own.push_back(list.modes[i]);
+                places.push_back(i);
+            }
+        if (own.empty())
+            continue;
+        const SynchronousProblem problem(finer, form, whirl == results::Whirl::backward ? -1 : 1);
+        const FinerRoots found = finer_roots(own, rotor, problem);
+        if (!found.told)
+            return {};
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const modes::WhirlMode &other = found.modes[i];
+            errors[places[i]] =
+                error_against(own[i], other.eigenvalue, other.residual + other.rounding);
+        }
+        if (!planar)
+            break;
     }
     return errors;
 }
@@ -153,7 +231,7 @@ critical_errors(const assembly::Discretization &coarse, results::Form form,
 
 std::vector<results::ErrorParts> errors_by_finer_model(const assembly::Discretization &rotor,
                                                        results::Form form,
-                                                       const SynchronousModes &list, bool symmetric,
+                                                       const SynchronousModes &list,
                                                        std::vector<results::Sentence> &notes) {
     constexpr results::ErrorParts unknown{std::numeric_limits<double>::infinity(), 0, 0};
     std::vector<results::ErrorParts> errors(list.modes.size(), unknown);
@@ -166,17 +244,13 @@ std::vector<results::ErrorParts> errors_by_finer_model(const assembly::Discretiz
     }
     try {
         const assembly::Discretization finer(rotor.rotor(), mesh_error::finer_order(rotor.order()));
-        std::vector<std::optional<results::ErrorParts>> found;
-        try {
-            found = critical_errors(
-                rotor, form, list, finer,
-                all_synchronous_modes(finer, form, static_cast<int>(list.modes.size()) + 2,
-                                      list.modes.back().eigenvalue.imag(), symmetric));
-        } catch (const linalg::SolverError &) {
-            if (form != results::Form::general || !table_speeds(rotor.rotor()).empty())
-                throw;
-            found = errors_one_by_one(list, finer, form);
-        }
+        std::vector<std::optional<results::ErrorParts>> found =
+            errors_by_roots(list, rotor, finer, form);
+        if (found.empty())
+            found = critical_errors(rotor, form, list, finer,
+                                    all_synchronous_modes(finer, form,
+                                                          static_cast<int>(list.modes.size()) + 2,
+                                                          list.modes.back().eigenvalue.imag()));
         for (std::size_t i = 0; i < errors.size(); ++i) {
             errors[i] = found[i].value_or(unknown);
             if (!found[i])

@@ -25,10 +25,8 @@ critical_errors(const assembly::Discretization &coarse, results::Form form,
 
 /// The same against a finer model that is made here; the part of the mesh infinite where it lacks a
 /// root or could not be solved, which the notes say. Of a rigid shaft: residual and rounding.
-/// @param symmetric  as of all_synchronous_modes
 [[nodiscard]] std::vector<results::ErrorParts>
 errors_by_finer_model(const assembly::Discretization &rotor, results::Form form,
-                      const SynchronousModes &modes, bool symmetric,
-                      std::vector<results::Sentence> &notes);
+                      const SynchronousModes &modes, std::vector<results::Sentence> &notes);
 
 } // namespace whirl::synchronous

@@ -1,18 +1,21 @@
 #include "synchronous/critical_speeds.h"
 
+#include "assembly/frequency_scales.h"
 #include "assembly/planes.h"
+#include "linalg/check.h"
 #include "modes/orbits.h"
 #include "modes/solver/degenerate.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
 #include "synchronous/followed.h"
-#include "synchronous/general.h"
 #include "synchronous/parts.h"
-#include "synchronous/symmetric.h"
+#include "synchronous/problem.h"
+#include "synchronous/reduced.h"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace whirl::synchronous {
@@ -21,16 +24,19 @@ namespace {
 
 using assembly::Discretization;
 
-modes::WhirlMode mode_of(const linalg::RealPair &pair, results::Form form) {
-    modes::WhirlMode mode;
-    mode.eigenvalue = {0, pair.value};
-    const Eigen::VectorXd &x = pair.vector;
-    mode.shape = x.cast<std::complex<double>>();
-    if (form == results::Form::general) // (Re, Im)
-        mode.shape = x.head(x.size() / 2) + std::complex<double>(0, 1) * x.tail(x.size() / 2);
-    mode.residual = pair.residual;
-    mode.rounding = pair.rounding;
-    return mode;
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+/// Modes that rounding does not tell apart have one eigenvalue, so that their mixtures are
+/// separated.
+/// @param modes  ascending
+void join_indistinct(std::vector<modes::WhirlMode> &modes) {
+    const auto noise = [](const modes::WhirlMode &mode) { return mode.residual + mode.rounding; };
+    for (std::size_t i = 1; i < modes.size(); ++i) {
+        modes::WhirlMode &a = modes[i - 1];
+        modes::WhirlMode &b = modes[i];
+        if (std::abs(a.eigenvalue - b.eigenvalue) < (noise(a) + noise(b)) * std::abs(b.eigenvalue))
+            a.eigenvalue = b.eigenvalue = (a.eigenvalue + b.eigenvalue) / 2.0;
+    }
 }
 
 void set_sense(const Discretization &d, bool hyperbolic, std::vector<modes::WhirlMode> &modes) {
@@ -60,8 +66,14 @@ void set_forward(std::vector<modes::WhirlMode> &modes, bool forward) {
 void name_whirl(const Discretization &d, results::Form form, std::vector<modes::WhirlMode> &modes) {
     if (form == results::Form::rotating)
         set_forward(modes, true);
-    else
+    else {
+        join_indistinct(modes);
         set_sense(d, form == results::Form::hyperbolic, modes);
+    }
+}
+
+std::vector<int> senses_of(results::Form form) {
+    return form == results::Form::planar ? std::vector{1, -1} : std::vector{1};
 }
 
 /// @param list  with a branch each
@@ -79,30 +91,88 @@ void sort_ascending(SynchronousModes &list) {
     list.branches = std::move(sorted.branches);
 }
 
-/// Roots of the symmetric problems of a form: forward and backward ones, or one for both.
-template <class Roots>
-SynchronousModes of_symmetric(const Discretization &d, results::Form form, Roots &&roots) {
-    SynchronousModes out;
-    out.complete_to = std::numeric_limits<double>::infinity();
-    for (const int sign : {1, -1}) {
-        if (sign < 0 && form != results::Form::planar)
-            break;
-        const SynchronousRoots found = roots(SymmetricSynchronous(d, form, sign));
-        std::vector<modes::WhirlMode> modes;
-        for (const SynchronousRoot &root : found.roots) {
-            modes.push_back(mode_of(root.pair, form));
-            out.branches.push_back(root.branch);
+/// Shapes up to a frequency; more where less does not hold the rotor against bearings that push
+/// away.
+SharedShapes shapes_up_to(const Discretization &d, double top, int modes) {
+    constexpr int most_attempts = 5;
+    for (int attempt = 1;; ++attempt, top *= 4)
+        try {
+            return synchronous_shapes(d, top, modes);
+        } catch (const linalg::SolverError &) {
+            if (attempt == most_attempts)
+                throw;
         }
-        if (form == results::Form::planar)
-            set_forward(modes, sign > 0);
-        else
-            name_whirl(d, form, modes);
-        out.modes.insert(out.modes.end(), modes.begin(), modes.end());
-        out.complete_to = std::min(out.complete_to, found.complete_to);
-        if (!found.counted)
-            out.doubtful.emplace_back(0.0, found.complete_to);
+}
+
+/// On as many shapes as it takes to have `wanted` roots, and all up to `top`.
+SynchronousModes on_shapes(const SynchronousProblem &problem, int wanted, double top,
+                           const SharedShapes *shared) {
+    const Discretization &d = problem.rotor();
+    const WholeRoots roots(problem);
+    const int unknowns = d.planar_size();
+    double reach = std::max({top, problem.rows().back(), assembly::support_scale(d)});
+    if (shared != nullptr && (shared->shapes.rows() != unknowns || shared->reach < reach))
+        shared = nullptr;
+    constexpr int most_repeats = 2; // where some roots are in doubt
+    // Planar unknowns that may all be taken at last, by the dense decomposition that it needs.
+    const int few = problem.conservative() ? 200 : 60;
+    for (int repeats = 0;; shared = nullptr) {
+        SharedShapes own;
+        if (shared == nullptr)
+            own =
+                repeats > most_repeats ? all_shapes(d, reach) : shapes_up_to(d, reach, wanted + 2);
+        const Eigen::MatrixXd &shapes = shared != nullptr ? shared->shapes : own.shapes;
+        reach = shared != nullptr ? shared->reach : own.reach;
+        SynchronousModes out = followed_modes(problem, roots, shapes, wanted, top);
+        if (shapes.cols() == unknowns)
+            return out;
+        out.complete_to = std::min(out.complete_to, reach);
+        // What lies beyond the roots asked for does not matter.
+        double last_asked = std::numeric_limits<double>::infinity();
+        if (wanted <= 0)
+            last_asked = top;
+        else if (std::ssize(out.modes) >= wanted)
+            last_asked =
+                std::max(top, out.modes[static_cast<std::size_t>(wanted) - 1].eigenvalue.imag());
+        std::erase_if(out.doubtful, [&](const auto &range) { return range.first > last_asked; });
+        const auto sure = std::ranges::count_if(
+            out.modes, [&](const auto &mode) { return mode.eigenvalue.imag() <= reach; });
+        const bool enough = sure >= wanted && reach >= top;
+        const bool last = repeats == most_repeats && unknowns > few;
+        if (enough && (out.doubtful.empty() || last)) {
+            out.modes.resize(static_cast<std::size_t>(sure));
+            out.branches.resize(out.branches.empty() ? 0 : static_cast<std::size_t>(sure));
+            return out;
+        }
+        repeats += enough ? 1 : 0;
+        const bool known = std::ssize(out.modes) >= wanted && wanted > 0;
+        const double highest =
+            known ? out.modes[static_cast<std::size_t>(wanted) - 1].eigenvalue.imag() : 0;
+        reach = !enough && highest > reach ? 1.05 * highest : 2 * reach;
     }
-    sort_ascending(out);
+}
+
+/// Roots on shapes in a form, with their sense of whirl.
+/// @param bearing_speed  rad/s; none: the bearings as they are at each root
+SynchronousModes of_shapes(const Discretization &d, results::Form form, int wanted, double top,
+                           std::optional<double> bearing_speed,
+                           const SharedShapes *shared = nullptr) {
+    SynchronousModes out;
+    out.complete_to = unlimited;
+    for (const int sign : senses_of(form)) {
+        SynchronousModes found =
+            on_shapes(SynchronousProblem(d, form, sign, bearing_speed), wanted, top, shared);
+        if (form == results::Form::planar)
+            set_forward(found.modes, sign > 0);
+        else
+            name_whirl(d, form, found.modes);
+        out.modes.insert(out.modes.end(), found.modes.begin(), found.modes.end());
+        out.branches.insert(out.branches.end(), found.branches.begin(), found.branches.end());
+        out.doubtful.insert(out.doubtful.end(), found.doubtful.begin(), found.doubtful.end());
+        out.complete_to = std::min(out.complete_to, found.complete_to);
+    }
+    if (senses_of(form).size() > 1)
+        sort_ascending(out);
     return out;
 }
 
@@ -110,30 +180,16 @@ SynchronousModes of_symmetric(const Discretization &d, results::Form form, Roots
 
 std::vector<modes::WhirlMode> synchronous_modes(const Discretization &d, results::Form form,
                                                 double bearing_speed, int wanted) {
-    if (SymmetricSynchronous::exists(d, form))
-        return of_symmetric(d, form,
-                            [&](const SymmetricSynchronous &problem) {
-                                return problem.at_bearing_speed(bearing_speed, wanted);
-                            })
-            .modes;
-    std::vector<modes::WhirlMode> modes =
-        GeneralSynchronous(d, form).lowest(bearing_speed, wanted, 0).modes;
-    name_whirl(d, form, modes);
-    return modes;
+    return of_shapes(d, form, wanted, 0, bearing_speed).modes;
 }
 
 SynchronousModes all_synchronous_modes(const Discretization &d, results::Form form, int wanted,
-                                       double top, bool symmetric) {
-    const bool real_form = form == results::Form::planar || form == results::Form::hyperbolic;
-    if (real_form || (symmetric && SymmetricSynchronous::exists(d, form)))
-        return of_symmetric(d, form, [&](const SymmetricSynchronous &problem) {
-            return problem.lowest(wanted, top);
-        });
-    SynchronousModes out = table_speeds(d.rotor()).empty()
-                               ? GeneralSynchronous(d, form).lowest(0, wanted, top)
-                               : followed_modes(d, form, wanted, top);
-    name_whirl(d, form, out.modes);
-    return out;
+                                       double top, const SharedShapes *shared) {
+    return of_shapes(d, form, wanted, top, {}, shared);
+}
+
+SharedShapes shared_shapes(const Discretization &d, double reach, int wanted) {
+    return shapes_up_to(d, reach, wanted + 2);
 }
 
 } // namespace whirl::synchronous

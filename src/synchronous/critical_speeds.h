@@ -2,6 +2,7 @@
 
 #include "results/formulation.h"
 #include "synchronous/parts.h"
+#include "synchronous/reduced.h"
 
 #include <vector>
 
@@ -16,10 +17,16 @@ namespace whirl::synchronous {
 
 /// The same with the bearings as they are at each one's speed: at least `wanted` lowest and all up
 /// to `top` (rad/s), where the model has so many.
-/// @param symmetric  by the symmetric form where the rotor has one (SymmetricSynchronous)
+/// @param shared  shapes to begin with; none: the rotor's own
 /// @throws linalg::SolverError
 [[nodiscard]] SynchronousModes all_synchronous_modes(const assembly::Discretization &rotor,
                                                      results::Form form, int wanted, double top,
-                                                     bool symmetric = true);
+                                                     const SharedShapes *shared = nullptr);
+
+/// For rotors of which this one is the softest.
+/// @param reach  up to which their critical speeds are wanted, rad/s
+/// @throws linalg::SolverError
+[[nodiscard]] SharedShapes shared_shapes(const assembly::Discretization &rotor, double reach,
+                                         int wanted);
 
 } // namespace whirl::synchronous

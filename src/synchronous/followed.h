@@ -1,21 +1,28 @@
 #pragma once
 
-#include "results/formulation.h"
+#include "synchronous/branch.h"
 #include "synchronous/parts.h"
+#include "synchronous/problem.h"
+
+#include <Eigen/Core>
 
 namespace whirl::synchronous {
 
-/// Synchronous modes of a damped or coupled rotor with bearing tables: eigenvalues l(s) with the
-/// coefficients of the bearings at s for which Im l(s) = s. Between two rows the coefficients are
-/// linear in s; the eigenvalues at both ends, of which none is missing, are matched one to one by
-/// their derivatives (left and right vectors), and each one's Im l - s is looked at as the cubic
+/// All synchronous roots of a reduced rotor, each found again on the whole one.
+/// With bearing tables eigenvalues l(s) with the bearings as at s for which Im l(s) = s: between
+/// two rows the coefficients are linear in s; the eigenvalues at both ends are matched one to one
+/// by their derivatives (left and right vectors), and each one's Im l - s is looked at as the cubic
 /// through values and derivatives. Steps in which a match or the number of zeros is doubtful are
-/// halved. Zeros are refined on the problem itself.
-/// @param form  general or rotating; the rotor has bearing tables
-/// @returns at least `wanted` and all up to `top` (rad/s), where the model has so many; without the
-///          sense of whirl
+/// halved. Of a conservative problem the roots found are counted by the inertia of the whole one in
+/// every gap between them.
+/// @param roots   of the problem
+/// @param shapes  N x r planar shapes (synchronous_shapes)
+/// @returns at least `wanted` and all up to `top` (rad/s), where the reduced rotor has so many;
+///          without the sense of whirl; complete_to infinite where the shapes are all unknowns
 /// @throws linalg::SolverError
-[[nodiscard]] SynchronousModes followed_modes(const assembly::Discretization &rotor,
-                                              results::Form form, int wanted, double top);
+[[nodiscard]] SynchronousModes followed_modes(const SynchronousProblem &problem,
+                                              const WholeRoots &roots,
+                                              const Eigen::MatrixXd &shapes, int wanted,
+                                              double top);
 
 } // namespace whirl::synchronous

@@ -10,26 +10,6 @@
 
 namespace whirl::synchronous {
 
-linalg::Matrix doubled(const linalg::Matrix &A, const linalg::Matrix *B) {
-    const int n = A.size();
-    std::vector<Eigen::Triplet<double>> entries;
-    const auto add = [&](const linalg::Matrix &matrix, int row, int column, double sign) {
-        const linalg::SparseView view = matrix.view();
-        for (int i = 0; i < n; ++i)
-            for (linalg::SparseView::InnerIterator it(view, i); it; ++it)
-                if (it.value() != 0)
-                    entries.emplace_back(row + static_cast<int>(it.row()),
-                                         column + static_cast<int>(it.col()), sign * it.value());
-    };
-    add(A, 0, 0, 1);
-    add(A, n, n, 1);
-    if (B != nullptr) {
-        add(*B, 0, n, 1);
-        add(*B, n, 0, -1);
-    }
-    return linalg::Matrix::from_entries(2 * n, entries);
-}
-
 assembly::RotatingSystem held_in_rotating_axes(const assembly::Discretization &rotor,
                                                double bearing_speed) {
     return assembly::assemble_rotating(

@@ -15,16 +15,15 @@ namespace whirl::synchronous {
 /// Modes whose frequency is that of the spin.
 struct SynchronousModes {
     std::vector<modes::WhirlMode> modes; ///< ascending by Im of the eigenvalue
-    /// Symmetric forms: which eigenvalue of K - W^2 A passes zero at the mode (SynchronousRoot);
-    /// empty for others.
+    /// Conservative rotors: which eigenvalue of K(W) - W^2 M, in ascending order from 1, passes
+    /// zero at the mode; empty for others. With a subspace of the unknowns it is not smaller
+    /// (Courant and Fischer), so that models of one rotor are compared root by root: the first
+    /// passage of eigenvalue k with the first passage of k.
     std::vector<int> branches;
     double complete_to = 0; ///< none below is missing, rad/s; infinity: the model has no more
     /// Speeds between which some may be missing, rad/s.
     std::vector<std::pair<double, double>> doubtful;
 };
-
-/// [A B; -B A]: the real form of A - i B on (Re, Im); without B: [A 0; 0 A].
-[[nodiscard]] linalg::Matrix doubled(const linalg::Matrix &A, const linalg::Matrix *B);
 
 /// The rotor in rotating axes, the balls of its balancers held at their balanced positions.
 [[nodiscard]] assembly::RotatingSystem held_in_rotating_axes(const assembly::Discretization &rotor,

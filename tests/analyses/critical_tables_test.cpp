@@ -133,6 +133,24 @@ TEST(CriticalTables, UndampedListsAreThoseOfAScan) {
         }
 }
 
+TEST(CriticalTables, AsManyAsAreAskedForBeyondTheRangeAreThere) {
+    constexpr std::size_t wanted = 8;
+    for (int kind = 0; kind < 3; ++kind)
+        for (unsigned seed = 1; seed <= 2; ++seed) {
+            model::Case scene = table_scene(50 + 100 * static_cast<unsigned>(kind) + seed, kind);
+            scene.speeds = model::SpeedRange{0, 400, 5};
+            scene.campbell.modes = wanted;
+            const assembly::Discretization d(scene.rotor, scene.rotor.shaft.order);
+            const std::vector<double> expected = scanned(d, 3000, 2000);
+            const std::vector<double> found = speeds_of(analyses::critical_speeds(scene), 3000);
+            ASSERT_GE(found.size(), std::min(wanted, expected.size())) << kind << " " << seed;
+            ASSERT_LE(found.size(), expected.size()) << kind << " " << seed;
+            for (std::size_t i = 0; i < found.size(); ++i) // bisection of signs ends at 1e-13
+                EXPECT_NEAR(found[i] / expected[i], 1, 1e-9)
+                    << kind << " " << seed << " at " << found[i];
+        }
+}
+
 /// Eigenvalues of l^2 (M - iG) + l (C - i Kc) + K with the bearings as at s, by the companion.
 Eigen::VectorXcd frozen_eigenvalues(const assembly::Discretization &d, double s) {
     const assembly::FixedSystem system = assembly::assemble_fixed(d, s);

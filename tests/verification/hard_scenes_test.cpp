@@ -76,17 +76,23 @@ model::Case between_pins(double E, double diameter, double shear, double spring,
 }
 
 /// (rho A + rho I k^2 -+ 2 rho I k^2) w^2 = E I k^4 with k = n pi/L, forward and backward.
-void expect_critical_of_pins(const results::CriticalResult &found, double E, double diameter,
-                             int elements) {
+std::vector<double> critical_of_pins(double E, double diameter, int waves) {
     const double r = diameter / 4; // of gyration
     std::vector<double> exact;
-    for (int n = 1; n <= 4; ++n)
+    for (int n = 1; n <= waves; ++n)
         for (const double sign : {1.0, -1.0}) {
             const double k = n * std::numbers::pi / 0.9;
-            exact.push_back(std::sqrt(E / 7800) * r * k * k /
-                            std::sqrt(1 + r * r * k * k * (1 - 2 * sign)));
+            const double inertia = 1 + r * r * k * k * (1 - 2 * sign);
+            if (inertia > 0) // no forward one where the gyroscopic moment outweighs it
+                exact.push_back(std::sqrt(E / 7800) * r * k * k / std::sqrt(inertia));
         }
     std::sort(exact.begin(), exact.end());
+    return exact;
+}
+
+void expect_critical_of_pins(const results::CriticalResult &found, double E, double diameter,
+                             int elements) {
+    const std::vector<double> exact = critical_of_pins(E, diameter, 4);
     ASSERT_GE(found.critical_speeds.size(), 6U);
     for (std::size_t i = 0; i < 6; ++i) {
         const results::CriticalSpeed &one = found.critical_speeds[i];
@@ -115,18 +121,21 @@ TEST(StiffSprings, critical_speeds_of_soft_shafts_between_pins) {
     }
 }
 
-// Elements of higher order, which tell errors, hold the shear by its stiffness, and rounding of
-// that leaves nothing of the bending: errors are not known, which is said, and soon.
-TEST(StiffSprings, errors_that_rounding_hides_are_not_known) {
+// Elements of higher order, which tell errors, hold the shear by its stiffness, a billion times
+// that of bending: eigenvalues of the whole finer model are rounding, roots of it refined are not.
+TEST(StiffSprings, errors_hold_where_shear_hides_the_finer_spectrum) {
     model::Case scene = between_pins(1e9, 0.05, 1e9, 1e14, 1e13, 96);
     scene.speeds = model::SpeedRange{0, 1e4, 3}; // fast ones too, which are lost first
     const auto found = analyses::critical_speeds(scene);
     expect_critical_of_pins(found, 1e9, 0.05, 96);
-    for (const results::CriticalSpeed &one : found.critical_speeds)
-        EXPECT_TRUE(std::isinf(one.error));
-    EXPECT_TRUE(std::ranges::any_of(found.model.notes, [](const auto &note) {
-        return note.find("errors of the critical speeds are not known") != std::string::npos;
-    }));
+    const std::vector<double> exact = critical_of_pins(1e9, 0.05, 29);
+    ASSERT_EQ(std::count_if(exact.begin(), exact.end(), [](double w) { return w < 1e4; }),
+              std::ssize(found.critical_speeds));
+    for (std::size_t i = 0; i < found.critical_speeds.size(); ++i) {
+        const results::CriticalSpeed &one = found.critical_speeds[i];
+        EXPECT_LT(std::abs(one.speed / exact[i] - 1), one.error) << i;
+        EXPECT_LT(one.error, 1e-4) << i; // half of (k h)^4/720 of the last is 7e-5
+    }
 }
 
 TEST(TinyElements, FiveThousandAreRightWithinTheirOwnRoundingEstimate) {

@@ -76,13 +76,25 @@ double largest_map_error(const MapScene &map, const std::vector<double> &stiffne
     return largest;
 }
 
+/// Shapes for all points; none where they cannot be found at once.
+std::optional<synchronous::SharedShapes> shapes_for(const MapScene &map,
+                                                    const std::vector<double> &stiffness) {
+    const assembly::Discretization stiff(map.with_stiffness(stiffness.back()), map.order);
+    const SynchronousModes highest = lowest_of_each(map, stiff);
+    if (highest.modes.empty())
+        return std::nullopt;
+    constexpr double beyond = 1.1;
+    const assembly::Discretization soft(map.with_stiffness(stiffness.front()), map.order);
+    return synchronous::shared_shapes(soft, beyond * highest.modes.back().eigenvalue.imag(),
+                                      static_cast<int>(highest.modes.size()));
+}
+
 MapScene map_scene(const model::Case &scene, const model::CriticalMapSettings &settings,
                    const std::vector<double> &stiffness) {
     MapScene map;
     map.rotor = model::isotropic_without_damping(scene.rotor);
     map.varied = settings.bearing;
     map.wanted = std::max(1, (scene.campbell.modes + 1) / 2);
-    map.symmetric = scene.formulation != model::FormChoice::general;
     model::Case at_middle = scene;
     at_middle.rotor = map.with_stiffness(stiffness[stiffness.size() / 2]);
     map.form =
@@ -97,6 +109,7 @@ MapScene map_scene(const model::Case &scene, const model::CriticalMapSettings &s
             map.order = order;
             return largest_map_error(map, stiffness);
         });
+    map.shapes = shapes_for(map, stiffness);
     return map;
 }
 
@@ -265,13 +278,12 @@ std::vector<CriticalMapCrossing> crossings_of(const MapScene &map, const model::
     const std::vector<double> k = direct_stiffness(bearing, direction);
     const assembly::Discretization d(
         model::with_support_stiffness(map.rotor, map.varied, k, bearing.speeds), map.order);
-    const SynchronousModes found = synchronous::all_synchronous_modes(
-        d, map.form, static_cast<int>(2 * map.kept()), highest, map.symmetric);
+    const SynchronousModes found =
+        synchronous::all_synchronous_modes(d, map.form, static_cast<int>(2 * map.kept()), highest);
     for (const auto &[from, to] : found.doubtful)
         notes.emplace_back("critical speed map: crossings from {} may be missing",
                            as::speed.range(from, to));
-    const auto errors =
-        synchronous::errors_by_finer_model(d, map.form, found, map.symmetric, notes);
+    const auto errors = synchronous::errors_by_finer_model(d, map.form, found, notes);
     std::vector<CriticalMapCrossing> out;
     for (std::size_t i = 0; i < found.modes.size(); ++i) {
         const double speed = found.modes[i].eigenvalue.imag();

@@ -35,7 +35,8 @@ SynchronousModes lowest_of_each(const MapScene &map, const assembly::Discretizat
     SynchronousModes found;
     const auto enough = [&](results::Whirl whirl) { return of_sense(found, whirl).size() >= keep; };
     for (int attempts = 0; attempts < 4; ++attempts, ask *= 2) {
-        found = synchronous::all_synchronous_modes(d, map.form, ask, 0, map.symmetric);
+        found = synchronous::all_synchronous_modes(d, map.form, ask, 0,
+                                                   map.shapes ? &*map.shapes : nullptr);
         if (std::isinf(found.complete_to) ||
             (enough(results::Whirl::forward) &&
              (map.form == results::Form::rotating || enough(results::Whirl::backward))))
@@ -58,8 +59,7 @@ std::vector<double> point_at(const MapScene &map, double k) {
     const assembly::Discretization d(map.with_stiffness(k), map.order);
     const SynchronousModes list = lowest_of_each(map, d);
     std::vector<results::Sentence> ignored; // one for each point: too many to read
-    const auto errors =
-        synchronous::errors_by_finer_model(d, map.form, list, map.symmetric, ignored);
+    const auto errors = synchronous::errors_by_finer_model(d, map.form, list, ignored);
     std::vector<double> numbers(4 * map.kept(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t s = 0; s < map_senses.size(); ++s) {
         const auto places = of_sense(list, map_senses[s]);

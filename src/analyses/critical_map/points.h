@@ -24,7 +24,8 @@ struct MapScene {
     results::Form form = results::Form::planar;
     int order = 1;
     int wanted = 1; ///< critical speeds of each sense
-    bool symmetric = true;
+    /// Of the softest supports, up to the highest critical speed on the stiffest.
+    std::optional<synchronous::SharedShapes> shapes;
 
     [[nodiscard]] model::Rotor with_stiffness(double k) const;
     /// Roots kept of each sense: in rotating axes a motion is found in two directions.

@@ -177,6 +177,8 @@ Answers::Answers(const model::Case &scene) : _wanted(*scene.samples) {
         std::vector<Answer> answers =
             answers_of(unjudged_critical_speeds(with_order(scene, result.model.order)), scene);
         take_errors(result.critical_speeds, answers);
+        if (!result.critical_speeds.empty())
+            _shapes = shapes_for_samples(scene, result.model.order, answers.back().value);
         _critical_order = take(result.model, answers);
     }
     if (_wanted.peaks) {
@@ -199,7 +201,8 @@ std::vector<Answer> Answers::of(const model::Case &scene) const {
     if (_wanted.critical) {
         model::Case more = with_order(scene, _critical_order);
         more.campbell.modes += spare_modes;
-        append(out, answers_of(unjudged_critical_speeds(more), scene));
+        append(out,
+               answers_of(unjudged_critical_speeds(more, _shapes ? &*_shapes : nullptr), scene));
     }
     if (_wanted.peaks) {
         const model::Case own = with_order(scene, _peaks_order);

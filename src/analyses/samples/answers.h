@@ -2,6 +2,7 @@
 
 #include "model/case.h"
 #include "results/model_summary.h"
+#include "synchronous/reduced.h"
 
 #include <limits>
 #include <optional>
@@ -44,6 +45,7 @@ class Answers {
     model::SamplesSettings _wanted;
     std::vector<Answer> _nominal;
     results::ModelSummary _model;
+    std::optional<synchronous::SharedShapes> _shapes; ///< of the case as it is, for its samples
     int _critical_order = 1, _peaks_order = 1, _ends_order = 1, _motion_order = 1;
 };
 
