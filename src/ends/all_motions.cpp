@@ -2,6 +2,7 @@
 
 #include "assembly/frequency_scales.h"
 #include "ends/resolved_reach.h"
+#include "linalg/symmetric_eigen.h"
 #include "modes/zero_modes.h"
 #include "stability/motion_reach.h"
 #include "synchronous/parts.h"
@@ -94,8 +95,10 @@ double AllMotions::reach() const {
     return *_reach;
 }
 
+double AllMotions::shift_at(double speed) const { return 0.31 * std::max(std::abs(speed), _slow); }
+
 Spectrum AllMotions::at(double speed, int piece) const {
-    const double shift = 0.31 * std::max(std::abs(speed), _slow);
+    const double shift = shift_at(speed);
     Spectrum out{speed, {}, _rotor.at(speed, piece)};
     out.roots = modes::all_roots(out.problem, shift, _zeros);
     constexpr double beyond = 10; // of all that is looked at
@@ -128,7 +131,7 @@ void AllMotions::tell_signs(Spectrum &spectrum) const {
         const std::complex<double> before = root.value;
         if (root.sign() != 0 || before.imag() < 0 || within_reach(std::abs(before)))
             continue;
-        const auto found = at_its_speed(_whole, lifted(root, spectrum.speed));
+        const auto found = of_whole(lifted(root, spectrum.speed));
         if (!found || std::abs(found->value - before) > root.noise ||
             std::ranges::any_of(spectrum.roots, [&](const Root &other) {
                 return &other != &root && is_that(*found, other);
@@ -156,12 +159,46 @@ bool AllMotions::tells_decay(double size) const {
 
 /// The motion of the whole rotor that a root stands for; none where it is one of the shapes alone.
 std::optional<WholeMotion> AllMotions::of_whole(const Root &root, double speed) const {
-    auto found = at_its_speed(_whole, lifted(root, speed));
+    auto found = of_whole(lifted(root, speed));
     const double away = (is_rough() ? nearby : same_root) * std::abs(root.value);
     return found && std::abs(found->value - root.value) <= away ? std::move(found) : std::nullopt;
 }
 
+/// By the eigenvalues alone, from which the whole rotor finds its own; nothing where one of the
+/// motions that count hardly grows or dies out, so that their vectors must tell what rounding
+/// hides.
+std::optional<FastestGrowing> AllMotions::by_values(double speed, double above,
+                                                    double up_to) const {
+    constexpr double hardly = 1e-5; // where three roots meet rounding moves them by nearly as much
+    const double shift = shift_at(speed);
+    std::optional<std::complex<double>> best;
+    for (const std::complex<double> &value :
+         modes::all_values(_rotor.at(speed, _rotor.piece_of(speed)), shift, _zeros)) {
+        const double size = std::abs(value);
+        const bool slow = within_reach(size);
+        if (value.imag() < 0 || size > up_to || size <= above || (value.real() < 0 && !slow))
+            continue;
+        if (!slow || std::abs(value.real()) <= hardly * std::max(size, shift))
+            return std::nullopt;
+        if (!best || value.real() > best->real())
+            best = value;
+    }
+    if (!best)
+        return std::nullopt;
+    const Eigen::VectorXcd any =
+        linalg::deterministic_vector(static_cast<int>(_whole.mass().rows()))
+            .cast<std::complex<double>>();
+    const auto found = of_whole(WholeMotion{speed, *best, any, any, 0});
+    if (!found || std::abs(found->value - *best) > same_root * std::abs(*best) ||
+        std::abs(found->value.real()) <= found->noise)
+        return std::nullopt;
+    return FastestGrowing{found->value, true};
+}
+
 FastestGrowing AllMotions::fastest_growing(double speed, double above, double up_to) const {
+    if (!_drives_all)
+        if (const auto told = by_values(speed, above, up_to))
+            return *told;
     std::vector<Root> roots = (_drives_all ? told_at(speed) : at(speed)).roots;
     const auto asked_for = [=](std::complex<double> value, double beside = 0) {
         return std::abs(value) <= up_to * (1 + beside) && std::abs(value) > above * (1 - beside);

@@ -54,6 +54,10 @@ class AllMotions {
 
     /// A root as a motion of the whole rotor to begin with.
     [[nodiscard]] WholeMotion lifted(const Root &root, double speed) const;
+    /// The motion of the whole rotor next to that; nothing where none is found.
+    [[nodiscard]] std::optional<WholeMotion> of_whole(const WholeMotion &guess) const {
+        return at_its_speed(_whole, guess, _pencil);
+    }
     /// The same at all speeds of the range, 1/s: twice its largest speed, so that all whirls up to
     /// that speed are among them in rotating axes too, and as much more as leaves at least eight
     /// and brings it between two motions that are far apart all over the range.
@@ -96,9 +100,11 @@ class AllMotions {
     double _from, _to;
     mutable std::optional<double> _reach; ///< once it was asked for
     int _zeros = 0;
+    mutable modes::WholePencil<double> _pencil;
     mutable std::optional<Spectrum> _told; ///< the last one
 
     [[nodiscard]] double least_reach() const;
+    [[nodiscard]] double shift_at(double speed) const;
     /// As at(); of fast motions that rounding of the decomposition hides it is told by the whole
     /// rotor, which knows each of them as sharply as the slow ones, whether they grow.
     [[nodiscard]] const Spectrum &told_at(double speed) const;
@@ -106,6 +112,8 @@ class AllMotions {
     [[nodiscard]] bool is_rough() const;
     [[nodiscard]] bool tells_decay(double size) const;
     [[nodiscard]] std::optional<WholeMotion> of_whole(const Root &root, double speed) const;
+    [[nodiscard]] std::optional<FastestGrowing> by_values(double speed, double above,
+                                                          double up_to) const;
 };
 
 } // namespace whirl::ends

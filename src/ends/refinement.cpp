@@ -159,16 +159,21 @@ std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole, const W
     });
 }
 
-std::optional<WholeMotion> at_its_speed(const modes::FormMatrices &whole,
-                                        const WholeMotion &guess) {
-    const double scale = std::max(std::abs(guess.speed), std::abs(guess.value));
-    return corrected(whole, guess, scale, false, [&](const Forms &f, WholeMotion &m) {
-        Complex change = -f.value / f.by_root;
-        if (guess.value.imag() == 0) // of a real root both vectors are real but for rounding
-            change = change.real();
-        m.value += change;
-        return std::abs(change / m.value);
-    });
+std::optional<WholeMotion> at_its_speed(const modes::FormMatrices &whole, const WholeMotion &guess,
+                                        modes::WholePencil<double> &pencil) {
+    const modes::QuadraticAt problem = whole.at(guess.speed);
+    pencil.set(problem, std::max(std::abs(guess.value), 1e-300));
+    auto found = pencil.refined({guess.value, guess.right, guess.left});
+    if (!found)
+        return std::nullopt;
+    WholeMotion out{
+        guess.speed, found->value, std::move(found->right), std::move(found->left), 0, 0};
+    if (guess.value.imag() == 0) // of a real root both vectors are real but for rounding
+        out.value = out.value.real();
+    const Forms f = forms(problem, out.value, out);
+    out.rate = -f.by_speed / f.by_root;
+    out.noise = noise_of(problem, out, f.by_root);
+    return out;
 }
 
 } // namespace whirl::ends

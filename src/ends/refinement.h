@@ -1,6 +1,7 @@
 #pragma once
 
 #include "modes/form_matrices.h"
+#include "modes/roots/whole_pencil.h"
 
 #include <Eigen/Core>
 
@@ -26,10 +27,11 @@ struct WholeMotion {
 [[nodiscard]] std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole,
                                                      const WholeMotion &guess, bool standing);
 
-/// The root of the whole rotor next to `guess` at its speed, by Rayleigh quotient iteration with
-/// right and left vectors.
+/// The root of the whole rotor next to `guess` at its speed.
+/// @param pencil  keeps the order of elimination from one root to the next
 /// @returns nothing where it does not converge
 [[nodiscard]] std::optional<WholeMotion> at_its_speed(const modes::FormMatrices &whole,
-                                                      const WholeMotion &guess);
+                                                      const WholeMotion &guess,
+                                                      modes::WholePencil<double> &pencil);
 
 } // namespace whirl::ends

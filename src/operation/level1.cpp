@@ -166,7 +166,7 @@ class CoupledRotor {
     /// As the whole rotor has it; none where it does not swing or is not found there.
     [[nodiscard]] std::optional<Complex> of_whole(double q, Complex value) const {
         const ends::Root root = _motions.at(_range.s(q)).nearest(value);
-        const auto whole = ends::at_its_speed(_motions.whole(), _motions.lifted(root, _range.s(q)));
+        const auto whole = _motions.of_whole(_motions.lifted(root, _range.s(q)));
         constexpr double same = 0.01; // few shapes are better than that
         Complex found = root.value;
         if (whole && std::abs(whole->value - root.value) <= same * std::abs(root.value))

@@ -23,8 +23,34 @@ constexpr double machine = std::numeric_limits<double>::epsilon();
 constexpr double of_entries = 30;
 constexpr double of_solver = 3;
 
-/// The companion matrix in mu = 1/(s (l - shift)), its eigenvalues and vectors. Of a real matrix
-/// the vectors of a conjugate pair stand in two columns.
+/// Part of the largest mu (below): smaller ones are those of infinite roots.
+constexpr double infinite = 1e-14;
+
+/// The companion matrix in mu = 1/(s (l - shift)).
+template <class Scalar> struct CompanionMatrix {
+    using Matrix = typename DenseQuadratic<Scalar>::Matrix;
+    Eigen::PartialPivLU<Matrix> lu; ///< of the problem at the shift
+    Matrix C;
+    double s = 1;
+
+    CompanionMatrix(const DenseQuadratic<Scalar> &p, double shift)
+        : lu(shift * shift * p.M + shift * p.D + p.K) {
+        const Eigen::Index n = p.M.rows();
+        const Matrix slope = 2 * shift * p.M + p.D;
+        const Matrix A = linalg::solved(lu, slope);
+        const Matrix B = linalg::solved(lu, p.M);
+        s = std::sqrt(std::max(B.norm(), A.squaredNorm()));
+        C = Matrix::Zero(2 * n, 2 * n);
+        C.topLeftCorner(n, n) = -A / s;
+        C.topRightCorner(n, n) = -B / (s * s);
+        C.bottomLeftCorner(n, n).setIdentity();
+        if (!C.allFinite())
+            throw linalg::SolverError("the matrix at the shift is singular");
+    }
+};
+
+/// Its eigenvalues and vectors. Of a real matrix the vectors of a conjugate pair stand in two
+/// columns.
 template <class Scalar> struct Companion {
     using Matrix = typename DenseQuadratic<Scalar>::Matrix;
     static constexpr bool real = std::is_same_v<Scalar, double>;
@@ -37,24 +63,15 @@ template <class Scalar> struct Companion {
 
     Companion(const DenseQuadratic<Scalar> &p, double shift) {
         const Eigen::Index n = p.M.rows();
-        const Eigen::PartialPivLU<Matrix> lu(shift * shift * p.M + shift * p.D + p.K);
-        const Matrix slope = 2 * shift * p.M + p.D;
-        const Matrix A = linalg::solved(lu, slope);
-        const Matrix B = linalg::solved(lu, p.M);
-        s = std::sqrt(std::max(B.norm(), A.squaredNorm()));
-        Matrix C = Matrix::Zero(2 * n, 2 * n);
-        C.topLeftCorner(n, n) = -A / s;
-        C.topRightCorner(n, n) = -B / (s * s);
-        C.bottomLeftCorner(n, n).setIdentity();
-        if (!C.allFinite())
-            throw linalg::SolverError("the matrix at the shift is singular");
-        norm = C.norm();
+        CompanionMatrix<Scalar> matrix(p, shift);
+        s = matrix.s;
+        norm = matrix.C.norm();
         if constexpr (real)
-            of = linalg::general_eigen(std::move(C), linalg::Vectors::both);
+            of = linalg::general_eigen(std::move(matrix.C), linalg::Vectors::both);
         else
-            of = linalg::general_eigen(std::move(C));
+            of = linalg::general_eigen(std::move(matrix.C));
         right = of.right.topRows(n);
-        left = lu.adjoint().solve(Matrix(of.left.topRows(n)));
+        left = matrix.lu.adjoint().solve(Matrix(of.left.topRows(n)));
     }
 
     /// Of a conjugate pair the first column.
@@ -102,9 +119,21 @@ Root conjugate(Root root) {
     return root;
 }
 
-void drop_zeros(std::vector<Root> &roots, int zeros) {
-    std::ranges::stable_sort(roots, {}, [](const Root &a) { return std::abs(a.value); });
+template <class Value> double size_of(const Value &root) {
+    if constexpr (std::is_same_v<Value, Root>)
+        return std::abs(root.value);
+    else
+        return std::abs(root);
+}
+
+template <class Value> void drop_zeros(std::vector<Value> &roots, int zeros) {
+    std::ranges::stable_sort(roots, {}, size_of<Value>);
     roots.erase(roots.begin(), roots.begin() + std::min<std::ptrdiff_t>(zeros, std::ssize(roots)));
+}
+
+/// Deflections, slopes and balls have different units.
+template <class Scalar> Eigen::VectorXd unit_scales(const DenseQuadratic<Scalar> &p, double shift) {
+    return linalg::scales_at(shift, p.M.diagonal().cwiseAbs(), p.K.diagonal().cwiseAbs());
 }
 
 template <class Scalar>
@@ -121,9 +150,7 @@ DenseQuadratic<Scalar> scaled(const DenseQuadratic<Scalar> &p, const Eigen::Vect
 template <class Scalar>
 std::vector<Root> all_roots(const DenseQuadratic<Scalar> &unscaled, double shift, int zeros) {
     using Matrix = typename DenseQuadratic<Scalar>::Matrix;
-    // Deflections, slopes and balls have different units.
-    const Eigen::VectorXd d = linalg::scales_at(shift, unscaled.M.diagonal().cwiseAbs(),
-                                                unscaled.K.diagonal().cwiseAbs());
+    const Eigen::VectorXd d = unit_scales(unscaled, shift);
     const DenseQuadratic<Scalar> p = scaled(unscaled, d);
     const Companion<Scalar> c(p, shift);
     const bool rates = p.D_rate.size() > 0;
@@ -134,7 +161,7 @@ std::vector<Root> all_roots(const DenseQuadratic<Scalar> &unscaled, double shift
     const Eigen::VectorXd m_size = sizes(left_size, p.M, right_size);
     const Eigen::VectorXd g_size = sizes(left_size, p.D, right_size);
     const Eigen::VectorXd k_size = sizes(left_size, p.K, right_size);
-    const double smallest = 1e-14 * c.of.values.cwiseAbs().maxCoeff(); // below: infinite roots
+    const double smallest = infinite * c.of.values.cwiseAbs().maxCoeff();
     std::vector<Root> out;
     for (Eigen::Index j = 0; j < c.of.values.size(); ++j) {
         const Complex mu = c.of.values(j);
@@ -165,6 +192,18 @@ std::vector<Root> all_roots(const DenseQuadratic<Scalar> &unscaled, double shift
             out.push_back(conjugate(root));
         out.push_back(std::move(root));
     }
+    drop_zeros(out, zeros);
+    return out;
+}
+
+std::vector<Complex> all_values(const DenseQuadratic<double> &problem, double shift, int zeros) {
+    CompanionMatrix<double> matrix(scaled(problem, unit_scales(problem, shift)), shift);
+    const Eigen::VectorXcd mu = linalg::general_eigenvalues(std::move(matrix.C));
+    const double smallest = infinite * mu.cwiseAbs().maxCoeff();
+    std::vector<Complex> out;
+    for (const Complex &value : mu)
+        if (std::abs(value) > smallest)
+            out.push_back(shift + 1.0 / (matrix.s * value));
     drop_zeros(out, zeros);
     return out;
 }

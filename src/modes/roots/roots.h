@@ -37,4 +37,9 @@ template <class Scalar>
 [[nodiscard]] std::vector<Root> all_roots(const DenseQuadratic<Scalar> &problem, double shift,
                                           int zeros);
 
+/// Their values alone, at a third of the cost: nothing tells what rounding makes of them.
+/// @throws linalg::SolverError
+[[nodiscard]] std::vector<std::complex<double>> all_values(const DenseQuadratic<double> &problem,
+                                                           double shift, int zeros);
+
 } // namespace whirl::modes
