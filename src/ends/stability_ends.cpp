@@ -169,6 +169,11 @@ class EndSearch {
         const bool confirmed = exact && std::abs(exact->speed - change.speed) <= reach &&
                                std::abs(exact->value) >= like * std::abs(guess.value);
         const int single = change.gain > 0 ? 1 : -1;
+        if (!confirmed && !standing && !change.smooth)
+            if (const auto zero = zero_beside(change, guess)) {
+                _found.push_back({*zero, EndKind::zero, change.gain, false, change.speed});
+                return;
+            }
         if (confirmed && (standing || exact->rate.real() * single > 0)) {
             _found.push_back({*exact, standing ? EndKind::zero : EndKind::pair,
                               standing ? change.gain : 2 * single, false, change.speed});
@@ -184,6 +189,19 @@ class EndSearch {
     /// Part of the speed over which rounding hides two real roots that meet next to zero, as with
     /// hardly any damping: the root of it, with allowance.
     static constexpr double hidden = 1e-7;
+
+    /// A pair next to zero that is on the axis nowhere near: two real roots met, one of which
+    /// passes zero beside that.
+    [[nodiscard]] std::optional<WholeMotion> zero_beside(const Change &change,
+                                                         WholeMotion guess) const {
+        if (std::abs(guess.value) > std::sqrt(hidden) * std::abs(change.speed))
+            return std::nullopt;
+        guess.value = 0;
+        auto zero = on_the_axis(_motions.whole(), guess, true);
+        return zero && std::abs(zero->speed - change.speed) <= hidden * std::abs(change.speed)
+                   ? std::move(zero)
+                   : std::nullopt;
+    }
 
     /// Next to a speed rounding hides whether motions grow: as many as the looks on both sides
     /// tell.
