@@ -97,6 +97,10 @@ void PlanarShapes::add_newest_first(Eigen::MatrixXd columns, double newness) {
     take_in_newest_first(_shapes, _H, std::move(columns), newness);
 }
 
+void PlanarShapes::add_longest_first(Eigen::MatrixXd columns, double shortest) {
+    take_in_longest_first(_shapes, _H, std::move(columns), shortest);
+}
+
 Eigen::MatrixXd planar_parts(const Eigen::VectorXcd &vector, Eigen::Index N, Eigen::Index term) {
     const Eigen::Index terms = vector.size() / term;
     Eigen::MatrixXd out(N, 4 * terms);

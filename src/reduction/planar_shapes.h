@@ -38,6 +38,10 @@ class PlanarShapes {
     /// The same with as few shapes as may be: first the column of which most is new.
     void add_newest_first(Eigen::MatrixXd columns, double newness);
 
+    /// Takes in what is new of columns whose lengths under K + top^2 M count, the longest first,
+    /// until what is left of each is shorter than that.
+    void add_longest_first(Eigen::MatrixXd columns, double shortest);
+
     /// Only these combinations of the shapes, r x s with orthonormal columns, are kept.
     void keep(const Eigen::MatrixXd &combinations);
 

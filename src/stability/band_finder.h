@@ -12,8 +12,7 @@
 namespace whirl::stability {
 
 /// Unstable bands of one rotor. The search (band_search.h) asks for the motions at hundreds of
-/// speeds: it is made with a rotor reduced to few planar shapes, which are chosen so that its
-/// eigenvalues are those of the whole rotor at speeds all over the range (1e-7 of the spin speed).
+/// speeds: it is made with a rotor reduced to few planar shapes (range_shapes.h, PeriodicMotions).
 /// Every end that it finds is then found again, as a root, with the whole rotor, and so is that the
 /// rotor grows inside each band and nowhere between them. Where the whole rotor does not agree, or
 /// is as small itself, the search is made with the whole rotor.
@@ -24,8 +23,7 @@ class BandFinder {
     BandFinder(const StabilityModel &model, const balancers::Arrangement &arrangement,
                std::shared_ptr<const Eigen::MatrixXd> shapes = nullptr);
     /// @param like  of a rotor that differs in the arrangement of its balls or in some other
-    ///              numbers, asked for the same speeds before: with the same shapes, where they are
-    ///              as good for this one
+    ///              numbers: with its shapes to begin with
     BandFinder(const StabilityModel &model, const balancers::Arrangement &arrangement,
                const BandFinder &like);
 
@@ -63,14 +61,12 @@ class BandFinder {
     balancers::Arrangement _arrangement;
     MotionSolver _whole;
     std::shared_ptr<const Eigen::MatrixXd> _shapes;
-    std::shared_ptr<const Eigen::MatrixXd> _few; ///< fewer that do as well, or the same
-    bool _good = false;                          ///< the shapes are good for the speeds asked for
+    bool _good = false; ///< they were found for the speeds asked for
     mutable std::map<double, std::vector<Motion>> _kept; ///< at their speeds, once asked for
     mutable int _asked = 0;                              ///< of these
 
-    [[nodiscard]] std::unique_ptr<MotionSolver>
-    reduced_alike(const std::vector<double> &speeds) const;
-    [[nodiscard]] std::unique_ptr<MotionSolver> reduced_for(const std::vector<double> &speeds);
+    [[nodiscard]] std::shared_ptr<const Eigen::MatrixXd>
+    found_shapes(const std::vector<double> &speeds) const;
 };
 
 } // namespace whirl::stability

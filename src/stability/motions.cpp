@@ -115,13 +115,15 @@ auto found_or_said(double speed, int unknowns, results::Form form, const Find &f
 
 } // namespace
 
+int fewest_motions(const model::Rotor &rotor) { return bearings_drive(rotor) ? fewest_driven : 8; }
+
 struct MotionSolver::Data {
     assembly::Discretization d;
     std::shared_ptr<const Eigen::MatrixXd> shapes; ///< none: the whole rotor
     results::Form form;
     bool tables;
     std::vector<balancers::BalancerElement> balancers;
-    int fewest = 8; ///< motions looked at, however fast they are
+    int fewest; ///< motions looked at, however fast they are
     std::shared_ptr<const modes::RotatingSpectrum> rotating;
     std::unique_ptr<HillMotions> hill;
     std::unique_ptr<PeriodicMotions> periodic; ///< instead of the series
@@ -132,17 +134,15 @@ struct MotionSolver::Data {
          std::shared_ptr<const Eigen::MatrixXd> reduced_to)
         : d(model.rotor, model.order), shapes(std::move(reduced_to)), form(model.form),
           tables(model.rotor.bearings_depend_on_speed()),
-          balancers(balancers::balancer_elements(model.rotor, arrangement)) {
-        const bool driven = bearings_drive(model.rotor);
-        if (driven)
-            fewest = fewest_driven;
+          balancers(balancers::balancer_elements(model.rotor, arrangement)),
+          fewest(fewest_motions(model.rotor)) {
         if (results::in_rotating_axes(form)) {
             rotating = std::make_shared<modes::RotatingSpectrum>(d, 0, balancers, 0, shapes.get());
             root_K = root_of_diagonal(rotating->system().K);
             root_M = root_of_diagonal(rotating->system().M);
             if (form == results::Form::hill && model.harmonics == 0)
-                periodic = std::make_unique<PeriodicMotions>(d, balancers, driven, model.top,
-                                                             shapes, model.experience);
+                periodic = std::make_unique<PeriodicMotions>(
+                    d, balancers, bearings_drive(model.rotor), model.top, shapes, model.experience);
             else if (form == results::Form::hill)
                 hill = std::make_unique<HillMotions>(d, balancers, fewest, model.harmonics);
         } else {
@@ -341,11 +341,6 @@ MotionSolver::~MotionSolver() = default;
 
 std::vector<Motion> MotionSolver::at(double speed) const {
     return found_or_said(speed, unknowns(), _data->form, [&] { return _data->motions(speed); });
-}
-
-std::vector<linalg::ComplexPair> MotionSolver::pairs(double speed) const {
-    return found_or_said(speed, unknowns(), _data->form,
-                         [&] { return _data->those_that_matter(speed).pairs; });
 }
 
 const PeriodicMotions *MotionSolver::by_monodromy() const { return _data->periodic.get(); }

@@ -31,6 +31,9 @@ struct Motion {
 /// none), 1/s.
 [[nodiscard]] double copies_apart(std::complex<double> a, std::complex<double> b, double repeats);
 
+/// Motions looked at, however fast they are: more where bearings drive.
+[[nodiscard]] int fewest_motions(const model::Rotor &rotor);
+
 class PeriodicMotions;
 struct StabilityModel;
 
@@ -56,10 +59,6 @@ class MotionSolver {
     /// With Hill's series each once, at its place next to zero.
     /// @throws model::AnalysisFailure where they cannot be found, or a Hill series does not settle.
     [[nodiscard]] std::vector<Motion> at(double speed) const;
-
-    /// The eigenpairs that at() makes motions of, Im >= 0, over all unknowns (Hill: of all terms).
-    /// @throws model::AnalysisFailure as at()
-    [[nodiscard]] std::vector<linalg::ComplexPair> pairs(double speed) const;
 
     /// How the monodromy matrix gives them; none where another way is taken.
     [[nodiscard]] const PeriodicMotions *by_monodromy() const;

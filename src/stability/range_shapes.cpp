@@ -1,0 +1,180 @@
+#include "stability/range_shapes.h"
+
+#include "assembly/frequency_scales.h"
+#include "linalg/check.h"
+#include "modes/form_matrices.h"
+#include "modes/roots/roots.h"
+#include "modes/roots/whole_pencil.h"
+#include "modes/zero_modes.h"
+#include "reduction/planar_shapes.h"
+#include "reduction/projection.h"
+#include "stability/motions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <list>
+
+namespace whirl::stability {
+
+namespace {
+
+/// Nothing is gained with so large a part of all shapes, nor where other ones are hardly fewer.
+constexpr double large_part = 0.7;
+constexpr double hardly_fewer = 0.85;
+/// What may be left of a motion, of its length: of those that the shapes lack, one after the other
+/// until it is enough, and of all of them. The errors of eigenvalues are the squares of it.
+constexpr std::array left_of_lacking{3e-2, 1e-2, 3e-3, 1e-3, 1e-5};
+constexpr double left_of_all_rotating = 1e-4;
+constexpr double left_of_all_fixed = 1e-3;
+/// How far an eigenvalue may be from that of the whole rotor, which what is told has in the end:
+/// over it or the spin speed of motions up to `slow` times the spin speed, in rotating axes, where
+/// roots meet next to zero, and in fixed ones; over it of faster ones, as far as there are some.
+constexpr double agreeing_rotating = 1e-7;
+constexpr double agreeing_fixed = 1e-5;
+constexpr double agreeing_fast = 1e-3;
+constexpr double slow = 1.3;
+
+using MotionVectors = std::vector<Eigen::VectorXcd>;
+
+/// The motions of the whole rotor at one speed, next to those of a reduced one.
+class Comparison {
+  public:
+    Comparison(const modes::FormMatrices &whole, double speed, int fewest)
+        : _whole(whole.at(speed)), _speed(std::abs(speed)), _fewest(fewest),
+          _agreeing(results::in_rotating_axes(whole.form()) ? agreeing_rotating : agreeing_fixed),
+          _shift(0.31 * std::max(_speed, assembly::support_scale(whole.discretization()))) {
+        if (!results::in_rotating_axes(whole.form()))
+            _zeros =
+                modes::zero_modes(whole.discretization(), whole.form(), speed, speed).eigenvalues;
+        _pencil.set(_whole, _shift);
+    }
+
+    void with(const Eigen::MatrixXd &shapes) {
+        const reduction::Projection few(shapes);
+        std::vector<modes::Root> roots = modes::all_roots<double>(
+            {few.of(_whole.M), few.of(_whole.D), few.of(_whole.K), {}, {}}, _shift, _zeros);
+        std::erase_if(roots, [](const modes::Root &root) { return root.value.imag() < 0; });
+        std::ranges::sort(roots, {}, [](const auto &root) { return std::abs(root.value); });
+        _agrees = true;
+        _motions.clear();
+        _lacking.clear();
+        for (int k = 0; k < std::ssize(roots); ++k) {
+            const modes::Root &root = roots[static_cast<std::size_t>(k)];
+            const double size = std::abs(root.value);
+            const bool is_slow = size <= slow * _speed;
+            const bool matters = k < _fewest || is_slow || root.sign() > 0;
+            if (!matters || root.noise >= size) // of the latter nothing is known
+                continue;
+            auto found =
+                _pencil.refined({root.value, few.lifted(root.right), few.lifted(root.left)});
+            const double allowed =
+                root.noise + (is_slow ? _agreeing * std::max(size, _speed) : agreeing_fast * size);
+            const bool same = found && std::abs(found->value - root.value) <= allowed;
+            _agrees = _agrees && (same || !is_slow);
+            if (!found)
+                continue;
+            for (Eigen::VectorXcd *vector : {&found->right, &found->left}) {
+                if (!same)
+                    _lacking.push_back(*vector);
+                _motions.push_back(std::move(*vector));
+            }
+        }
+    }
+
+    /// Of the last shapes: all slow motions are those of the whole rotor.
+    [[nodiscard]] bool agrees() const { return _agrees; }
+    /// Of the whole rotor, right and left vectors: all, and those that the shapes lack.
+    [[nodiscard]] const MotionVectors &motions() const { return _motions; }
+    [[nodiscard]] const MotionVectors &lacking() const { return _lacking; }
+
+  private:
+    modes::QuadraticAt _whole;
+    double _speed; ///< rad/s, its modulus
+    int _fewest, _zeros = 0;
+    double _agreeing;
+    double _shift;
+    modes::WholePencil<double> _pencil;
+    bool _agrees = false;
+    MotionVectors _motions, _lacking;
+};
+
+/// Planar shapes of motions, a motion of length 1.
+Eigen::MatrixXd parts_of(const MotionVectors &motions, const Eigen::SparseMatrix<double> &metric) {
+    Eigen::MatrixXd out(metric.rows(), 4 * std::ssize(motions));
+    for (Eigen::Index k = 0; k < std::ssize(motions); ++k) {
+        const Eigen::VectorXcd &vector = motions[static_cast<std::size_t>(k)];
+        const Eigen::MatrixXd parts = reduction::planar_parts(vector, metric.rows(), vector.size());
+        const double square = parts.cwiseProduct(metric * parts).colwise().sum().maxCoeff();
+        out.middleCols(4 * k, 4) = square > 0 ? Eigen::MatrixXd(parts / std::sqrt(square)) : parts;
+    }
+    return out;
+}
+
+/// More shapes, until the rotor on them has the motions at one more speed.
+/// @returns whether it has
+bool enriched(reduction::PlanarShapes &planar, Comparison &comparison) {
+    comparison.with(planar.matrix());
+    for (const double left : left_of_lacking) {
+        if (comparison.lacking().empty())
+            break;
+        const Eigen::Index before = planar.matrix().cols();
+        planar.add_longest_first(parts_of(comparison.lacking(), planar.metric()), left);
+        if (planar.matrix().cols() != before)
+            comparison.with(planar.matrix());
+    }
+    return comparison.agrees() && static_cast<double>(planar.matrix().cols()) <=
+                                      large_part * static_cast<double>(planar.metric().rows());
+}
+
+/// Modes and static deflections are more than the motions need: as few as span these alone.
+/// @param left  of each, at most
+void compact(reduction::PlanarShapes &planar, std::list<Comparison> &comparisons, double left) {
+    MotionVectors motions;
+    for (const Comparison &comparison : comparisons)
+        motions.insert(motions.end(), comparison.motions().begin(), comparison.motions().end());
+    if (motions.empty())
+        return;
+    const Eigen::Index all = planar.matrix().cols();
+    reduction::PlanarShapes few = planar;
+    few.keep(Eigen::MatrixXd(all, 0));
+    few.add_longest_first(parts_of(motions, planar.metric()), left);
+    const bool fewer =
+        static_cast<double>(few.matrix().cols()) <= hardly_fewer * static_cast<double>(all);
+    if (fewer && std::ranges::all_of(comparisons, [&few](Comparison &comparison) {
+            comparison.with(few.matrix());
+            return comparison.agrees() && comparison.lacking().empty();
+        }))
+        planar = few;
+}
+
+/// Frequency up to which shapes are to describe motions at these speeds, rad/s.
+double top_of(const std::vector<double> &speeds) {
+    return 2 * std::max(std::abs(speeds.front()), std::abs(speeds.back()));
+}
+
+} // namespace
+
+std::shared_ptr<const Eigen::MatrixXd> range_shapes(const assembly::Discretization &d,
+                                                    results::Form form,
+                                                    const balancers::Arrangement &arrangement,
+                                                    const std::vector<double> &speeds,
+                                                    const Eigen::MatrixXd *start) {
+    const modes::FormMatrices whole(d, form, balancers::balancer_elements(d.rotor(), arrangement));
+    reduction::PlanarShapes planar = start != nullptr
+                                         ? reduction::PlanarShapes(d, top_of(speeds), *start)
+                                         : reduction::PlanarShapes(d, top_of(speeds));
+    std::list<Comparison> comparisons;
+    const std::size_t last = speeds.size() - 1;
+    for (const std::size_t place : {last, std::size_t{0}, last / 2, last / 4, 3 * last / 4})
+        if (speeds[place] != 0 &&
+            !enriched(planar,
+                      comparisons.emplace_back(whole, speeds[place], fewest_motions(d.rotor()))))
+            return nullptr;
+    if (start == nullptr)
+        compact(planar, comparisons,
+                results::in_rotating_axes(form) ? left_of_all_rotating : left_of_all_fixed);
+    return std::make_shared<const Eigen::MatrixXd>(planar.matrix());
+}
+
+} // namespace whirl::stability
