@@ -58,8 +58,9 @@ class Comparison {
     ForcedMotion _full;
 };
 
-/// Where the reduced rotor is compared: the resonances, half-power points beside them, the ends.
-/// @param beside  false: without the half-power points
+/// Where the reduced rotor is compared: the resonances, half-power points beside them, the ends, and
+/// evenly between these: curves and peaks without a resonance of their own are right there too.
+/// @param beside  false: without the half-power points and what is between
 std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, double from, double to,
                                    bool beside) {
     std::vector<double> speeds{from < 0 ? (2 * from + to) / 3 : (from + 2 * to) / 3,
@@ -68,6 +69,9 @@ std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, dou
         if (speed > from && speed < to)
             speeds.push_back(speed);
     };
+    constexpr int evenly = 6;
+    for (int k = 1; beside && k < evenly; ++k)
+        add(from + (to - from) * k / evenly);
     for (const Resonance &r : resonances) {
         constexpr double too_damped = 0.3; // no peak of its own: between the others
         if (r.width > too_damped * std::abs(r.speed))
