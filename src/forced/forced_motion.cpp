@@ -9,6 +9,7 @@
 #include "results/formulation.h"
 #include "synchronous/parts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -111,11 +112,37 @@ linalg::HarmonicSolver::Entries ForcedMotion::table_changes(double spin, double 
     return out;
 }
 
-void ForcedMotion::assemble() {
-    const linalg::HarmonicSolver::Entries changes = table_changes(0, 0);
+namespace {
+
+/// x and y move each other. Where they do not, one that is not driven stays at zero to the last
+/// digit if the two are solved for as they are.
+bool couples(const linalg::HarmonicTerms &terms, bool at_rest,
+             const linalg::HarmonicSolver::Entries &changes) {
+    const auto of = [](const linalg::Matrix &A) {
+        const linalg::SparseView view = A.view();
+        for (Eigen::Index i = 0; i < view.outerSize(); ++i)
+            for (linalg::SparseView::InnerIterator entry(view, i); entry; ++entry)
+                if (entry.value() != 0 && entry.row() % 2 != entry.col() % 2)
+                    return true;
+        return false;
+    };
+    return of(terms.K) || of(terms.C) || of(terms.M) ||
+           (!at_rest && (of(terms.G) || of(terms.Kc))) ||
+           std::ranges::any_of(changes, [](const auto &change) {
+               return change.value() != 0.0 && change.row() % 2 != change.col() % 2;
+           });
+}
+
+} // namespace
+
+void ForcedMotion::assemble(double spin) {
+    constexpr double any = 1; // rad/s: no frequency that a coefficient is not multiplied by
+    const linalg::HarmonicSolver::Entries changes = table_changes(spin, any);
+    _at_rest = spin == 0;
     if (!_rotating) {
+        const linalg::HarmonicTerms terms = synchronous::turned_system(_discretization, _planar, 0);
         _solver = std::make_unique<linalg::HarmonicSolver>(
-            synchronous::turned_system(_discretization, _planar, 0), !_planar, changes);
+            terms, !_planar && couples(terms, _at_rest, changes), changes);
         return;
     }
     assembly::RotatingSystem s = assembly::assemble_rotating(_discretization, 0, {});
@@ -155,9 +182,9 @@ void ForcedMotion::solve(double speed) {
         _rounding = 0;
         return;
     }
-    if (!_solver)
-        assemble();
     const double spin = _drive.sweep.spin_at(speed);
+    if (!_solver || _at_rest != (spin == 0))
+        assemble(spin);
     _load = forces(speed);
     _solution =
         _solver->solve(spin, frequency(speed), _load, table_changes(spin, frequency(speed)));

@@ -168,12 +168,13 @@ class ForcedMotion {
     bool _planar;            ///< one complex deflection in each place
     bool _rotating;          ///< solved in rotating axes
     std::unique_ptr<linalg::HarmonicSolver> _solver; ///< of the bearings at rest; none before use
+    bool _at_rest = false;                           ///< it is of a rotor that does not turn
     double _speed = 0;                               ///< of the last solution, as given
     Eigen::VectorXcd _load, _solution;
     Eigen::VectorXcd _displacements;         ///< in the axes that they are read in
     mutable std::optional<double> _rounding; ///< once asked for
 
-    void assemble();
+    void assemble(double spin);
     void for_each_table(double spin, const assembly::AddCoupling &add) const;
     /// What the bearings with tables are at a speed beside what they are at rest.
     [[nodiscard]] linalg::HarmonicSolver::Entries table_changes(double spin,

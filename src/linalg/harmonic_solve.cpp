@@ -24,10 +24,10 @@ Eigen::VectorXd signs(Eigen::Index size) {
 }
 
 /// Moduli of real and imaginary parts, as parts.
-Eigen::VectorXcd moduli(const Eigen::VectorXcd &x) {
-    Eigen::VectorXcd out(x.size());
-    out.real() = x.real().cwiseAbs();
-    out.imag() = x.imag().cwiseAbs();
+Eigen::ArrayXcd moduli(const Eigen::ArrayXcd &x) {
+    Eigen::ArrayXcd out(x.size());
+    out.real() = x.real().abs();
+    out.imag() = x.imag().abs();
     return out;
 }
 
@@ -60,6 +60,10 @@ Eigen::VectorXd scales_of(const HarmonicTerms &terms, bool pairs) {
 
 constexpr std::complex<double> i_unit(0, 1);
 
+/// A backward stable solution leaves some 1e-15. With the pivots of the A before, which serve as
+/// long as A changes little, it may be more: then A gets its own.
+constexpr double residual_of_old_pivots = 1e-14;
+
 } // namespace
 
 HarmonicSolver::HarmonicSolver(const HarmonicTerms &terms, bool pairs, const Entries &changes)
@@ -89,9 +93,8 @@ HarmonicSolver::HarmonicSolver(const HarmonicTerms &terms, bool pairs, const Ent
         if (of[i].nonZeros() == 0)
             continue;
         const Sparse on_pattern = 0.0 * _A + of[i];
-        _terms[i] = {on_pattern.coeffs(), moduli(on_pattern.coeffs())};
+        _terms[i] = on_pattern.coeffs();
     }
-    _sizes = _A;
 }
 
 HarmonicSolver::Sparse HarmonicSolver::solved_for(const Entries &entries) const {
@@ -141,24 +144,31 @@ Eigen::MatrixXcd HarmonicSolver::pairs_of(Eigen::MatrixXcd parts) const {
 }
 
 void HarmonicSolver::set(double spin, double frequency, const Entries &changes) {
-    const std::array<double, factor_count> factors{
-        1, spin, spin * spin, -frequency * frequency, frequency, frequency * spin};
+    _factors = {1, spin, spin * spin, -frequency * frequency, frequency, frequency * spin};
     _A.coeffs().setZero();
+    for (std::size_t i = 0; i < factor_count; ++i)
+        if (_factors[i] != 0 && _terms[i].size() > 0)
+            _A.coeffs() += _factors[i] * _terms[i];
+    _changes = changes.empty() ? Sparse(size(), size()) : solved_for(changes);
+    for (Eigen::Index column = 0; column < _changes.outerSize() && !changes.empty(); ++column)
+        for (Sparse::InnerIterator entry(_changes, column); entry; ++entry)
+            _A.coeffRef(entry.row(), entry.col()) += entry.value();
+    _sizes = Sparse();
+}
+
+const HarmonicSolver::Sparse &HarmonicSolver::sizes() const {
+    if (_sizes.size() > 0)
+        return _sizes;
+    _sizes = _A;
     _sizes.coeffs().setZero();
     for (std::size_t i = 0; i < factor_count; ++i)
-        if (factors[i] != 0 && _terms[i].entries.size() > 0) {
-            _A.coeffs() += factors[i] * _terms[i].entries;
-            _sizes.coeffs() += std::abs(factors[i]) * _terms[i].moduli;
-        }
-    if (changes.empty())
-        return;
-    const Sparse more = solved_for(changes);
-    for (Eigen::Index column = 0; column < more.outerSize(); ++column)
-        for (Sparse::InnerIterator entry(more, column); entry; ++entry) {
-            _A.coeffRef(entry.row(), entry.col()) += entry.value();
+        if (_factors[i] != 0 && _terms[i].size() > 0)
+            _sizes.coeffs() += std::abs(_factors[i]) * moduli(_terms[i]);
+    for (Eigen::Index column = 0; column < _changes.outerSize(); ++column)
+        for (Sparse::InnerIterator entry(_changes, column); entry; ++entry)
             _sizes.coeffRef(entry.row(), entry.col()) += std::complex<double>(
                 std::abs(entry.value().real()), std::abs(entry.value().imag()));
-        }
+    return _sizes;
 }
 
 /// |A| |q| + |f| of real and imaginary parts: what K and s^2 M lose against each other counts as
@@ -167,8 +177,8 @@ Eigen::VectorXcd HarmonicSolver::sizes_of(const Eigen::VectorXcd &f,
                                           const Eigen::VectorXcd &q) const {
     const Eigen::VectorXcd x = moduli(q);
     Eigen::VectorXcd out = moduli(f);
-    out.real() += (_sizes * x.conjugate()).real();
-    out.imag() += (_sizes * x).imag();
+    out.real() += (sizes() * x.conjugate()).real();
+    out.imag() += (sizes() * x).imag();
     return out;
 }
 
@@ -183,7 +193,10 @@ double HarmonicSolver::solved(const Eigen::MatrixXcd &f, Eigen::MatrixXcd &q) {
     double out = 0;
     for (Eigen::Index column = 0; column < q.cols(); ++column) {
         const Eigen::VectorXcd rest = f.col(column) - _A * q.col(column);
-        const double size = largest_part(sizes_of(f.col(column), q.col(column)));
+        // The diagonal alone is most of it: where that is enough, nothing else is summed up.
+        double size = _A.diagonal().cwiseProduct(q.col(column)).cwiseAbs().maxCoeff() / 2;
+        if (!(largest_part(rest) <= residual_of_old_pivots * size))
+            size = largest_part(sizes_of(f.col(column), q.col(column)));
         if (size > 0)
             out = std::max(out, largest_part(rest) / size);
         q.col(column) += _lu.solution(rest); // a step of refinement
@@ -193,9 +206,6 @@ double HarmonicSolver::solved(const Eigen::MatrixXcd &f, Eigen::MatrixXcd &q) {
 
 Eigen::MatrixXcd HarmonicSolver::solve(double spin, double frequency,
                                        const Eigen::MatrixXcd &forces, const Entries &changes) {
-    // A backward stable solution leaves some 1e-15. With the pivots of the A before, which serve
-    // as long as A changes little, it may be more: then A gets its own.
-    constexpr double residual_of_old_pivots = 1e-14;
     // Far more means that elimination went wrong.
     constexpr double residual_allowed = 1e-8;
     set(spin, frequency, changes);
@@ -229,12 +239,12 @@ double HarmonicSolver::absolute_form(const Eigen::VectorXcd &displacements) cons
     const Eigen::VectorXcd q = parts_of(_scales.cwiseInverse().asDiagonal() * displacements)
                                    .cwiseAbs()
                                    .cast<std::complex<double>>();
-    const std::complex<double> form = q.dot(_sizes * q);
+    const std::complex<double> form = q.dot(sizes() * q);
     return form.real() + form.imag();
 }
 
 bool HarmonicSolver::conserves() const {
-    return _terms[i_frequency].entries.size() == 0 && _terms[spin_once].entries.size() == 0;
+    return _terms[i_frequency].size() == 0 && _terms[spin_once].size() == 0;
 }
 
 } // namespace whirl::linalg

@@ -76,17 +76,14 @@ class HarmonicSolver {
         factor_count
     };
 
-    /// What A is a sum of: entries on the pattern of all, scaled, and the moduli of their real and
-    /// imaginary parts, as parts; empty: zero.
-    struct Summand {
-        Eigen::ArrayXcd entries, moduli;
-    };
-
     bool _pairs;
     Eigen::VectorXd _scales; ///< of the unknowns, powers of two, alike in a pair
-    std::array<Summand, factor_count> _terms;
+    /// Entries of the terms on the pattern of all, scaled; empty: zero.
+    std::array<Eigen::ArrayXcd, factor_count> _terms;
     Sparse _A;
-    Sparse _sizes; ///< the moduli of all summands of A
+    std::array<double, factor_count> _factors{}; ///< of the terms in A
+    Sparse _changes;                             ///< what else is in A
+    mutable Sparse _sizes; ///< the moduli of all summands of A; without entries: not asked for
     SparseFactor<std::complex<double>> _lu{true};
 
     /// Of a matrix over the given unknowns: over those solved for, scaled.
@@ -95,6 +92,7 @@ class HarmonicSolver {
     [[nodiscard]] Eigen::MatrixXcd parts_of(Eigen::MatrixXcd scaled) const;
     [[nodiscard]] Eigen::MatrixXcd pairs_of(Eigen::MatrixXcd parts) const;
     void set(double spin, double frequency, const Entries &changes);
+    [[nodiscard]] const Sparse &sizes() const;
     /// Largest |f - A q| over the largest |A| |q| + |f| of the columns; infinite where A is
     /// singular.
     [[nodiscard]] double solved(const Eigen::MatrixXcd &f, Eigen::MatrixXcd &q);
