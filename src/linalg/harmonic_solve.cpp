@@ -12,13 +12,15 @@ namespace whirl::linalg {
 
 namespace {
 
-/// Signs without a pattern, the same at every call (a linear congruential generator, Knuth).
+/// Numbers about 1 and -1 without a pattern, the same at every call (a linear congruential
+/// generator, Knuth). Not all of one size: two of them would cancel.
 Eigen::VectorXd signs(Eigen::Index size) {
     Eigen::VectorXd out(size);
     unsigned long long state = 1;
     for (Eigen::Index i = 0; i < size; ++i) {
         state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-        out(i) = (state >> 63U) != 0 ? 1 : -1;
+        const double share = static_cast<double>((state >> 32U) & 0x7fffffffU) / 0x80000000U;
+        out(i) = ((state >> 63U) != 0 ? 1 : -1) * (0.75 + 0.5 * share);
     }
     return out;
 }
