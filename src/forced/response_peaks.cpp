@@ -58,8 +58,8 @@ class Comparison {
     ForcedMotion _full;
 };
 
-/// Where the reduced rotor is compared: the resonances, half-power points beside them, the ends, and
-/// evenly between these: curves and peaks without a resonance of their own are right there too.
+/// Where the reduced rotor is compared: the resonances, half-power points beside them, the ends,
+/// and evenly between these: curves and peaks without a resonance of their own are right there too.
 /// @param beside  false: without the half-power points and what is between
 std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, double from, double to,
                                    bool beside) {
