@@ -9,7 +9,6 @@
 #include "forced/response_gravity.h"
 #include "forced/response_places.h"
 #include "forced/response_receptance.h"
-#include "forced/station_motion.h"
 #include "mesh_error/estimate.h"
 #include "model/case.h"
 #include "model/errors.h"
@@ -111,7 +110,7 @@ class Response {
 
     /// The motion solved last, at all places.
     [[nodiscard]] SolvedMotion solved() {
-        return {_forced.whole(), _error_known ? &_finer : nullptr, rounding()};
+        return {_forced, _error_known ? &_finer : nullptr, rounding()};
     }
 
     std::vector<double> row(double speed) {
@@ -127,7 +126,7 @@ class Response {
   private:
     const assembly::Discretization &_discretization;
     const std::map<int, std::string> &_nodes;
-    forced::StationMotion _forced;
+    forced::ForcedMotion _forced;
     forced::ResponseError _finer;
     bool _error_known = true;
 
