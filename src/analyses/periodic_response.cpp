@@ -191,24 +191,33 @@ class PeakSearch {
                                                  _speeds[k - 1], _speeds[k + 1]);
         results::ResponsePeak out = _watched[i].peak;
         out.speed = speed;
-        if (const auto at = pole(i, speed)) {
-            out.speed = *at;
-            out.value = unlimited;
-            out.phase = out.error = no_value;
-            out.speed_error = 1e-9;
-            return out;
-        }
         out.value = value(i, speed, true);
         const TurnParts parts = _watched[i].parts(_motions);
+        const bool limited = _motions.limited();
         out.phase = phase(parts);
         out.error = _watched[i].error(_motions, parts);
         out.error_parts.mesh = out.error;
-        out.lower = half_power(i, k, values, speed, out.value, -1);
-        out.upper = half_power(i, k, values, speed, out.value, 1);
+        if (limited) {
+            out.lower = half_power(i, k, values, speed, out.value, -1);
+            out.upper = half_power(i, k, values, speed, out.value, 1);
+        }
         if (out.lower && out.upper)
             out.amplification = speed / (*out.upper - *out.lower);
-        // A curve next to its largest value v falls by v (2 AF ds / s)^2 / 2 or so: an error of the
-        // value tells its place to the root of that, never worse than the width of the peak.
+        constexpr double sharp = 1e5; // a damping ratio of 5e-6: only then it can have no limit
+        const auto at = !limited || (out.amplification && *out.amplification > sharp)
+                            ? pole(i, speed)
+                            : std::nullopt;
+        if (at || !limited) {
+            out.speed = at.value_or(speed);
+            out.value = unlimited;
+            out.phase = out.error = no_value;
+            out.error_parts = {};
+            out.lower = out.upper = out.amplification = std::nullopt;
+            out.speed_error = at ? 1e-9 : 1e-8;
+            return out;
+        }
+        // A resonance that is off by a part e of its speed turns the phase of the motion by 2 AF e,
+        // which is the difference to the finer elements.
         const double width = out.amplification.value_or(1);
         out.speed_error = std::max(1e-8, std::min(out.error, 1.0) / (2 * width));
         out.mode = nearest_mode(speed, out.amplification);
@@ -252,7 +261,7 @@ class PeakSearch {
                 continue;
             }
             const auto above = [&](double at) { return value(i, at) - level; };
-            constexpr double close = 1e-10;
+            constexpr double close = 1e-8; // of a width
             return linalg::root_between(above, inside, above(inside), s, v - level, close);
         }
         return std::nullopt;
