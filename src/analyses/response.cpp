@@ -4,6 +4,7 @@
 #include "analyses/names/mode_naming.h"
 #include "analyses/notes/growth.h"
 #include "analyses/orbits/response_orbits.h"
+#include "analyses/periodic_response.h"
 #include "forced/forced_motion.h"
 #include "forced/response_error.h"
 #include "forced/response_gravity.h"
@@ -473,6 +474,8 @@ results::ResponseResult response_peaks(const model::Case &asked, bool with_error
                         "the imbalance of a balancer, to drive the response whose "
                         "peaks are looked for, got none",
                         scene.file.string()));
+    if (response_is_periodic(scene))
+        return periodic_response(scene);
     results::ResponseResult result;
     choose_model(scene, result.model);
     const assembly::Discretization d(scene.rotor, result.model.order);
@@ -485,6 +488,15 @@ results::ResponseResult response_peaks(const model::Case &asked, bool with_error
 results::ResponseResult unbalance_response(const model::Case &asked) {
     const model::Case scene = driven(asked);
     results::ResponseResult result;
+    if (response_is_periodic(scene)) {
+        result = periodic_response(scene);
+        if (result.nodes.empty() && !result.gravity)
+            return {}; // not process 0
+        if (scene.operation && !result.nodes.empty())
+            add_margins(result, scene);
+        note_growing_motions(scene, result.model);
+        return result;
+    }
     result.speeds = model::required_speeds(scene).values();
     choose_model(scene, result.model);
     const assembly::Discretization d(scene.rotor, result.model.order);
