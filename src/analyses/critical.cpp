@@ -80,8 +80,13 @@ std::vector<results::CriticalSpeed> crossings_of(const model::Case &scene,
         critical.damping = crossing.damping;
         const double ratio = crossing.damping.ratio.value_or(0);
         critical.real = -ratio / std::sqrt(1 - ratio * ratio) * crossing.frequency;
-        critical.mode = diagram.modes[static_cast<std::size_t>(crossing.mode)].label;
-        critical.error_parts.rounding = 1e-11; // to which crossings are found
+        const results::CampbellMode &line = diagram.modes[static_cast<std::size_t>(crossing.mode)];
+        critical.mode = line.label;
+        const auto next = std::ranges::lower_bound(diagram.speeds, crossing.speed);
+        const auto k =
+            std::min<std::ptrdiff_t>(next - diagram.speeds.begin(), std::ssize(diagram.speeds) - 1);
+        critical.whirl = line.whirl[static_cast<std::size_t>(k)]; // of the line next to it
+        critical.error_parts.rounding = 1e-11;                    // to which crossings are found
         out.push_back(critical);
     }
     return out;
@@ -89,11 +94,11 @@ std::vector<results::CriticalSpeed> crossings_of(const model::Case &scene,
 
 /// Their errors are the differences to those of finer elements.
 results::CriticalResult critical_of_hill(const model::Case &scene, bool judged) {
-    if (!scene.speeds)
+    if (!scene.speeds || scene.speeds->count < 2)
         throw model::BadInput(fmt::format(
             "{}: speeds: expected the range in which critical speeds of an asymmetric rotor on "
-            "bearings that differ between their directions are looked for, got none",
-            scene.file.string()));
+            "bearings that differ between their directions are looked for, got {}",
+            scene.file.string(), scene.speeds ? "one speed" : "none"));
     results::CriticalResult result;
     result.critical_speeds = crossings_of(scene, result.model);
     if (!judged)

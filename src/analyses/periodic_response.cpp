@@ -14,12 +14,12 @@
 #include "results/sentence.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace whirl::analyses {
@@ -51,6 +51,7 @@ class Motions {
         _finer_known = finer && _fine && _fine->solve(speed);
     }
     [[nodiscard]] bool limited() const { return _limited; }
+    [[nodiscard]] double rounding() const { return _motion.rounding(); }
     [[nodiscard]] TurnParts at(double z) const { return _motion.motion(_d.deflection_at(z)); }
     [[nodiscard]] TurnParts force(int bearing) const { return _motion.bearing_force(bearing); }
     /// Relative to the largest distance over a turn: the sum of what all parts differ by.
@@ -98,6 +99,10 @@ class Motions {
     }
 };
 
+/// Of the spin speed: imbalances drive at odd ones, the weight at even ones; higher ones are driven
+/// by the square and more of what the bearings differ by.
+constexpr std::array multiples_looked_at{1.0, 2.0, 3.0, 4.0};
+
 /// A place or a bearing whose largest distance over a turn is looked at.
 struct Watched {
     results::ResponsePeak peak; ///< what and where it is
@@ -116,30 +121,50 @@ double inclination_of(const forced::Phasor &u) {
 }
 
 /// Speeds at which peaks are looked for: those asked for, an even grid, and those about which a
-/// free motion is near resonance, where a peak can be narrower than both.
+/// free motion is near resonance, where a peak can be narrower than both: its frequency, or that of
+/// its line between two speeds of the diagram, passes one of the first multiples.
 std::vector<double> looked_at(const model::SpeedRange &range,
                               const results::CampbellResult &free_motions) {
     constexpr int even = 200;
-    std::set<double> speeds;
-    for (const double speed : range.values())
-        speeds.insert(speed);
+    const double low = std::min(range.from, range.to);
+    const double high = std::max(range.from, range.to);
+    std::vector<double> all = range.values();
     for (int i = 0; i <= even; ++i)
-        speeds.insert(range.from + (range.to - range.from) * i / even);
+        all.push_back(low + (high - low) * i / even);
+    const auto about = [&](double speed, double ratio) {
+        const double width = std::max(std::abs(ratio), 1e-9) * speed;
+        for (const double widths : {-8.0, -4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0, 8.0})
+            all.push_back(speed + widths * width);
+    };
     for (const results::Crossing &crossing : free_motions.crossings)
-        for (const double widths : {-8.0, -4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0, 8.0}) {
-            const double width =
-                std::max(std::abs(crossing.damping.ratio.value_or(0)), 1e-9) * crossing.speed;
-            const double speed = crossing.speed + widths * width;
-            if (speed > std::min(range.from, range.to) && speed < std::max(range.from, range.to))
-                speeds.insert(speed);
-        }
-    return {speeds.begin(), speeds.end()};
+        about(crossing.speed, crossing.damping.ratio.value_or(0));
+    for (const results::CampbellMode &mode : free_motions.modes)
+        for (std::size_t k = 0; k + 1 < free_motions.speeds.size(); ++k)
+            for (const double multiple : multiples_looked_at) {
+                if (!mode.frequency[k] || !mode.frequency[k + 1])
+                    continue;
+                const double here = *mode.frequency[k] - multiple * free_motions.speeds[k];
+                const double there = *mode.frequency[k + 1] - multiple * free_motions.speeds[k + 1];
+                if ((here < 0) != (there < 0))
+                    about(free_motions.speeds[k] +
+                              (free_motions.speeds[k + 1] - free_motions.speeds[k]) * here /
+                                  (here - there),
+                          mode.damping_ratio[k].value_or(0));
+            }
+    std::erase_if(all, [&](double speed) { return speed < low || speed > high; });
+    std::ranges::sort(all);
+    // Nearer to each other than the curve can tell.
+    constexpr double same = 1e-9;
+    const auto last = std::unique(all.begin(), all.end(),
+                                  [](double a, double b) { return b - a <= same * std::abs(b); });
+    all.erase(last, all.end());
+    return all;
 }
 
-/// Free motions over the range, with crossings of the spin speed.
+/// Free motions over the range, with crossings of the multiples that loads have.
 results::CampbellResult free_motions_of(const model::Case &scene) {
     model::Case bare = without_balancers(scene);
-    bare.campbell.multiples = {1};
+    bare.campbell.multiples = {multiples_looked_at.begin(), multiples_looked_at.end()};
     return campbell(bare);
 }
 
@@ -154,8 +179,10 @@ class PeakSearch {
         curves.speeds = _speeds;
         curves.values.resize(_watched.size());
         curves.phases.resize(_watched.size());
+        std::vector<double> noise;
         for (const double speed : _speeds) {
             _motions.solve(speed, false);
+            noise.push_back(10 * std::max(_motions.rounding(), 1e-14));
             for (std::size_t i = 0; i < _watched.size(); ++i) {
                 const TurnParts parts = _watched[i].parts(_motions);
                 curves.values[i].push_back(_motions.limited() ? parts.largest() : unlimited);
@@ -165,7 +192,8 @@ class PeakSearch {
         for (std::size_t i = 0; i < _watched.size(); ++i)
             for (std::size_t k = 1; k + 1 < _speeds.size(); ++k) {
                 const std::vector<double> &v = curves.values[i];
-                if (v[k] > v[k - 1] && v[k] >= v[k + 1] && v[k] > 0)
+                const double least = (1 - noise[k]) * v[k]; // what rises above rounding
+                if (v[k - 1] < least && v[k + 1] <= v[k] && v[k] > 0)
                     peaks.push_back(peak(i, k, v));
             }
     }
@@ -416,8 +444,10 @@ void add_imbalance_response(const Scene &all, results::ResponseResult &result) {
             const double largest = seen.largest();
             probe.amplitude.push_back(limited ? largest : unlimited);
             probe.phase.push_back(limited ? std::arg(seen.part(1).x) : no_value);
-            probe.error.push_back(
-                limited ? motions.error_at(probe.z, whole) * whole.largest() / largest : unlimited);
+            probe.error.push_back(!limited       ? unlimited
+                                  : largest == 0 ? 0
+                                                 : motions.error_at(probe.z, whole) *
+                                                       whole.largest() / largest);
         }
     }
     for (std::size_t i = 0; i < result.nodes.size(); ++i)
@@ -520,6 +550,10 @@ results::ResponseResult periodic_response(const model::Case &scene) {
     result.model.notes.emplace_back(
         "rotor and bearings both differ between their directions: the motion has many multiples of "
         "the spin speed; amplitudes are the largest over a turn, ellipses and phases those of 1x");
+    if (!scene.rotor.balancers.empty())
+        result.model.notes.emplace_back(
+            "the rotor is driven by its imbalances and by those that its balancers are to balance; "
+            "the balancers' own parts are left out");
     return result;
 }
 

@@ -474,8 +474,6 @@ results::ResponseResult response_peaks(const model::Case &asked, bool with_error
                         "the imbalance of a balancer, to drive the response whose "
                         "peaks are looked for, got none",
                         scene.file.string()));
-    if (response_is_periodic(scene))
-        return periodic_response(scene);
     results::ResponseResult result;
     choose_model(scene, result.model);
     const assembly::Discretization d(scene.rotor, result.model.order);

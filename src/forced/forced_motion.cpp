@@ -268,9 +268,8 @@ results::Formulation response_formulation(const model::Case &scene) {
         const results::Formulation formulation = modes::choose_formulation(without);
         if (formulation.form == results::Form::hill)
             throw model::AnalysisFailure(
-                "the response of an asymmetric rotor on bearings that differ between their "
-                "directions has many frequencies and is not computed; use bearings that are the "
-                "same from every direction, or remove the asymmetry");
+                "the motion of an asymmetric rotor on bearings that differ between their "
+                "directions has many frequencies: `response` computes it, nothing else does");
         return formulation;
     }
     const bool torque = scene.rotor.shaft.axial_torque != 0;
