@@ -110,16 +110,6 @@ struct Watched {
     std::function<double(const Motions &, const TurnParts &)> error;
 };
 
-/// Direction of the major axis, from x towards y, (-pi/2, pi/2]; none of a circle.
-double inclination_of(const forced::Phasor &u) {
-    const forced::WhirlParts parts(u);
-    const double smaller = std::min(std::abs(parts.a), std::abs(parts.d));
-    if (smaller <= 1e-12 * std::max(std::abs(parts.a), std::abs(parts.d)))
-        return no_value;
-    const double angle = std::arg(parts.a * std::conj(parts.d)) / 2;
-    return angle <= -std::numbers::pi / 2 ? angle + std::numbers::pi : angle;
-}
-
 /// Speeds at which peaks are looked for: those asked for, an even grid, and those about which a
 /// free motion is near resonance, where a peak can be narrower than both: its frequency, or that of
 /// its line between two speeds of the diagram, passes one of the first multiples.
@@ -402,15 +392,7 @@ std::vector<Watched> watched_in(const Scene &all, bool moving, bool probes) {
 
 void add_imbalance_response(const Scene &all, results::ResponseResult &result) {
     Motions motions(all.d, all.fine, 0);
-    for (const auto &[node, name] : all.nodes) {
-        results::ResponseNode &out = result.nodes.emplace_back();
-        out.z = all.place(node);
-        out.name = name;
-    }
-    for (const model::Bearing &bearing : all.d.rotor().supports())
-        result.bearings.push_back({bearing.z, bearing.name, {}, {}});
-    for (const model::Probe &probe : all.d.rotor().probes)
-        result.probes.push_back({probe.z, probe.angle, probe.name, {}, {}, {}});
+    forced::add_places(result, all.d, all.nodes);
     std::vector<std::vector<TurnParts>> over_speed(result.nodes.size());
     for (const double speed : result.speeds) {
         motions.solve(speed, true);
@@ -429,7 +411,7 @@ void add_imbalance_response(const Scene &all, results::ResponseResult &result) {
             node.phase.push_back(limited ? std::arg(u.x) : no_value);
             node.x_phase.push_back(node.phase.back());
             node.y_phase.push_back(limited ? std::arg(u.y) : no_value);
-            node.inclination.push_back(limited ? inclination_of(u) : no_value);
+            node.inclination.push_back(limited ? forced::inclination_of(u, 1e-12) : no_value);
             node.error.push_back(limited ? motions.error_at(node.z, parts) : unlimited);
         }
         for (std::size_t i = 0; i < result.bearings.size(); ++i) {
@@ -466,14 +448,7 @@ void add_gravity_response(const Scene &all, results::ResponseResult &result) {
     Motions motions(all.d, all.fine, all.scene.response.gravity);
     results::GravityResponse &out = result.gravity.emplace();
     out.gravity = all.scene.response.gravity;
-    for (const auto &[node, name] : all.nodes) {
-        out.stations.emplace_back().z = all.place(node);
-        out.stations.back().name = name;
-    }
-    for (const model::Bearing &bearing : all.d.rotor().supports()) {
-        out.bearings.emplace_back().z = bearing.z;
-        out.bearings.back().name = bearing.name;
-    }
+    forced::add_places(out, all.d, all.nodes);
     for (const double speed : result.speeds) {
         motions.solve(speed, true);
         const bool limited = motions.limited();
@@ -550,10 +525,6 @@ results::ResponseResult periodic_response(const model::Case &scene) {
     result.model.notes.emplace_back(
         "rotor and bearings both differ between their directions: the motion has many multiples of "
         "the spin speed; amplitudes are the largest over a turn, ellipses and phases those of 1x");
-    if (!scene.rotor.balancers.empty())
-        result.model.notes.emplace_back(
-            "the rotor is driven by its imbalances and by those that its balancers are to balance; "
-            "the balancers' own parts are left out");
     return result;
 }
 
