@@ -1,5 +1,6 @@
 #include "analyses/critical.h"
 
+#include "analyses/campbell.h"
 #include "analyses/critical_map/critical_map.h"
 #include "analyses/names/mode_naming.h"
 #include "analyses/notes/growth.h"
@@ -26,6 +27,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace whirl::analyses {
 
@@ -59,12 +61,73 @@ void note_balls_held(results::Form form, results::ModelSummary &model) {
                                  "place; stability lists the speeds at which they are free");
 }
 
-void refuse_hill(results::Form form) {
-    if (form == results::Form::hill)
-        throw model::AnalysisFailure(
-            "critical speeds are not defined for this scene: with bearings that differ between "
-            "their directions nothing stands still in axes that turn with an asymmetric rotor; "
-            "campbell shows the crossings with 1x, stability the unstable bands");
+/// Of an asymmetric rotor on bearings that differ between their directions: the speeds at which a
+/// free motion has the frequency of the spin, whatever its damping, and the ends of ranges over
+/// which it stays there. Nothing stands still in any axes, so that they are the crossings of the
+/// lines of the Campbell diagram with 1x, over the speeds of the case.
+std::vector<results::CriticalSpeed> crossings_of(const model::Case &scene,
+                                                 results::ModelSummary &model) {
+    model::Case bare = scene;
+    bare.campbell.multiples = {1};
+    results::CampbellResult diagram = campbell(bare);
+    model = std::move(diagram.model);
+    std::vector<results::CriticalSpeed> out;
+    for (const results::Crossing &crossing : diagram.crossings) {
+        if (crossing.damping.ratio.value_or(0) > 1 / std::numbers::sqrt2)
+            continue; // no peak
+        results::CriticalSpeed critical;
+        critical.speed = crossing.speed;
+        critical.damping = crossing.damping;
+        const double ratio = crossing.damping.ratio.value_or(0);
+        critical.real = -ratio / std::sqrt(1 - ratio * ratio) * crossing.frequency;
+        const results::CampbellMode &line = diagram.modes[static_cast<std::size_t>(crossing.mode)];
+        critical.mode = line.label;
+        const auto next = std::ranges::lower_bound(diagram.speeds, crossing.speed);
+        const auto k =
+            std::min<std::ptrdiff_t>(next - diagram.speeds.begin(), std::ssize(diagram.speeds) - 1);
+        critical.whirl = line.whirl[static_cast<std::size_t>(k)]; // of the line next to it
+        critical.error_parts.rounding = 1e-11;                    // to which crossings are found
+        out.push_back(critical);
+    }
+    return out;
+}
+
+/// Their errors are the differences to those of finer elements.
+results::CriticalResult critical_of_hill(const model::Case &scene, bool judged) {
+    if (!scene.speeds || scene.speeds->count < 2)
+        throw model::BadInput(fmt::format(
+            "{}: speeds: expected the range in which critical speeds of an asymmetric rotor on "
+            "bearings that differ between their directions are looked for, got {}",
+            scene.file.string(), scene.speeds ? "one speed" : "none"));
+    results::CriticalResult result;
+    result.critical_speeds = crossings_of(scene, result.model);
+    if (!judged)
+        return result;
+    std::vector<results::CriticalSpeed> finer = result.critical_speeds;
+    if (!scene.rotor.shaft.rigid) {
+        model::Case fine = scene;
+        fine.rotor.shaft.order_auto = false;
+        fine.rotor.shaft.order = std::min(mesh_error::finer_order(result.model.order), 30);
+        results::ModelSummary model;
+        finer = crossings_of(fine, model);
+    }
+    const bool same = finer.size() == result.critical_speeds.size();
+    for (std::size_t i = 0; i < result.critical_speeds.size(); ++i) {
+        results::CriticalSpeed &critical = result.critical_speeds[i];
+        critical.error_parts.mesh =
+            same ? mesh_error::estimate_safety * std::abs(finer[i].speed / critical.speed - 1)
+                 : std::numeric_limits<double>::infinity();
+        critical.error = critical.error_parts.sum();
+    }
+    if (!same)
+        result.model.notes.emplace_back(
+            "finer elements have another number of critical speeds in the range: errors are not "
+            "known; raise shaft.order");
+    result.model.notes.emplace_back(
+        "rotor and bearings both differ between their directions: critical speeds are those in the "
+        "range of speeds at which a free motion has the frequency of the spin, and the ends of "
+        "ranges over which it keeps it");
+    return result;
 }
 
 /// The modes asked for, more while they are in the range of the case.
@@ -199,7 +262,8 @@ results::CriticalResult critical_of(const model::Case &as_given, bool judged,
                                     const synchronous::SharedShapes *shapes = nullptr) {
     const results::Formulation formulation =
         modes::without_planar_damped(modes::choose_formulation(as_given), as_given.rotor);
-    refuse_hill(formulation.form);
+    if (formulation.form == results::Form::hill)
+        return critical_of_hill(as_given, judged);
     const model::Case scene =
         formulation.form == results::Form::rotating ? undamped(as_given) : as_given;
     results::CriticalResult result;
@@ -260,7 +324,8 @@ void drop_second_directions(std::vector<results::CriticalSpeed> &speeds, int wan
 
 results::CriticalResult critical_speeds(const model::Case &scene, bool map) {
     results::CriticalResult result = critical_of(scene, true);
-    name_modes(result.critical_speeds, scene, result.model.order);
+    if (result.model.formulation.form != results::Form::hill)
+        name_modes(result.critical_speeds, scene, result.model.order);
     if (scene.operation) {
         const auto peaks = peaks_for_margins(scene, result.model);
         result.margins = operation::separation_margins(

@@ -41,10 +41,11 @@ std::vector<std::complex<double>> scaled(const Eigen::VectorXcd &values,
 
 /// The component of largest modulus, the first of equal ones; 1 where all are zero.
 std::complex<double> largest_component(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y) {
+    constexpr double rounding = 1e-6; // of shapes on fine meshes: some 1e-9
     std::complex<double> largest = 0;
     for (const Eigen::VectorXcd *values : {&x, &y})
         for (const std::complex<double> &value : *values)
-            if (std::abs(value) > (1 + 1e-9) * std::abs(largest)) // not for rounding to choose
+            if (std::abs(value) > (1 + rounding) * std::abs(largest)) // not for rounding to choose
                 largest = value;
     return largest == 0.0 ? 1.0 : largest;
 }

@@ -4,12 +4,12 @@
 #include "analyses/names/mode_naming.h"
 #include "analyses/notes/growth.h"
 #include "analyses/orbits/response_orbits.h"
+#include "analyses/periodic_response.h"
 #include "forced/forced_motion.h"
 #include "forced/response_error.h"
 #include "forced/response_gravity.h"
 #include "forced/response_places.h"
 #include "forced/response_receptance.h"
-#include "forced/station_motion.h"
 #include "mesh_error/estimate.h"
 #include "model/case.h"
 #include "model/errors.h"
@@ -29,7 +29,6 @@
 #include <complex>
 #include <functional>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <set>
 #include <utility>
@@ -79,19 +78,6 @@ std::vector<std::vector<double> *> lists_of(results::HarmonicMotion &result) {
     return lists;
 }
 
-/// Direction of the major axis, from x towards y, (-pi/2, pi/2]; none for a
-/// circle: where its direction is decided by rounding.
-double inclination_of(const forced::Phasor &u, double rounding) {
-    const forced::WhirlParts parts(u); // longest where the two are parallel
-    const auto &[a, d] = parts;
-    const double smaller = std::min(std::abs(a), std::abs(d));
-    const double larger = std::max(std::abs(a), std::abs(d));
-    if (smaller <= (rounding + 1e-14) * larger)
-        return no_value;
-    const double angle = std::arg(a * std::conj(d)) / 2;
-    return angle <= -std::numbers::pi / 2 ? angle + std::numbers::pi : angle;
-}
-
 /// The response at one speed, as rows for lists_of().
 class Response {
   public:
@@ -111,7 +97,7 @@ class Response {
 
     /// The motion solved last, at all places.
     [[nodiscard]] SolvedMotion solved() {
-        return {_forced.whole(), _error_known ? &_finer : nullptr, rounding()};
+        return {_forced, _error_known ? &_finer : nullptr, rounding()};
     }
 
     std::vector<double> row(double speed) {
@@ -127,7 +113,7 @@ class Response {
   private:
     const assembly::Discretization &_discretization;
     const std::map<int, std::string> &_nodes;
-    forced::StationMotion _forced;
+    forced::ForcedMotion _forced;
     forced::ResponseError _finer;
     bool _error_known = true;
 
@@ -192,7 +178,7 @@ class Response {
             const modes::Ellipse orbit = modes::ellipse_of(u.x, u.y);
             row.insert(row.end(), {orbit.major, std::arg(u.x), orbit.major, orbit.minor,
                                    std::abs(u.x), std::arg(u.x), std::abs(u.y), std::arg(u.y),
-                                   inclination_of(u, _forced.rounding()),
+                                   forced::inclination_of(u, _forced.rounding()),
                                    error(_error_known ? _finer.at(z, u) : 0)});
         }
     }
@@ -229,21 +215,6 @@ class Response {
         return row;
     }
 };
-
-/// Empty lists with places and names.
-void prepare_lists(results::HarmonicMotion &result, const assembly::Discretization &d,
-                   const std::map<int, std::string> &nodes) {
-    for (const auto &[index, name] : nodes) {
-        results::ResponseNode node;
-        node.z = d.shaft_mesh().nodes[static_cast<std::size_t>(index)];
-        node.name = name;
-        result.nodes.push_back(node);
-    }
-    for (const model::Bearing &bearing : d.rotor().supports())
-        result.bearings.push_back({bearing.z, bearing.name, {}, {}});
-    for (const model::Probe &probe : d.rotor().probes)
-        result.probes.push_back({probe.z, probe.angle, probe.name, {}, {}, {}});
-}
 
 /// @param drive  what moves the rotor
 void note_resonances(results::ResponseResult &result, const results::HarmonicMotion &motion,
@@ -373,7 +344,7 @@ bool add_rows(results::HarmonicMotion &motion, const std::vector<double> &speeds
     });
     if (rows.empty())
         return false;
-    prepare_lists(motion, d, nodes);
+    forced::add_places(motion, d, nodes);
     const std::vector<std::vector<double> *> lists = lists_of(motion);
     for (const std::vector<double> &row : rows)
         for (std::size_t i = 0; i < lists.size(); ++i)
@@ -464,6 +435,13 @@ void add_margins(results::ResponseResult &result, const model::Case &scene) {
                                                    result.model.notes);
 }
 
+void note_balancers(const model::Rotor &rotor, results::ResponseResult &result) {
+    if (!rotor.balancers.empty())
+        result.model.notes.emplace_back(
+            "the rotor is driven by its imbalances and by those that its balancers are to balance; "
+            "the balancers' own parts are left out");
+}
+
 } // namespace
 
 results::ResponseResult response_peaks(const model::Case &asked, bool with_errors) {
@@ -486,6 +464,16 @@ results::ResponseResult response_peaks(const model::Case &asked, bool with_error
 results::ResponseResult unbalance_response(const model::Case &asked) {
     const model::Case scene = driven(asked);
     results::ResponseResult result;
+    if (response_is_periodic(scene)) {
+        result = periodic_response(scene);
+        if (result.nodes.empty() && !result.gravity)
+            return {}; // not process 0
+        note_balancers(scene.rotor, result);
+        if (scene.operation && !result.nodes.empty())
+            add_margins(result, scene);
+        note_growing_motions(scene, result.model);
+        return result;
+    }
     result.speeds = model::required_speeds(scene).values();
     choose_model(scene, result.model);
     const assembly::Discretization d(scene.rotor, result.model.order);
@@ -520,10 +508,7 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
     if (scene.operation && !result.nodes.empty())
         add_margins(result, scene);
     note_growing_motions(scene, result.model);
-    if (!scene.rotor.balancers.empty())
-        result.model.notes.emplace_back(
-            "the rotor is driven by its imbalances and by those that its balancers are to balance; "
-            "the balancers' own parts are left out");
+    note_balancers(scene.rotor, result);
     return result;
 }
 

@@ -1,5 +1,6 @@
 #include "analyses/show.h"
 
+#include "analyses/periodic_response.h"
 #include "assembly/discretization.h"
 #include "forced/forced_motion.h"
 #include "forced/static_sag.h"
@@ -112,11 +113,11 @@ results::ShowResult show(const model::Case &scene) {
     const results::Formulation real = modes::without_planar_damped(eigen, rotor);
     for (const std::string_view command :
          {"campbell", "critical", "modes", "accuracy", "stability"})
-        if (eigen.form != results::Form::hill || command != "critical")
-            result.formulations.emplace_back(
-                command, command == "critical" || command == "stability" ? real : eigen);
+        result.formulations.emplace_back(
+            command, command == "critical" || command == "stability" ? real : eigen);
     try {
-        result.formulations.emplace_back("response", forced::response_formulation(scene));
+        result.formulations.emplace_back(
+            "response", response_is_periodic(scene) ? eigen : forced::response_formulation(scene));
     } catch (const model::AnalysisFailure &none) {
         result.model.notes.push_back(none.sentence());
     }

@@ -9,6 +9,7 @@
 #include "results/formulation.h"
 #include "synchronous/parts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -53,55 +54,101 @@ assembly::Combination stretch_of_bearing(const assembly::Discretization &discret
     return stretch;
 }
 
+Eigen::Matrix2d all_round(const Eigen::Matrix2d &block) {
+    const double along = block.trace() / 2;
+    const double across = (block(1, 0) - block(0, 1)) / 2;
+    return Eigen::Matrix2d{{along, -across}, {across, along}};
+}
+
+Eigen::Matrix2d quarter_turned(const Eigen::Matrix2d &block) {
+    return Eigen::Matrix2d{{-block(1, 0), -block(1, 1)}, {block(0, 0), block(0, 1)}};
+}
+
 ForcedMotion::ForcedMotion(const assembly::Discretization &discretization, results::Form form,
                            Drive drive)
     : _discretization(discretization), _drive(std::move(drive)),
       _planar(_drive.imbalances() &&
               (form == results::Form::planar || form == results::Form::rotating)),
-      _rotating(form == results::Form::rotating),
-      _rows(synchronous::table_speeds(discretization.rotor())) {
+      _rotating(form == results::Form::rotating) {
     if (_drive.weight())
         _weight = weight_loads(discretization);
     if (!_drive.forces.empty() && form != results::Form::general)
         throw std::logic_error("forces of one frequency are solved in x and y of the fixed frame");
 }
 
+void ForcedMotion::for_each_table(double spin, const assembly::AddCoupling &add) const {
+    const std::vector<model::Bearing> &bearings = _discretization.rotor().bearings;
+    for (std::size_t i = 0; i < bearings.size(); ++i)
+        if (bearings[i].depends_on_speed())
+            assembly::assemble_film(_discretization, static_cast<int>(i), spin, add);
+}
+
+linalg::HarmonicSolver::Entries ForcedMotion::table_changes(double spin, double frequency) const {
+    linalg::HarmonicSolver::Entries out;
+    const bool in_pairs = _rotating || !_planar;
+    const auto add = [&](double share, assembly::Term term, int i, int j,
+                         const Eigen::Matrix2d &block) {
+        Eigen::Matrix2cd A = Eigen::Matrix2cd::Zero();
+        const Eigen::Matrix2d b = _rotating ? all_round(block) : block;
+        if (term == assembly::Term::stiffness)
+            A = b.cast<std::complex<double>>();
+        if (term == assembly::Term::mass)
+            A = (-frequency * frequency * b).cast<std::complex<double>>();
+        if (term == assembly::Term::damping) {
+            A = imaginary_unit * frequency * b.cast<std::complex<double>>();
+            if (_rotating) // the axes turn
+                A += (spin * quarter_turned(b)).cast<std::complex<double>>();
+        }
+        if (!in_pairs)
+            out.emplace_back(i, j, share * A(0, 0));
+        for (int k = 0; k < (in_pairs ? 4 : 0); ++k)
+            out.emplace_back(2 * i + k / 2, 2 * j + k % 2, share * A(k / 2, k % 2));
+    };
+    for (const auto &[at, share] : {std::pair(spin, 1.0), std::pair(0.0, -1.0)})
+        for_each_table(at, [&, share = share](assembly::Term term, int i, int j,
+                                              const Eigen::Matrix2d &block) {
+            add(share, term, i, j, block);
+        });
+    return out;
+}
+
 namespace {
 
-/// Takes what is multiplied by the speed out of A, which is linear between two speeds, into
-/// `per_speed`.
-void split(double from, linalg::Matrix &A, double to, const linalg::Matrix &A_to,
-           linalg::Matrix &per_speed) {
-    const double width = to - from;
-    const linalg::Matrix slope = linalg::Matrix::sum(-1 / width, A, 1 / width, A_to);
-    A = linalg::Matrix::sum(to / width, A, -from / width, A_to);
-    per_speed = linalg::Matrix::sum(1, per_speed, 1, slope);
+/// x and y move each other. Where they do not, one that is not driven stays at zero to the last
+/// digit if the two are solved for as they are.
+bool couples(const linalg::HarmonicTerms &terms, bool at_rest,
+             const linalg::HarmonicSolver::Entries &changes) {
+    const auto of = [](const linalg::Matrix &A) {
+        const linalg::SparseView view = A.view();
+        for (Eigen::Index i = 0; i < view.outerSize(); ++i)
+            for (linalg::SparseView::InnerIterator entry(view, i); entry; ++entry)
+                if (entry.value() != 0 && entry.row() % 2 != entry.col() % 2)
+                    return true;
+        return false;
+    };
+    return of(terms.K) || of(terms.C) || of(terms.M) ||
+           (!at_rest && (of(terms.G) || of(terms.Kc))) ||
+           std::ranges::any_of(changes, [](const auto &change) {
+               return change.value() != 0.0 && change.row() % 2 != change.col() % 2;
+           });
 }
 
 } // namespace
 
-linalg::HarmonicTerms ForcedMotion::terms(double bearing_speed) const {
-    if (!_rotating)
-        return synchronous::turned_system(_discretization, _planar, bearing_speed);
-    assembly::RotatingSystem s = assembly::assemble_rotating(_discretization, bearing_speed, {});
-    return {std::move(s.M), std::move(s.C),  std::move(s.Cs),
-            std::move(s.K), std::move(s.Ks), std::move(s.Kss)};
-}
-
-void ForcedMotion::enter_piece(double speed) {
-    const synchronous::TablePiece piece = synchronous::table_piece(_rows, speed);
-    if (piece.index == _piece)
+void ForcedMotion::assemble(double spin) {
+    constexpr double any = 1; // rad/s: no frequency that a coefficient is not multiplied by
+    const linalg::HarmonicSolver::Entries changes = table_changes(spin, any);
+    _at_rest = spin == 0;
+    if (!_rotating) {
+        const linalg::HarmonicTerms terms = synchronous::turned_system(_discretization, _planar, 0);
+        _solver = std::make_unique<linalg::HarmonicSolver>(
+            terms, !_planar && couples(terms, _at_rest, changes), changes);
         return;
-    linalg::HarmonicTerms all = terms(piece.from);
-    if (piece.to > piece.from) { // (K + s dK) + s (Kc + s dKc) + s^2 Kss, C + s (G + dC)
-        const linalg::HarmonicTerms end = terms(piece.to);
-        if (_rotating)
-            split(piece.from, all.Kc, piece.to, end.Kc, all.Kss);
-        split(piece.from, all.K, piece.to, end.K, all.Kc);
-        split(piece.from, all.C, piece.to, end.C, all.G);
     }
-    _solver = std::make_unique<linalg::HarmonicSolver>(all);
-    _piece = piece.index;
+    assembly::RotatingSystem s = assembly::assemble_rotating(_discretization, 0, {});
+    const linalg::HarmonicTerms terms{std::move(s.M), std::move(s.C),  std::move(s.Cs),
+                                      std::move(s.K), std::move(s.Ks), std::move(s.Kss)};
+    _solver = std::make_unique<linalg::HarmonicSolver>(terms, false, changes);
 }
 
 int ForcedMotion::size() const { return (_planar ? 1 : 2) * _discretization.planar_size(); }
@@ -136,14 +183,23 @@ void ForcedMotion::solve(double speed) {
         return;
     }
     const double spin = _drive.sweep.spin_at(speed);
-    enter_piece(spin);
-    const Eigen::VectorXcd load = forces(speed);
-    _displacements = _solver->solve(spin, frequency(speed), load);
-    _rounding = _solver->rounding(load, _displacements);
+    if (!_solver || _at_rest != (spin == 0))
+        assemble(spin);
+    _load = forces(speed);
+    _solution =
+        _solver->solve(spin, frequency(speed), _load, table_changes(spin, frequency(speed)));
+    _rounding.reset();
+    _displacements = _solution;
     if (_rotating && _drive.imbalances()) // (x, y) stand still: w = x + i y
         _displacements = (_displacements(Eigen::seq(0, Eigen::last, 2)) +
                           imaginary_unit * _displacements(Eigen::seq(1, Eigen::last, 2)))
                              .eval();
+}
+
+double ForcedMotion::rounding() const {
+    if (!_rounding)
+        _rounding = _solver->rounding(_load, _solution);
+    return *_rounding;
 }
 
 Phasor ForcedMotion::pair(const assembly::Combination &combination) const {
@@ -212,9 +268,8 @@ results::Formulation response_formulation(const model::Case &scene) {
         const results::Formulation formulation = modes::choose_formulation(without);
         if (formulation.form == results::Form::hill)
             throw model::AnalysisFailure(
-                "the response of an asymmetric rotor on bearings that differ between their "
-                "directions has many frequencies and is not computed; use bearings that are the "
-                "same from every direction, or remove the asymmetry");
+                "the motion of an asymmetric rotor on bearings that differ between their "
+                "directions has many frequencies: `response` computes it, nothing else does");
         return formulation;
     }
     const bool torque = scene.rotor.shaft.axial_torque != 0;

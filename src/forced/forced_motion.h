@@ -68,6 +68,12 @@ struct Sweep {
     [[nodiscard]] double frequency_at(double s) const { return frequency + frequency_rate * s; }
 };
 
+/// Of a block on (x, y) the part that is the same from all sides.
+[[nodiscard]] Eigen::Matrix2d all_round(const Eigen::Matrix2d &block);
+/// J block, J a quarter turn from x towards y: what is multiplied by a velocity in axes that stand
+/// still multiplies the speed of axes that turn and the deflection in these.
+[[nodiscard]] Eigen::Matrix2d quarter_turned(const Eigen::Matrix2d &block);
+
 /// What drives the steady motion: the imbalances of the rotor, its weight, or forces of one
 /// frequency.
 struct Drive {
@@ -151,28 +157,28 @@ class ForcedMotion {
     /// circles, y = -i x. Under the weight in the axes that they are solved in.
     [[nodiscard]] Eigen::MatrixXcd planar_motion() const;
     /// Relative error of the last solution by rounding.
-    [[nodiscard]] double rounding() const { return _rounding; }
+    [[nodiscard]] double rounding() const;
     /// Unknowns of the real linear system.
     [[nodiscard]] int unknowns() const { return 2 * size(); }
 
   private:
     const assembly::Discretization &_discretization;
     Drive _drive;
-    Eigen::VectorXd _weight;   ///< under the weight: kg on the planar unknowns
-    bool _planar;              ///< one complex deflection in each place
-    bool _rotating;            ///< solved in rotating axes
-    std::vector<double> _rows; ///< of bearing tables, rad/s
-    int _piece = -1;           ///< rows below the speeds that the matrices hold for
-    std::unique_ptr<linalg::HarmonicSolver> _solver;
-    double _speed = 0; ///< of the last solution, as given
-    Eigen::VectorXcd _displacements;
-    double _rounding = 0;
+    Eigen::VectorXd _weight; ///< under the weight: kg on the planar unknowns
+    bool _planar;            ///< one complex deflection in each place
+    bool _rotating;          ///< solved in rotating axes
+    std::unique_ptr<linalg::HarmonicSolver> _solver; ///< of the bearings at rest; none before use
+    bool _at_rest = false;                           ///< it is of a rotor that does not turn
+    double _speed = 0;                               ///< of the last solution, as given
+    Eigen::VectorXcd _load, _solution;
+    Eigen::VectorXcd _displacements;         ///< in the axes that they are read in
+    mutable std::optional<double> _rounding; ///< once asked for
 
-    /// With the bearings as at a speed.
-    [[nodiscard]] linalg::HarmonicTerms terms(double bearing_speed) const;
-    /// Goes to the piece between two rows of bearing tables that a speed lies in: the coefficients
-    /// are linear there.
-    void enter_piece(double speed);
+    void assemble(double spin);
+    void for_each_table(double spin, const assembly::AddCoupling &add) const;
+    /// What the bearings with tables are at a speed beside what they are at rest.
+    [[nodiscard]] linalg::HarmonicSolver::Entries table_changes(double spin,
+                                                                double frequency) const;
     [[nodiscard]] Eigen::VectorXcd forces(double speed) const;
     /// Of the motion in the axes that it is solved in.
     [[nodiscard]] double frequency(double speed) const {

@@ -25,17 +25,22 @@ struct QuadraticTerms {
 /// C, z = (m u, u). C = Q T Q^H with T triangular; its eigenvalues are the poles. By the
 /// eigenvectors of T each number is a sum over the poles, m^2 sum r_k / (m - m_k). Where these
 /// terms cancel, as about poles that nearly coincide, T is solved twice instead. Of several right
-/// sides b each has numbers of its own.
+/// sides b each has numbers of its own. Poles far from the places asked for act together: where
+/// these are not asked for, C is taken on a Krylov basis of (P(shift)^-1 b, 0), as large as it
+/// needs to be for numbers that are exact to rounding.
 class QuadraticResolvent {
   public:
     /// @param b         right sides, a column each
     /// @param rows      L
     /// @param from, to  where s lies, real; the shift keeps away from there
+    /// @param all_poles false: those that b drives and that are felt between these places, with the
+    ///                  numbers exact to rounding, at a small part of the cost
     /// @throws linalg::SolverError where the Schur form is not found
     QuadraticResolvent(const QuadraticTerms &terms, const Eigen::MatrixXcd &b,
-                       const Eigen::MatrixXd &rows, double from, double to);
+                       const Eigen::MatrixXd &rows, double from, double to, bool all_poles = true);
 
-    /// All roots of det P(s), but for those much farther away than any s asked for.
+    /// All roots of det P(s), or those of them, but for those much farther away than any s asked
+    /// for.
     [[nodiscard]] std::vector<std::complex<double>> poles() const;
 
     struct Solution {
@@ -58,6 +63,7 @@ class QuadraticResolvent {
     };
     std::vector<Residues> _residues; ///< for each right side
 
+    [[nodiscard]] std::complex<double> m_at(double s) const { return _width / (s - _shift); }
     void find_residues();
     [[nodiscard]] Solution by_triangle(std::complex<double> m, Eigen::Index first,
                                        Eigen::Index count) const;

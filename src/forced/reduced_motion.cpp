@@ -242,7 +242,8 @@ const QuadraticResolvent &ReducedMotion::resolvent(double from, double to) {
         rows.conservativeResize(rows.rows() + B.cols(), Eigen::NoChange);
         rows.bottomRows(B.cols()) = B.transpose();
     }
-    _piece->resolvent = std::make_unique<QuadraticResolvent>(_piece->P, sides, rows, from, to);
+    _piece->resolvent = std::make_unique<QuadraticResolvent>(_piece->P, sides, rows, from, to,
+                                                             _piece->bent != nullptr);
     _piece->poles = _piece->resolvent->poles();
     if (_piece->bent)
         _piece->poles = _piece->bent->poles(_piece->P, _piece->poles);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace whirl::forced {
 
@@ -36,7 +35,7 @@ ResponseError::ResponseError(const assembly::Discretization &coarse, results::Fo
     const int order = mesh_error::finer_order(coarse.order());
     _fine = std::make_unique<assembly::Discretization>(
         coarse.rotor(), std::min(order, highest_order), order > highest_order ? 2 : 1);
-    _motion.emplace(*_fine, form, drive, std::numeric_limits<double>::infinity());
+    _motion.emplace(*_fine, form, drive);
 }
 
 void ResponseError::solve(double speed) {
@@ -45,11 +44,11 @@ void ResponseError::solve(double speed) {
 }
 
 double ResponseError::at_rest(double z, std::complex<double> coarse) {
-    return _motion ? share(coarse, _motion->whole().at_rest(_fine->deflection_at(z))) : 0;
+    return _motion ? share(coarse, _motion->at_rest(_fine->deflection_at(z))) : 0;
 }
 
 double ResponseError::force_at_rest(int bearing, std::complex<double> coarse) {
-    return _motion ? share(coarse, _motion->whole().bearing_force_at_rest(bearing)) : 0;
+    return _motion ? share(coarse, _motion->bearing_force_at_rest(bearing)) : 0;
 }
 
 double ResponseError::at(double z, const Phasor &coarse) const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "forced/station_motion.h"
+#include "forced/forced_motion.h"
 #include "results/formulation.h"
 
 #include <array>
@@ -45,7 +45,7 @@ class ResponseError {
 
   private:
     std::unique_ptr<assembly::Discretization> _fine;
-    std::optional<StationMotion> _motion; ///< none of a rigid shaft
+    std::optional<ForcedMotion> _motion; ///< none of a rigid shaft
 };
 
 } // namespace whirl::forced

@@ -168,14 +168,7 @@ void add_gravity_response(results::ResponseResult &result, const assembly::Discr
     result.model.unknowns = std::max(result.model.unknowns, weighed.unknowns());
     results::GravityResponse &out = result.gravity.emplace();
     out.gravity = gravity;
-    for (const auto &[node, name] : nodes) {
-        out.stations.emplace_back().z = d.shaft_mesh().nodes[static_cast<std::size_t>(node)];
-        out.stations.back().name = name;
-    }
-    for (const model::Bearing &bearing : d.rotor().supports()) {
-        out.bearings.emplace_back().z = bearing.z;
-        out.bearings.back().name = bearing.name;
-    }
+    add_places(out, d, nodes);
     const std::vector<std::vector<double> *> lists = lists_of(out);
     for (const std::vector<double> &row : rows)
         for (std::size_t i = 0; i < lists.size(); ++i)

@@ -1,6 +1,6 @@
 #include "forced/response_peaks.h"
 
-#include "forced/station_motion.h"
+#include "forced/forced_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,12 +27,12 @@ class Comparison {
 
     Comparison(const assembly::Discretization &discretization, results::Form form,
                const std::vector<Quantity> &quantities, const Drive &drive)
-        : _quantities(quantities), _full(discretization, form, drive, agreed / 10) {}
+        : _quantities(quantities), _full(discretization, form, drive) {}
 
     /// Solves the whole rotor; false at a resonance without damping.
     bool solve(double speed) { return solves(_full, speed); }
 
-    [[nodiscard]] Eigen::MatrixXcd motion() { return _full.whole().planar_motion(); }
+    [[nodiscard]] Eigen::MatrixXcd motion() { return _full.planar_motion(); }
 
     /// At the speed solved last.
     [[nodiscard]] Difference difference(const ReducedMotion &reduced, double speed) const {
@@ -55,11 +55,12 @@ class Comparison {
 
   private:
     const std::vector<Quantity> &_quantities;
-    StationMotion _full;
+    ForcedMotion _full;
 };
 
-/// Where the reduced rotor is compared: the resonances, half-power points beside them, the ends.
-/// @param beside  false: without the half-power points
+/// Where the reduced rotor is compared: the resonances, half-power points beside them, the ends,
+/// and evenly between these: curves and peaks without a resonance of their own are right there too.
+/// @param beside  false: without the half-power points and what is between
 std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, double from, double to,
                                    bool beside) {
     std::vector<double> speeds{from < 0 ? (2 * from + to) / 3 : (from + 2 * to) / 3,
@@ -68,6 +69,9 @@ std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, dou
         if (speed > from && speed < to)
             speeds.push_back(speed);
     };
+    constexpr int evenly = 6;
+    for (int k = 1; beside && k < evenly; ++k)
+        add(from + (to - from) * k / evenly);
     for (const Resonance &r : resonances) {
         constexpr double too_damped = 0.3; // no peak of its own: between the others
         if (r.width > too_damped * std::abs(r.speed))
@@ -108,9 +112,10 @@ struct Compared {
 };
 
 /// Compares at speeds and widens the reduced rotor by the motions of the whole one where the two
-/// differ by more than agreed. If the motion at the worst is no news, the rounding of the matrices
-/// tells them apart, and the others are not asked.
-Compared widened_at(ReducedMotion &reduced, Comparison &whole, const std::vector<double> &speeds) {
+/// differ by more than `enough`. If the motion at the worst is no news, the rounding of the
+/// matrices tells them apart, and the others are not asked.
+Compared widened_at(ReducedMotion &reduced, Comparison &whole, const std::vector<double> &speeds,
+                    double enough) {
     Compared out;
     if (reduced.whole())
         return out;
@@ -130,7 +135,7 @@ Compared widened_at(ReducedMotion &reduced, Comparison &whole, const std::vector
         out.rounding.emplace_back(speed, difference.rounding);
         if (difference.told > plainly)
             keep(whole.motion());
-        else if (difference.told > agreed)
+        else if (difference.told > enough)
             apart.emplace_back(difference.told, speed);
     }
     std::sort(apart.rbegin(), apart.rend());
@@ -204,11 +209,17 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
                           options.drive, options.reduction);
     Comparison whole(discretization, form, quantities, options.drive);
     CertifiedPeaks out;
+    // A difference at a resonance is as much as its pole is off, in widths: by so little the
+    // resonances are where they are for this comparison.
+    constexpr double moved = 0.1;
+    std::vector<Resonance> resonances;
     for (int round = 0; round < most_rounds; ++round) {
+        if (round == 0 || out.reduction_error > moved)
+            resonances = resonances_about(reduced, from, to);
         // First the motions at the resonances, which tell most of those beside them.
-        const std::vector<double> speeds =
-            telling_speeds(resonances_about(reduced, from, to), from, to, round > 0);
-        const Compared at = widened_at(reduced, whole, speeds);
+        const Compared at =
+            widened_at(reduced, whole, telling_speeds(resonances, from, to, round > 0),
+                       agreed / 10); // so that peaks between agree as well
         out.reduction_error = at.worst;
         if (!at.news && round > 0)
             break;
@@ -217,7 +228,7 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     Compared at_peaks;
     for (int round = 0;; ++round) { // and at the peaks found, which need not be at resonances
         search.emplace(reduced, from, to);
-        at_peaks = widened_at(reduced, whole, compared_speeds(search->peaks()));
+        at_peaks = widened_at(reduced, whole, compared_speeds(search->peaks()), agreed);
         if (round >= most_rounds || !at_peaks.news)
             break;
     }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -46,6 +48,43 @@ std::map<int, std::string> attached_nodes(const assembly::Discretization &d) {
     collect(rotor.planes);
     collect(rotor.probes);
     return nodes;
+}
+
+void add_places(results::HarmonicMotion &motion, const assembly::Discretization &d,
+                const std::map<int, std::string> &nodes) {
+    for (const auto &[index, name] : nodes) {
+        results::ResponseNode node;
+        node.z = d.shaft_mesh().nodes[static_cast<std::size_t>(index)];
+        node.name = name;
+        motion.nodes.push_back(node);
+    }
+    for (const model::Bearing &bearing : d.rotor().supports())
+        motion.bearings.push_back({bearing.z, bearing.name, {}, {}});
+    for (const model::Probe &probe : d.rotor().probes)
+        motion.probes.push_back({probe.z, probe.angle, probe.name, {}, {}, {}});
+}
+
+void add_places(results::GravityResponse &response, const assembly::Discretization &d,
+                const std::map<int, std::string> &nodes) {
+    for (const auto &[node, name] : nodes) {
+        response.stations.emplace_back().z = d.shaft_mesh().nodes[static_cast<std::size_t>(node)];
+        response.stations.back().name = name;
+    }
+    for (const model::Bearing &bearing : d.rotor().supports()) {
+        response.bearings.emplace_back().z = bearing.z;
+        response.bearings.back().name = bearing.name;
+    }
+}
+
+double inclination_of(const Phasor &motion, double rounding) {
+    const WhirlParts parts(motion); // longest where the two are parallel
+    const auto &[a, d] = parts;
+    const double smaller = std::min(std::abs(a), std::abs(d));
+    const double larger = std::max(std::abs(a), std::abs(d));
+    if (smaller <= (rounding + 1e-14) * larger)
+        return no_value;
+    const double angle = std::arg(a * std::conj(d)) / 2;
+    return angle <= -std::numbers::pi / 2 ? angle + std::numbers::pi : angle;
 }
 
 void Watched::add(Quantity quantity, const char *of, double place, const std::string &name) {

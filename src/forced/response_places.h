@@ -32,6 +32,17 @@ inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// Nodes of the mesh with the names of what is attached there; the ends are always among them.
 [[nodiscard]] std::map<int, std::string> attached_nodes(const assembly::Discretization &d);
 
+/// Adds these nodes, the bearings and the probes with their places and names, without values.
+void add_places(results::HarmonicMotion &motion, const assembly::Discretization &d,
+                const std::map<int, std::string> &nodes);
+void add_places(results::GravityResponse &response, const assembly::Discretization &d,
+                const std::map<int, std::string> &nodes);
+
+/// Direction of the major axis, from x towards y, (-pi/2, pi/2]; none for a circle: where its
+/// direction is decided by rounding.
+/// @param rounding  relative
+[[nodiscard]] double inclination_of(const Phasor &motion, double rounding);
+
 /// What peaks are looked for of, and where it is.
 struct Watched {
     std::vector<Quantity> quantities;

@@ -55,13 +55,6 @@ Eigen::MatrixXcd shape_product(const Eigen::MatrixXd &V, const linalg::Matrix &A
     return out;
 }
 
-/// Of a block on (x, y) the part that is the same from all sides.
-Eigen::Matrix2d all_round(const Eigen::Matrix2d &block) {
-    const double along = block.trace() / 2;
-    const double across = (block(1, 0) - block(0, 1)) / 2;
-    return Eigen::Matrix2d{{along, -across}, {across, along}};
-}
-
 } // namespace
 
 Eigen::Matrix2cd ShapeTerms::constant_block(const Eigen::Matrix2d &k,
@@ -74,9 +67,8 @@ Eigen::Matrix2cd ShapeTerms::constant_block(const Eigen::Matrix2d &k,
 Eigen::Matrix2cd ShapeTerms::linear_block(const Eigen::Matrix2d &c) const {
     if (_form != results::Form::rotating)
         return imaginary_unit * _sweep.frequency_rate * c.cast<Complex>();
-    const Eigen::Matrix2d b = all_round(c); // of the axes that turn: i times the block
-    Eigen::Matrix2cd out =
-        Eigen::Matrix2d{{-b(1, 0), -b(0, 0)}, {b(0, 0), -b(1, 0)}}.cast<Complex>();
+    const Eigen::Matrix2d b = all_round(c);
+    Eigen::Matrix2cd out = quarter_turned(b).cast<Complex>();
     if (_weight)
         out += imaginary_unit * b.cast<Complex>();
     return out;

@@ -6,27 +6,30 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace whirl::linalg {
 
 namespace {
 
-/// Signs without a pattern, the same at every call (a linear congruential generator, Knuth).
+/// Numbers about 1 and -1 without a pattern, the same at every call (a linear congruential
+/// generator, Knuth). Not all of one size: two of them would cancel.
 Eigen::VectorXd signs(Eigen::Index size) {
     Eigen::VectorXd out(size);
     unsigned long long state = 1;
     for (Eigen::Index i = 0; i < size; ++i) {
         state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-        out(i) = (state >> 63U) != 0 ? 1 : -1;
+        const double share = static_cast<double>((state >> 32U) & 0x7fffffffU) / 0x80000000U;
+        out(i) = ((state >> 63U) != 0 ? 1 : -1) * (0.75 + 0.5 * share);
     }
     return out;
 }
 
 /// Moduli of real and imaginary parts, as parts.
-Eigen::VectorXcd moduli(const Eigen::VectorXcd &x) {
-    Eigen::VectorXcd out(x.size());
-    out.real() = x.real().cwiseAbs();
-    out.imag() = x.imag().cwiseAbs();
+Eigen::ArrayXcd moduli(const Eigen::ArrayXcd &x) {
+    Eigen::ArrayXcd out(x.size());
+    out.real() = x.real().abs();
+    out.imag() = x.imag().abs();
     return out;
 }
 
@@ -35,48 +38,139 @@ double largest_part(const Eigen::VectorXcd &x) {
     return std::max(x.real().lpNorm<Eigen::Infinity>(), x.imag().lpNorm<Eigen::Infinity>());
 }
 
-} // namespace
-
-HarmonicSolver::HarmonicSolver(const HarmonicTerms &terms)
-    : _scales(unit_scales(terms.K, terms.M)) {
-    using RealSparse = Eigen::SparseMatrix<double>;
-    std::array<RealSparse, factor_count> of;
-    of[one] = terms.K.view();
-    of[spin_once] = terms.Kc.view();
-    of[spin_squared] =
-        terms.Kss.size() > 0 ? RealSparse(terms.Kss.view()) : RealSparse(size(), size());
-    of[minus_frequency_squared] = terms.M.view();
-    of[i_frequency] = terms.C.view();
-    of[i_frequency_spin] = terms.G.view();
-    RealSparse pattern(size(), size());
-    for (RealSparse &term : of) {
-        term.prune(0.0);
-        term = scaled(term, _scales);
-        pattern = RealSparse(pattern + term.cwiseAbs());
-    }
-    for (std::size_t i = 0; i < factor_count; ++i) {
-        const RealSparse on_pattern = 0 * pattern + of[i];
-        _terms[i] = on_pattern.coeffs();
-    }
-    _A = pattern.cast<std::complex<double>>();
-    _sizes = _A;
+/// Entries as of A at a factor 1.
+HarmonicSolver::Entries entries_of(const Matrix &term, std::complex<double> factor) {
+    HarmonicSolver::Entries out;
+    if (term.size() == 0)
+        return out;
+    const SparseView view = term.view();
+    out.reserve(static_cast<std::size_t>(view.nonZeros()));
+    for (Eigen::Index i = 0; i < view.outerSize(); ++i)
+        for (SparseView::InnerIterator entry(view, i); entry; ++entry)
+            if (entry.value() != 0)
+                out.emplace_back(static_cast<int>(entry.row()), static_cast<int>(entry.col()),
+                                 factor * entry.value());
+    return out;
 }
 
-void HarmonicSolver::set(double spin, double frequency) {
-    const std::array<double, factor_count> factors{
-        1, spin, spin * spin, -frequency * frequency, frequency, frequency * spin};
-    _A.coeffs().setZero();
-    _sizes.coeffs().setZero();
-    const auto add = [&](Factor f, auto &&A, auto &&sizes) {
-        if (factors[f] != 0) {
-            A += factors[f] * _terms[f];
-            sizes += std::abs(factors[f]) * _terms[f].abs();
+Eigen::VectorXd scales_of(const HarmonicTerms &terms, bool pairs) {
+    Eigen::VectorXd scales = unit_scales(terms.K, terms.M);
+    for (Eigen::Index i = 0; pairs && i < scales.size(); i += 2)
+        scales(i) = scales(i + 1) = std::min(scales(i), scales(i + 1));
+    return scales;
+}
+
+constexpr std::complex<double> i_unit(0, 1);
+
+/// A backward stable solution leaves some 1e-15. With the pivots of the A before, which serve as
+/// long as A changes little, it may be more: then A gets its own.
+constexpr double residual_of_old_pivots = 1e-14;
+
+} // namespace
+
+HarmonicSolver::HarmonicSolver(const HarmonicTerms &terms, bool pairs, const Entries &changes)
+    : _pairs(pairs), _scales(scales_of(terms, pairs)) {
+    std::array<Sparse, factor_count> of;
+    of[one] = solved_for(entries_of(terms.K, 1));
+    of[spin_once] = solved_for(entries_of(terms.Kc, 1));
+    of[spin_squared] = solved_for(entries_of(terms.Kss, 1));
+    of[minus_frequency_squared] = solved_for(entries_of(terms.M, 1));
+    of[i_frequency] = solved_for(entries_of(terms.C, i_unit));
+    of[i_frequency_spin] = solved_for(entries_of(terms.G, i_unit));
+    Eigen::SparseMatrix<double> pattern(size(), size());
+    Entries places;
+    for (const auto &change : changes) // all that a pair may couple
+        for (int k = 0; k < (_pairs ? 4 : 1); ++k)
+            places.emplace_back(_pairs ? change.row() / 2 * 2 + k / 2 : change.row(),
+                                _pairs ? change.col() / 2 * 2 + k % 2 : change.col(), 1);
+    Sparse changed(size(), size());
+    changed.setFromTriplets(places.begin(), places.end());
+    pattern = changed.cwiseAbs();
+    for (Sparse &term : of) {
+        term.prune([](Eigen::Index, Eigen::Index, const auto &value) { return value != 0.0; });
+        pattern = Eigen::SparseMatrix<double>(pattern + term.cwiseAbs());
+    }
+    _A = pattern.cast<std::complex<double>>();
+    for (std::size_t i = 0; i < factor_count; ++i) {
+        if (of[i].nonZeros() == 0)
+            continue;
+        const Sparse on_pattern = 0.0 * _A + of[i];
+        _terms[i] = on_pattern.coeffs();
+    }
+}
+
+HarmonicSolver::Sparse HarmonicSolver::solved_for(const Entries &entries) const {
+    Entries out;
+    out.reserve((_pairs ? 4 : 1) * entries.size());
+    for (const auto &entry : entries) {
+        const std::complex<double> value =
+            _scales(entry.row()) * _scales(entry.col()) * entry.value();
+        if (!_pairs) {
+            out.emplace_back(entry.row(), entry.col(), value);
+            continue;
         }
-    };
-    for (const Factor f : {one, spin_once, spin_squared, minus_frequency_squared})
-        add(f, _A.coeffs().real(), _sizes.coeffs().real());
-    for (const Factor f : {i_frequency, i_frequency_spin})
-        add(f, _A.coeffs().imag(), _sizes.coeffs().imag());
+        // x = a + d, y = -i (a - d); half the equation of x plus and minus i times that of y
+        const int row = entry.row() / 2 * 2;
+        const int column = entry.col() / 2 * 2;
+        const bool of_y = entry.row() != row;
+        const bool by_y = entry.col() != column;
+        for (const int against : {0, 1})
+            for (const int by_against : {0, 1})
+                out.emplace_back(row + against, column + by_against,
+                                 0.5 * (of_y ? (against != 0 ? -i_unit : i_unit) : 1.0) * value *
+                                     (by_y ? (by_against != 0 ? i_unit : -i_unit) : 1.0));
+    }
+    Sparse A(size(), size());
+    A.setFromTriplets(out.begin(), out.end());
+    return A;
+}
+
+Eigen::MatrixXcd HarmonicSolver::parts_of(Eigen::MatrixXcd scaled) const {
+    if (!_pairs)
+        return scaled;
+    auto first = scaled(Eigen::seqN(0, size() / 2, 2), Eigen::all);
+    auto second = scaled(Eigen::seqN(1, size() / 2, 2), Eigen::all);
+    first = (0.5 * (first + i_unit * second)).eval();
+    second = -i_unit * second + first;
+    return scaled;
+}
+
+Eigen::MatrixXcd HarmonicSolver::pairs_of(Eigen::MatrixXcd parts) const {
+    if (!_pairs)
+        return parts;
+    auto first = parts(Eigen::seqN(0, size() / 2, 2), Eigen::all);
+    auto second = parts(Eigen::seqN(1, size() / 2, 2), Eigen::all);
+    first += second;
+    second = i_unit * (2.0 * second - first);
+    return parts;
+}
+
+void HarmonicSolver::set(double spin, double frequency, const Entries &changes) {
+    _factors = {1, spin, spin * spin, -frequency * frequency, frequency, frequency * spin};
+    _A.coeffs().setZero();
+    for (std::size_t i = 0; i < factor_count; ++i)
+        if (_factors[i] != 0 && _terms[i].size() > 0)
+            _A.coeffs() += _factors[i] * _terms[i];
+    _changes = changes.empty() ? Sparse(size(), size()) : solved_for(changes);
+    for (Eigen::Index column = 0; column < _changes.outerSize() && !changes.empty(); ++column)
+        for (Sparse::InnerIterator entry(_changes, column); entry; ++entry)
+            _A.coeffRef(entry.row(), entry.col()) += entry.value();
+    _sizes = Sparse();
+}
+
+const HarmonicSolver::Sparse &HarmonicSolver::sizes() const {
+    if (_sizes.size() > 0)
+        return _sizes;
+    _sizes = _A;
+    _sizes.coeffs().setZero();
+    for (std::size_t i = 0; i < factor_count; ++i)
+        if (_factors[i] != 0 && _terms[i].size() > 0)
+            _sizes.coeffs() += std::abs(_factors[i]) * moduli(_terms[i]);
+    for (Eigen::Index column = 0; column < _changes.outerSize(); ++column)
+        for (Sparse::InnerIterator entry(_changes, column); entry; ++entry)
+            _sizes.coeffRef(entry.row(), entry.col()) += std::complex<double>(
+                std::abs(entry.value().real()), std::abs(entry.value().imag()));
+    return _sizes;
 }
 
 /// |A| |q| + |f| of real and imaginary parts: what K and s^2 M lose against each other counts as
@@ -85,8 +179,8 @@ Eigen::VectorXcd HarmonicSolver::sizes_of(const Eigen::VectorXcd &f,
                                           const Eigen::VectorXcd &q) const {
     const Eigen::VectorXcd x = moduli(q);
     Eigen::VectorXcd out = moduli(f);
-    out.real() += (_sizes * x.conjugate()).real();
-    out.imag() += (_sizes * x).imag();
+    out.real() += (sizes() * x.conjugate()).real();
+    out.imag() += (sizes() * x).imag();
     return out;
 }
 
@@ -101,22 +195,23 @@ double HarmonicSolver::solved(const Eigen::MatrixXcd &f, Eigen::MatrixXcd &q) {
     double out = 0;
     for (Eigen::Index column = 0; column < q.cols(); ++column) {
         const Eigen::VectorXcd rest = f.col(column) - _A * q.col(column);
-        const double size = largest_part(sizes_of(f.col(column), q.col(column)));
+        // The diagonal alone is most of it: where that is enough, nothing else is summed up.
+        double size = _A.diagonal().cwiseProduct(q.col(column)).cwiseAbs().maxCoeff() / 2;
+        if (!(largest_part(rest) <= residual_of_old_pivots * size))
+            size = largest_part(sizes_of(f.col(column), q.col(column)));
         if (size > 0)
             out = std::max(out, largest_part(rest) / size);
+        q.col(column) += _lu.solution(rest); // a step of refinement
     }
     return out;
 }
 
 Eigen::MatrixXcd HarmonicSolver::solve(double spin, double frequency,
-                                       const Eigen::MatrixXcd &forces) {
-    // A backward stable solution leaves some 1e-15. With the pivots of the A before, which serve
-    // as long as A changes little, it may be more: then A gets its own.
-    constexpr double residual_of_old_pivots = 1e-14;
+                                       const Eigen::MatrixXcd &forces, const Entries &changes) {
     // Far more means that elimination went wrong.
     constexpr double residual_allowed = 1e-8;
-    set(spin, frequency);
-    const Eigen::MatrixXcd f = _scales.asDiagonal() * forces;
+    set(spin, frequency, changes);
+    const Eigen::MatrixXcd f = parts_of(_scales.asDiagonal() * forces);
     Eigen::MatrixXcd q;
     double residual = solved(f, q);
     if (!(residual <= residual_of_old_pivots)) {
@@ -127,31 +222,31 @@ Eigen::MatrixXcd HarmonicSolver::solve(double spin, double frequency,
         throw SolverError("the dynamic stiffness matrix is singular");
     if (!(residual <= residual_allowed))
         throw SolverError("the linear system of the forced motion left a large residual");
-    return _scales.asDiagonal() * q;
+    return _scales.asDiagonal() * pairs_of(std::move(q));
 }
 
 double HarmonicSolver::rounding(const Eigen::VectorXcd &forces,
                                 const Eigen::VectorXcd &displacements) const {
-    const Eigen::VectorXcd q = _scales.cwiseInverse().asDiagonal() * displacements;
+    const Eigen::VectorXcd q = parts_of(_scales.cwiseInverse().asDiagonal() * displacements);
     if (q.isZero(0))
         return 0;
     // Rounding of the entries of A changes each row of A q by about epsilon times its size.
-    Eigen::VectorXcd change = sizes_of(_scales.asDiagonal() * forces, q);
+    Eigen::VectorXcd change = sizes_of(parts_of(_scales.asDiagonal() * forces), q);
     Eigen::Map<Eigen::VectorXd>(reinterpret_cast<double *>(change.data()), 2 * change.size())
         .array() *= std::numeric_limits<double>::epsilon() * signs(2 * change.size()).array();
     return _lu.solution(change).norm() / q.norm();
 }
 
 double HarmonicSolver::absolute_form(const Eigen::VectorXcd &displacements) const {
-    const Eigen::VectorXcd q = (_scales.cwiseInverse().asDiagonal() * displacements)
+    const Eigen::VectorXcd q = parts_of(_scales.cwiseInverse().asDiagonal() * displacements)
                                    .cwiseAbs()
                                    .cast<std::complex<double>>();
-    const std::complex<double> form = q.dot(_sizes * q);
+    const std::complex<double> form = q.dot(sizes() * q);
     return form.real() + form.imag();
 }
 
 bool HarmonicSolver::conserves() const {
-    return _terms[i_frequency].isZero(0) && _terms[spin_once].isZero(0);
+    return _terms[i_frequency].size() == 0 && _terms[spin_once].size() == 0;
 }
 
 } // namespace whirl::linalg

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <complex>
+#include <vector>
 
 namespace whirl::linalg {
 
@@ -22,18 +23,27 @@ struct HarmonicTerms {
 /// frequencies w: the steady motion Re(q exp(i w t)) of HarmonicTerms under Re(f exp(i w t)).
 ///
 /// The pattern of nonzeros is that of all speeds together, so that KLU (SuiteSparse) orders and
-/// analyses it once.
+/// analyses it once. Unknowns in pairs (x, y) are solved for as (x + i y)/2 and (x - i y)/2, the
+/// parts that turn with and against the rotation: what is the same from every direction, as most of
+/// a rotor, does not couple these, and half of the entries are left.
 class HarmonicSolver {
   public:
-    explicit HarmonicSolver(const HarmonicTerms &terms);
+    using Entries = std::vector<Eigen::Triplet<std::complex<double>>>;
+
+    /// @param pairs    the unknowns are pairs (x, y)
+    /// @param changes  where solve() may be given what A is beside the terms
+    explicit HarmonicSolver(const HarmonicTerms &terms, bool pairs = false,
+                            const Entries &changes = {});
 
     /// Complex displacements, one column for each column of forces.
     /// @param spin, frequency  W and w, rad/s
     /// @param forces           one load case a column
+    /// @param changes          to be added to A
     /// @throws SolverError where A is singular or the residual exceeds 1e-8: the largest |f - A q|
     ///         over the largest |A| |q| + |f|.
     [[nodiscard]] Eigen::MatrixXcd solve(double spin, double frequency,
-                                         const Eigen::MatrixXcd &forces);
+                                         const Eigen::MatrixXcd &forces,
+                                         const Entries &changes = {});
     /// What turns with the rotor: w = W.
     [[nodiscard]] Eigen::MatrixXcd solve(double speed, const Eigen::MatrixXcd &forces) {
         return solve(speed, speed, forces);
@@ -66,13 +76,23 @@ class HarmonicSolver {
         factor_count
     };
 
-    Eigen::VectorXd _scales;                         ///< of the unknowns, powers of two
-    std::array<Eigen::ArrayXd, factor_count> _terms; ///< entries on the pattern of all, scaled
+    bool _pairs;
+    Eigen::VectorXd _scales; ///< of the unknowns, powers of two, alike in a pair
+    /// Entries of the terms on the pattern of all, scaled; empty: zero.
+    std::array<Eigen::ArrayXcd, factor_count> _terms;
     Sparse _A;
-    Sparse _sizes; ///< real and imaginary part: moduli of the real and of the imaginary terms
+    std::array<double, factor_count> _factors{}; ///< of the terms in A
+    Sparse _changes;                             ///< what else is in A
+    mutable Sparse _sizes; ///< the moduli of all summands of A; without entries: not asked for
     SparseFactor<std::complex<double>> _lu{true};
 
-    void set(double spin, double frequency);
+    /// Of a matrix over the given unknowns: over those solved for, scaled.
+    [[nodiscard]] Sparse solved_for(const Entries &entries) const;
+    /// Of scaled displacements or forces in pairs the parts with and against the rotation.
+    [[nodiscard]] Eigen::MatrixXcd parts_of(Eigen::MatrixXcd scaled) const;
+    [[nodiscard]] Eigen::MatrixXcd pairs_of(Eigen::MatrixXcd parts) const;
+    void set(double spin, double frequency, const Entries &changes);
+    [[nodiscard]] const Sparse &sizes() const;
     /// Largest |f - A q| over the largest |A| |q| + |f| of the columns; infinite where A is
     /// singular.
     [[nodiscard]] double solved(const Eigen::MatrixXcd &f, Eigen::MatrixXcd &q);

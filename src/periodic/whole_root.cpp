@@ -293,6 +293,51 @@ Complex WholeRotor::slope(const Root &root, double speed) const {
            (2 * step);
 }
 
+std::optional<WholeRotor::Driven> WholeRotor::driven(double speed, Complex exponent,
+                                                     const Eigen::VectorXcd &load) const {
+    AtSpeed problem = at(speed);
+    const Eigen::VectorXd d =
+        linalg::scales_at(std::abs(speed), problem.M.diagonal(), problem.K.diagonal());
+    problem.scale(d);
+    const Eigen::Index n = d.size();
+    constexpr double nothing = 1e-13; // of the motion: what the series is cut by
+    constexpr int fewest = 3;
+    for (int N = std::max(fewest, _driven_harmonics - 1); N <= usual; N += std::max(1, N / 6)) {
+        const ComplexSparse A = Series(problem, N).at(exponent);
+        Eigen::VectorXcd f = Eigen::VectorXcd::Zero(A.rows());
+        f.segment(N * n, n) = d.cwiseProduct(load);
+        Factor &factor = _factors.try_emplace(N, true).first->second;
+        const Eigen::VectorXd sizes = A.cwiseAbs() * Eigen::VectorXd::Ones(A.cols());
+        Eigen::VectorXcd x;
+        // The pivots of the matrix before may not be good for this one: then it gets its own.
+        for (const bool again : {false, true}) {
+            if (again)
+                factor.forget_pivots();
+            if (!factor.factorize(A))
+                continue;
+            x = factor.solution(f);
+            constexpr double stable = 1e-14; // what a backward stable solution leaves
+            if (x.allFinite() &&
+                (f - A * x).norm() <= stable * (sizes.maxCoeff() * x.norm() + f.norm()))
+                break;
+        }
+        if (x.size() == 0 || !x.allFinite())
+            return std::nullopt;
+        const double size = x.norm();
+        if (end_of(x, n) > nothing * size)
+            continue;
+        _driven_harmonics = N;
+        Driven out;
+        out.terms = d.asDiagonal() * x.reshaped(n, 2 * N + 1);
+        // Rounding of the entries changes each row of A x by about epsilon times its size.
+        const Eigen::VectorXcd change =
+            std::numeric_limits<double>::epsilon() * (A.cwiseAbs() * x.cwiseAbs() + f.cwiseAbs());
+        out.rounding = size > 0 ? factor.solution(change).norm() / size : 0;
+        return out;
+    }
+    return std::nullopt;
+}
+
 std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess, double frequency,
                                                     const Eigen::MatrixXcd &terms) const {
     AtSpeed problem = at(speed);

@@ -50,6 +50,18 @@ class WholeRotor {
     /// Its derivative by the speed.
     [[nodiscard]] std::complex<double> slope(const Root &root, double speed) const;
 
+    /// The steady motion under a load f exp(l t).
+    struct Driven {
+        Eigen::MatrixXcd terms; ///< q_-N, ..., q_N, a column each
+        double rounding = 0;    ///< relative error that rounding of the entries can cause
+    };
+    /// The series of the motion under a load: with as many harmonics as leave nothing at its ends.
+    /// @param exponent  l of the load, 1/s: 0 of what turns with the rotor, i speed of the weight
+    /// @param load      f, over the unknowns in rotating axes, N
+    /// @returns nothing at a resonance without damping, or where N = 80 is not enough
+    [[nodiscard]] std::optional<Driven> driven(double speed, std::complex<double> exponent,
+                                               const Eigen::VectorXcd &load) const;
+
   private:
     using Factor = linalg::SparseFactor<std::complex<double>>;
     const assembly::Discretization &_discretization;
@@ -65,6 +77,7 @@ class WholeRotor {
     /// Their pattern and order of elimination, by the number of harmonics.
     mutable std::map<int, Factor> _factors;
     mutable int _beyond = 4; ///< harmonics that the roots before needed beyond their frequency
+    mutable int _driven_harmonics = 0; ///< that the motion under a load before needed
     [[nodiscard]] Matrices assembled(double bearing_speed) const;
     struct AtSpeed;
     class Series;

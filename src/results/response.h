@@ -11,6 +11,13 @@
 
 namespace whirl::results {
 
+/// Semi-axes of the motion at a multiple of the spin speed, one entry a speed, m.
+struct ResponseHarmonic {
+    int multiple = 3;
+    std::vector<double> major;
+    std::vector<double> minor; ///< negative: backward
+};
+
 /// Orbit of a station over speed: x(t) = |x| cos(speed t + x_phase), y(t) likewise, an ellipse.
 /// One entry a speed; infinite or NaN at a resonance without damping.
 struct ResponseNode {
@@ -27,6 +34,9 @@ struct ResponseNode {
     std::vector<double> inclination; ///< of the major axis, from x towards y, (-pi/2, pi/2]; NaN
                                      ///< where the orbit is a circle
     std::vector<double> error;       ///< estimated relative error, see response.h
+    /// Of an asymmetric rotor on bearings that differ between their directions: what it moves at
+    /// other multiples; `amplitude` is then the largest radius of all together.
+    std::vector<ResponseHarmonic> harmonics{};
 };
 
 /// Reading of a probe over speed: amplitude cos(speed t + phase).

@@ -199,7 +199,10 @@ std::optional<BranchPoint> WholeRoots::in_piece(const At &piece, Complex l,
             BranchPoint out;
             out.eigenvalue = l;
             out.slope = -rate;
-            out.shape = _scale.cwiseProduct(x);
+            // The root is known to the square of what its vector is; the same factors once more
+            // leave of the other vectors what they left of them before.
+            const Eigen::VectorXcd sharper = _factors.solution(S * x);
+            out.shape = _scale.cwiseProduct(sharper.allFinite() ? sharper : x);
             normalise(out.shape);
             // The speed answers to an error of l by 1 / |Im dl/ds - 1|.
             const double gain = std::max(1.0, 1 / std::abs(1 + rate.imag()));

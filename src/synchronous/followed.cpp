@@ -236,7 +236,7 @@ class Follower {
     /// A motion that is too damped to oscillate at an end of a long step may do so within it.
     static bool hides_motions(const Sample &a, const Sample &b, int depth) {
         constexpr double long_step = 0.1; // of the speed
-        constexpr int deepest = 8;         // from speed zero on no step is short
+        constexpr int deepest = 8;        // from speed zero on no step is short
         constexpr double far = 5;
         const auto heavy = [&](const Sample &end) {
             return std::ranges::any_of(end.heavy, [&](double size) {

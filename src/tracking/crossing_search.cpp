@@ -15,7 +15,9 @@ namespace whirl::tracking {
 int side_of(const modes::WhirlMode &mode, double speed, double multiple) {
     const double target = multiple * std::abs(speed);
     const double distance = mode.eigenvalue.imag() - target;
-    return std::abs(distance) <= resolved * target ? 0 : distance > 0 ? 1 : -1;
+    return std::abs(distance) <= std::max(resolved, mode.rounding) * target ? 0
+           : distance > 0                                                   ? 1
+                                                                            : -1;
 }
 
 bool stands(results::Form form, const modes::WhirlMode &mode, double speed, double multiple) {
@@ -29,7 +31,7 @@ StepEnd end_of(const modes::Spectrum &spectrum, const Eigen::VectorXcd &rates, s
     const double turn = std::signbit(spectrum.speed) ? -multiple : multiple;
     const double rate = rates(static_cast<Eigen::Index>(place)).imag();
     return {spectrum.speed, mode.eigenvalue.imag() - target, rate - turn,
-            resolved * std::max(target, mode.eigenvalue.imag())};
+            std::max(resolved, mode.rounding) * std::max(target, mode.eigenvalue.imag())};
 }
 
 /// A node given by the sweep: roots that lie on it.
@@ -164,11 +166,11 @@ bool CrossingSearch::upper_whirl(const Node &node, std::size_t place) const {
 }
 
 /// A node may lie within the tolerance of a root found before.
-void CrossingSearch::take(int line, double speed, double real) {
+void CrossingSearch::take(int line, double speed, double real, double margin) {
     const double frequency = _multiple * std::abs(speed);
     const bool known = std::ranges::any_of(_out.found, [&](const results::Crossing &other) {
         return other.multiple == _multiple && other.mode == line &&
-               std::abs(other.speed - speed) <= 1e2 * resolved * std::abs(speed);
+               std::abs(other.speed - speed) <= 1e2 * std::max(resolved * std::abs(speed), margin);
     });
     if (!known)
         _out.found.push_back(
@@ -184,8 +186,8 @@ void CrossingSearch::take_if_root(const Node &node, std::size_t place) {
     // One Newton step more where the line is not parallel to the multiple.
     const double step = here.distance / here.slope;
     const bool sound = std::abs(step) < 1e3 * resolved * std::abs(here.speed);
-    take(node.lines[place], here.speed - (sound ? step : 0),
-         mode_at(node, place).eigenvalue.real());
+    take(node.lines[place], here.speed - (sound ? step : 0), mode_at(node, place).eigenvalue.real(),
+         here.margin());
 }
 
 /// Between two speeds at which different whirls are the larger: the frequency seen from the rotor
@@ -206,8 +208,7 @@ std::optional<double> CrossingSearch::look(const Node &a, const Node &b, const L
     const double width = to.speed - from.speed;
     if (mode_at(a, link.from).eigenvalue.imag() == 0 || mode_at(b, link.to).eigenvalue.imag() == 0)
         return std::nullopt;
-    const bool short_enough =
-        width <= resolved * std::max(std::abs(from.speed), std::abs(to.speed));
+    const bool short_enough = width <= std::max(from.margin(), to.margin());
     const bool hold_a = held(a, link.from);
     const bool hold_b = held(b, link.to);
     if (hold_a != hold_b)
@@ -236,7 +237,7 @@ void CrossingSearch::settle_short(const Node &a, const Node &b, const Link &link
     const StepEnd &best = first ? from : to;
     const modes::WhirlMode &mode = first ? mode_at(a, link.from) : mode_at(b, link.to);
     if (std::abs(best.distance) <= 1e3 * best.tolerance)
-        take(link.line, best.speed, mode.eigenvalue.real());
+        take(link.line, best.speed, mode.eigenvalue.real(), best.margin());
     else if (!results::in_rotating_axes(_solver.form()))
         _out.unsettled.push_back({from.speed, to.speed, mode_at(a, link.from).eigenvalue.imag()});
 }

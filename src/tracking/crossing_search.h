@@ -35,7 +35,8 @@ class CrossingSearch {
     void search(const Node &a, const Node &b, const std::vector<Link> &links, int depth = 0);
 
     /// A root, unless it is known.
-    void take(int line, double speed, double real);
+    /// @param margin  how far off it may be found, rad/s
+    void take(int line, double speed, double real, double margin = 0);
 
     /// For the line of the motion that leaves the band there, between two nodes.
     void take_lock_end(const LockEnd &end, const Node &a, const Node &b);

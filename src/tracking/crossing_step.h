@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace whirl::tracking {
 
 /// A distance is zero below this share of the frequency, and a step too short to be split below
-/// this share of the speed: eigenvalues are known to some 1e-12.
+/// this share of the speed: eigenvalues are known to some 1e-12, or to their rounding.
 inline constexpr double resolved = 1e-11;
 
 /// Distance of a whirl frequency from a multiple of the spin speed at one end of a step, with its
@@ -15,6 +17,15 @@ struct StepEnd {
     double distance = 0;
     double slope = 0;
     double tolerance = 0; ///< a distance below this is zero
+
+    /// How far off a root next to it may be found, rad/s.
+    [[nodiscard]] double margin() const {
+        constexpr double largest = 1e-3; // of the speed: of a line along the multiple
+        const double of_distance = tolerance / std::abs(slope);
+        const double speed_here = std::abs(speed);
+        return of_distance > resolved * speed_here ? std::min(of_distance, largest * speed_here)
+                                                   : resolved * speed_here; // slope not known too
+    }
 };
 
 /// Speed inside the step at which the distance must be looked at: near a root, where the ends or

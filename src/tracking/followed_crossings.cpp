@@ -102,7 +102,7 @@ std::optional<FollowedCrossing> settled(const modes::SpectrumSolver &solver, Sea
         last_distance = distance;
         search.found.speed -= distance / slope;
         search.found.real = modes::determined_value(search.mode).real();
-        if (std::abs(distance) <= resolved * target &&
+        if (std::abs(distance) <= std::max(resolved, search.mode.rounding) * target &&
             std::abs(search.found.speed - speed) < 1e3 * resolved * std::abs(speed))
             return search.found;
     }

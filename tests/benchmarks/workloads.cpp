@@ -9,7 +9,6 @@
 #include "benchmarks/dense_baseline.h"
 #include "forced/forced_motion.h"
 #include "forced/response_places.h"
-#include "forced/station_motion.h"
 #include "input/case_file.h"
 
 #include <fmt/format.h>
@@ -83,7 +82,7 @@ std::function<void()> on(const Scene &scene,
 /// The steady motion of the stations at all speeds, without errors or peaks.
 void solve_at_all_speeds(const model::Case &scene) {
     const assembly::Discretization discretization(scene.rotor, scene.rotor.shaft.order);
-    forced::StationMotion motion(discretization, forced::response_formulation(scene).form);
+    forced::ForcedMotion motion(discretization, forced::response_formulation(scene).form);
     for (const double speed : scene.speeds->values())
         motion.solve(speed);
 }
@@ -91,7 +90,7 @@ void solve_at_all_speeds(const model::Case &scene) {
 /// @throws std::runtime_error where the dense route has another motion: it would be no comparison.
 void check_same_motion(const model::Case &scene, const DenseHarmonic &problem, double speed) {
     const assembly::Discretization discretization(scene.rotor, scene.rotor.shaft.order);
-    forced::StationMotion motion(discretization, forced::response_formulation(scene).form);
+    forced::ForcedMotion motion(discretization, forced::response_formulation(scene).form);
     motion.solve(speed);
     const Eigen::VectorXcd dense = dense_motion(problem);
     double apart = 0;

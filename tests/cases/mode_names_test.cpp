@@ -97,7 +97,8 @@ TEST_P(ModeNames, of_critical_speeds_are_those_of_crossings) {
     const double to = campbell.at("speeds").back();
     for (const json &speed : critical.at("critical_speeds")) {
         const double omega = speed.at("speed");
-        if (!quick) {
+        // Of equations periodic in time they are crossings, and have the names of the lines.
+        if (!quick && campbell.at("formulation").at("form") != "hill") {
             EXPECT_TRUE(speed.at("mode").is_null()) << omega;
         }
         if (omega < from || omega > to || omega == 0 || speed.at("mode").is_null())

@@ -8,7 +8,6 @@
 #include "forced/peak_search.h"
 #include "forced/reduced_motion.h"
 #include "forced/response_peaks.h"
-#include "forced/station_motion.h"
 #include "modes/orbits.h"
 #include "results/critical.h"
 #include "results/response.h"

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <complex>
 
 namespace {
@@ -17,8 +18,8 @@ using forced::QuadraticTerms;
 /// Largest difference of the numbers and of their slopes from those of LU decompositions, relative.
 /// @param b  right sides, a column each
 void expect_solutions(const QuadraticTerms &terms, const Eigen::MatrixXcd &b,
-                      const Eigen::MatrixXd &rows, double tolerance) {
-    const QuadraticResolvent resolvent(terms, b, rows, 0, 3);
+                      const Eigen::MatrixXd &rows, double tolerance, bool all_poles) {
+    const QuadraticResolvent resolvent(terms, b, rows, 0, 3, all_poles);
     const Eigen::MatrixXcd read = rows.cast<std::complex<double>>();
     for (const double s : {0.01, 0.4, 0.97, 1.0, 1.6, 2.9}) {
         const Eigen::PartialPivLU<Eigen::MatrixXcd> P(terms.at(s));
@@ -52,7 +53,8 @@ TEST(QuadraticResolvent, SumsOverThePolesSolveTheEquations) {
         for (int i = 0; i < n; ++i)
             terms.P0(i, i) += 0.3 * (i + 1);
         // Poles some 0.05 from the real speeds, all simple: rounding over that distance.
-        expect_solutions(terms, matrix(1).leftCols(3), matrix(1).real().topRows(4), 1e-9);
+        expect_solutions(terms, matrix(1).leftCols(3), matrix(1).real().topRows(4), 1e-9, true);
+        expect_solutions(terms, matrix(1).leftCols(2), matrix(1).real().topRows(4), 1e-9, false);
     }
 }
 
@@ -64,7 +66,29 @@ TEST(QuadraticResolvent, PolesThatCoincideWithOneVector) {
                          0.02 * i * Eigen::MatrixXcd::Identity(2, 2),
                          -Eigen::MatrixXcd::Identity(2, 2)};
     terms.P0(0, 1) = 0.5;
-    expect_solutions(terms, Eigen::MatrixXcd::Ones(2, 1), Eigen::MatrixXd::Identity(2, 2), 1e-10);
+    expect_solutions(terms, Eigen::MatrixXcd::Ones(2, 1), Eigen::MatrixXd::Identity(2, 2), 1e-10,
+                     true);
+    expect_solutions(terms, Eigen::MatrixXcd::Ones(2, 1), Eigen::MatrixXd::Identity(2, 2), 1e-10,
+                     false);
+}
+
+/// Of many poles far away those that are felt: the numbers are as exact, of few columns.
+TEST(QuadraticResolvent, FarPolesAreTakenTogether) {
+    constexpr int n = 60;
+    tests::Random random(9);
+    QuadraticTerms terms{Eigen::MatrixXcd::Zero(n, n), Eigen::MatrixXcd::Zero(n, n),
+                         -Eigen::MatrixXcd::Identity(n, n)};
+    for (int k = 0; k < n; ++k) {
+        terms.P0(k, k) = std::pow(0.7 * (k + 1), 4); // poles at 0.5, 2, 4.4, ... 1764
+        terms.P1(k, k) = std::complex<double>(0, 0.02 * (k + 1));
+        terms.P0(k, (k + 1) % n) = 0.1 * random(-1, 1);
+    }
+    const Eigen::MatrixXcd b = Eigen::MatrixXcd::Ones(n, 1);
+    const Eigen::MatrixXd rows = Eigen::MatrixXd::Identity(n, n).topRows(3);
+    expect_solutions(terms, b, rows, 1e-10, false);
+    const std::size_t felt = QuadraticResolvent(terms, b, rows, 0, 3, false).poles().size();
+    EXPECT_LE(felt, 48U); // of 120
+    EXPECT_GE(felt, 4U);
 }
 
 } // namespace

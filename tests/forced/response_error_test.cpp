@@ -16,7 +16,6 @@
 namespace {
 
 using namespace whirl;
-using forced::CondensedMotion;
 using forced::ForcedMotion;
 using forced::Phasor;
 using results::Form;
@@ -140,24 +139,23 @@ void compare(Dice &dice, const model::Rotor &rotor, int order, Counts &counts) {
     const assembly::Discretization other(rotor, 11, 2);
     const Form form = rotor.bearings_isotropic() ? Form::planar : Form::general;
     ForcedMotion coarse(d, form);
-    CondensedMotion reference(exact, form);
-    CondensedMotion second(other, form);
+    ForcedMotion reference(exact, form);
+    ForcedMotion second(other, form);
     forced::ResponseError error(d, form);
     const double z = rotor.discs[0].z;
-    const auto at_disc = [z](const assembly::Discretization &of, CondensedMotion &motion,
-                             double speed) {
+    const auto at_disc = [z](ForcedMotion &motion, double speed) {
         motion.solve(speed);
-        return motion.at_node(of.shaft_mesh().node_at(z));
+        return motion.at(z);
     };
-    const auto amplitude = [&](double speed) { return major_of(at_disc(exact, reference, speed)); };
+    const auto amplitude = [&](double speed) { return major_of(at_disc(reference, speed)); };
     for (const double speed : speeds_of(dice, amplitude)) {
         coarse.solve(speed);
         error.solve(speed);
         const Phasor u = coarse.motion(d.deflection_at(z));
-        const Phasor truth = at_disc(exact, reference, speed);
+        const Phasor truth = at_disc(reference, speed);
         const double actual = true_error(u, truth);
         // What the two references do not agree on is not known.
-        if (true_error(truth, at_disc(other, second, speed)) < 0.02 * actual)
+        if (true_error(truth, at_disc(second, speed)) < 0.02 * actual)
             counts.add(actual, error.at(z, u) + coarse.rounding());
     }
 }

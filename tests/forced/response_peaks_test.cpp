@@ -5,7 +5,6 @@
 #include "assembly/discretization.h"
 #include "forced/forced_motion.h"
 #include "forced/response_peaks.h"
-#include "forced/station_motion.h"
 #include "input/case_file.h"
 #include "modes/orbits.h"
 #include "results/critical.h"
@@ -248,7 +247,7 @@ TEST(ResponsePeaks, OfThreeDiscsAreTheMaximaOfAFineGrid) {
     scene.speeds->count = 60001;
     const std::vector<double> speeds = scene.speeds->values();
     const assembly::Discretization d(scene.rotor, result.model.order);
-    forced::StationMotion motion(d, forced::response_formulation(scene).form);
+    forced::ForcedMotion motion(d, forced::response_formulation(scene).form);
     std::vector<std::vector<double>> amplitudes(result.nodes.size());
     for (const double speed : speeds) {
         motion.solve(speed);

@@ -93,6 +93,71 @@ TEST(HarmonicSolve, agrees_with_a_dense_solution_at_any_spin_speed_and_frequency
         }
 }
 
+/// Unknowns in pairs (x, y) are solved for as the parts that turn with and against: whatever
+/// couples them, and with entries that are added to the terms, it is the same solution.
+TEST(HarmonicSolve, pairs_have_the_solution_of_the_unknowns_as_they_are) {
+    const int n = 8;
+    const Eigen::MatrixXd M = numbers(n, 0.3);
+    const Eigen::MatrixXd C = numbers(n, 0.7);
+    const Eigen::MatrixXd G = numbers(n, 1.1);
+    const Eigen::MatrixXd K = numbers(n, 1.9) + 8 * Eigen::MatrixXd::Identity(n, n);
+    const Eigen::MatrixXd Kc = numbers(n, 2.9);
+    const std::complex<double> i(0, 1);
+    const HarmonicSolver::Entries changes{{3, 2, 0.7 + 0.2 * i}, {3, 3, -0.4 * i}, {0, 6, 1.5}};
+    HarmonicSolver solver({sparse(M), sparse(C), sparse(G), sparse(K), sparse(Kc)}, true, changes);
+    Eigen::MatrixXcd f(n, 2);
+    f.real() = numbers(n, 4.1).leftCols(2);
+    f.imag() = numbers(n, 5.3).leftCols(2);
+    for (const bool changed : {false, true})
+        for (const double spin : {0.0, 0.4, -1.3})
+            for (const double w : {0.0, 0.7, -2.0}) {
+                Eigen::MatrixXcd A = (K + spin * Kc - w * w * M) + i * w * (C + spin * G);
+                if (changed)
+                    for (const auto &change : changes)
+                        A(change.row(), change.col()) += change.value();
+                const Eigen::MatrixXcd found =
+                    solver.solve(spin, w, f, changed ? changes : HarmonicSolver::Entries{});
+                const Eigen::PartialPivLU<Eigen::MatrixXcd> dense(A);
+                const Eigen::MatrixXcd expected = dense.solve(f);
+                // What rounding of the entries of A does to either solution.
+                EXPECT_LT((found - expected).norm(), 1e-15 / dense.rcond() * expected.norm())
+                    << spin << ' ' << w;
+                EXPECT_LT(solver.rounding(f.col(0), found.col(0)), 1e-15 / dense.rcond());
+                EXPECT_GT(solver.rounding(f.col(0), found.col(0)), 1e-17);
+            }
+}
+
+/// What is the same from every direction does not couple the two parts: one is solved for without
+/// the other, and where it is not driven it is zero to the last digit.
+TEST(HarmonicSolve, parts_that_nothing_couples_stay_apart) {
+    const int n = 6;
+    Eigen::MatrixXd planar = numbers(n / 2, 1.9);
+    planar = planar * planar.transpose() + Eigen::MatrixXd::Identity(n / 2, n / 2);
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
+    Eigen::MatrixXd G = K;
+    for (int row = 0; row < n / 2; ++row)
+        for (int column = 0; column < n / 2; ++column) {
+            K(2 * row, 2 * column) = K(2 * row + 1, 2 * column + 1) = planar(row, column);
+            G(2 * row, 2 * column + 1) = planar(row, column) / 3;
+            G(2 * row + 1, 2 * column) = -planar(row, column) / 3;
+        }
+    HarmonicSolver solver({sparse(Eigen::MatrixXd::Identity(n, n)), Matrix::from_entries(n, {}),
+                           sparse(G), sparse(K), Matrix::from_entries(n, {})},
+                          true);
+    const std::complex<double> i(0, 1);
+    Eigen::MatrixXcd forward(n, 1);
+    for (int k = 0; k < n / 2; ++k) {
+        forward(2 * k) = 1.0 + k;
+        forward(2 * k + 1) = -i * (1.0 + k);
+    }
+    const Eigen::MatrixXcd found = solver.solve(0.6, forward);
+    for (int k = 0; k < n / 2; ++k)
+        EXPECT_EQ(found(2 * k + 1), -i * found(2 * k)) << k;
+    const Eigen::MatrixXcd A =
+        K.cast<std::complex<double>>() + i * 0.36 * G - 0.36 * Eigen::MatrixXcd::Identity(n, n);
+    EXPECT_LT((A * found - forward).norm(), 1e-14 * forward.norm());
+}
+
 TEST(HarmonicSolve, singular_matrix_is_refused_or_seen_in_the_rounding) {
     Eigen::MatrixXd stiffness(2, 2);
     stiffness << 2, -1, -1, 2; // eigenvalues 1 and 3

@@ -122,9 +122,9 @@ Speeds dense_damped(const model::Case &scene, double top) {
     companion.topRightCorner(n, n).setIdentity();
     companion.bottomLeftCorner(n, n) = -top * top * A.solve(M);
     companion.bottomRightCorner(n, n) = -top * A.solve(B);
+    const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(companion, false);
     Speeds out;
-    for (const Complex root :
-         Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(companion, false).eigenvalues()) {
+    for (const Complex root : solver.eigenvalues()) {
         const Complex l = from + top / root;
         if (l.imag() > std::abs(l.real()))
             out.push_back(l.imag());

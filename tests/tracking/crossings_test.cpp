@@ -2,6 +2,7 @@
 #include "input/case_file.h"
 #include "modes/spectrum.h"
 #include "results/campbell.h"
+#include "support/scenes.h"
 #include "support/test_rotors.h"
 #include "tracking/crossing_step.h"
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -274,6 +276,34 @@ TEST(Crossings, OfAnAsymmetricRotorAreItsTwoCriticalSpeeds) {
         EXPECT_NEAR(found[0], p / std::sqrt(1 - 0.5 / 0.8 + a), 1e-9 * p);
         EXPECT_NEAR(found[1], p / std::sqrt(1 - 0.5 / 0.8 - a), 1e-9 * p);
     }
+}
+
+// Supports 1e12 times softer than the shaft: rounding of its stiffness moves the slow frequencies
+// by some 1e-4 of their square, so that between two speeds close to a crossing the distance from 1x
+// is rounding. Each crossing is listed once: those of the rigid rotor.
+TEST(Crossings, OnSupportsFarSofterThanTheShaftOnceEach) {
+    model::Case scene;
+    scene.rotor.shaft = tests::uniform_shaft(1, 0.05, tests::steel());
+    scene.rotor.shaft.order = 6;
+    scene.rotor.shaft.segments[0].elements = 2;
+    scene.rotor.discs = {tests::disc_at(0.5, 20, 0.15, 0.28)};
+    constexpr double k = 1e-3;
+    scene.rotor.bearings = {tests::isotropic_bearing(0, k, 1e-8),
+                            tests::isotropic_bearing(1, k, 1e-8)};
+    scene.speeds = model::SpeedRange{0, 1500, 11};
+    const double mass = 7800 * std::numbers::pi / 4 * 0.05 * 0.05;
+    const double Id = 0.15 + mass * (1 / 12.0 + 0.05 * 0.05 / 16);
+    const double Ip = 0.28 + mass * 0.05 * 0.05 / 8;
+    const double across = std::sqrt(2 * k / (20 + mass));
+    const std::vector<double> expected{across, across, std::sqrt(k / 2 / (Id + Ip)),
+                                       std::sqrt(k / 2 / (Id - Ip))};
+    std::vector<double> found;
+    for (const results::Crossing &crossing : analyses::campbell(scene).crossings)
+        if (crossing.speed < 1)
+            found.push_back(crossing.speed);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        EXPECT_NEAR(found[i] / expected[i], 1, 1e-4);
 }
 
 } // namespace

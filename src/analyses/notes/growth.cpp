@@ -70,6 +70,7 @@ void note_growing_motions(const model::Case &scene, results::ModelSummary &model
         free.formulation = model::FormChoice::automatic;
         const modes::SpectrumSolver solver(scene.rotor, modes::choose_formulation(free).form,
                                            model.order);
+        solver.expect(speeds, scene.campbell.modes);
         for (const double speed : speeds) {
             const double growth = growth_at(solver, speed, scene.campbell.modes);
             if (growth > 0)

@@ -192,9 +192,23 @@ Json curves_json(const HarmonicMotion &result, const Units &units) {
             {"probes", kind(probes, curves.values.size(), "amplitude", Quantity::amplitude)}};
 }
 
+/// With the other multiples of the spin speed, where there are any.
+Json nodes_json(const Speeds &speeds, const std::vector<ResponseNode> &nodes, const Units &units) {
+    Json list = node_kind.json(speeds, nodes, units);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (!nodes[i].harmonics.empty())
+            list[i]["harmonics"] =
+                json_list(nodes[i].harmonics, [&](const results::ResponseHarmonic &harmonic) {
+                    return Json{{"multiple", harmonic.multiple},
+                                {"major", written(units, Quantity::amplitude, harmonic.major)},
+                                {"minor", written(units, Quantity::amplitude, harmonic.minor)}};
+                });
+    return list;
+}
+
 Json motion_json(const Speeds &speeds, const HarmonicMotion &motion, const Units &units) {
     return {{"peaks", json_rows(curve_peaks(), motion.peaks, units)},
-            {"nodes", node_kind.json(speeds, motion.nodes, units)},
+            {"nodes", nodes_json(speeds, motion.nodes, units)},
             {"bearings", bearing_kind.json(speeds, motion.bearings, units)},
             {"probes", probe_kind.json(speeds, motion.probes, units)},
             {"curves", curves_json(motion, units)}};
