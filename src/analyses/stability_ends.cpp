@@ -54,14 +54,26 @@ results::Verdict verdict_of(const std::vector<stability::Motion> &motions) {
     return real ? results::Verdict::diverges : results::Verdict::unstable;
 }
 
-/// All speeds at which the number of growing motions changes, where they tell all there is to tell
-/// of the unstable bands: every motion is damped or grows, and was followed throughout.
+/// All speeds at which the number of growing motions changes, where they tell what there is to tell
+/// of the unstable bands: every motion is damped or grows, and was followed throughout, but for
+/// doubts in fixed axes, where no other search knows better.
 /// @param steps  of the range to begin with
-std::optional<ends::EndsFound> certain_ends(const ends::AllMotions &motions, int steps) {
+std::optional<ends::EndsFound> ends_of_damped(const ends::AllMotions &motions, int steps) {
     ends::EndsFound found = ends::find_ends(motions, {}, steps);
-    if (found.undamped || !found.doubtful.empty())
+    const bool counted = std::ranges::all_of(found.ends, [](const auto &end) {
+        return end.growing_below >= 0 && end.growing_above >= 0;
+    });
+    if (found.undamped || !counted ||
+        (!found.doubtful.empty() && results::in_rotating_axes(motions.form())))
         return std::nullopt;
     return found;
+}
+
+void note_doubts(const ends::EndsFound &found, std::vector<Sentence> &notes) {
+    if (!found.doubtful.empty())
+        notes.emplace_back("the number of growing motions is in doubt at {} speeds, the first of "
+                           "them {}: ends inside of unstable bands may be missing there",
+                           found.doubtful.size(), as::speed(found.doubtful.front().from, 10));
 }
 
 /// Bands and ends where the search for bands is needed beside that for ends: motions without
@@ -83,10 +95,7 @@ std::vector<ends::WholeMotion> add_bands_and_ends(stability::BandFinder &finder,
     const results::Interval range{grid.front(), grid.back()};
     ends::EndsFound found = motions != nullptr ? ends::find_ends(*motions, looks(result.unstable))
                                                : ends::multiplier_ends(at, grid, result.unstable);
-    if (!found.doubtful.empty())
-        notes.emplace_back("the number of growing motions is in doubt at {} speeds, the first of "
-                           "them {}: ends inside of unstable bands may be missing there",
-                           found.doubtful.size(), as::speed(found.doubtful.front().from, 10));
+    note_doubts(found, notes);
     for (const double edge :
          ends::reconcile(found, result.unstable, at, finder.model().form, range))
         notes.emplace_back(
@@ -173,10 +182,13 @@ void add_growth(const ends::AllMotions &motions, results::StabilityResult &resul
 }
 
 BandsBetween bands_between_ends(stability::BandFinder &finder, const std::vector<double> &grid) {
+    if (finder.model().resisted)
+        return {};
     if (finder.model().form != results::Form::hill)
         try {
-            if (const auto found = certain_ends({finder, grid}, ends::few_steps))
-                return {{ends::bands_of(*found, {grid.front(), grid.back()}), {}},
+            if (auto found = ends_of_damped({finder, grid}, ends::few_steps))
+                return {{ends::bands_of(*found, {grid.front(), grid.back()}),
+                         std::move(found->doubtful)},
                         std::move(found->roots)};
         } catch (const linalg::SolverError &) { // the search for bands has other ways
         }
@@ -205,8 +217,11 @@ std::vector<ends::WholeMotion> search_bands(stability::BandFinder &finder,
                                             const ends::AllMotions *motions,
                                             const std::vector<double> &grid,
                                             results::StabilityResult &result) {
-    auto found = motions != nullptr ? certain_ends(*motions, ends::usual_steps) : std::nullopt;
+    if (finder.model().resisted)
+        return {};
+    auto found = motions != nullptr ? ends_of_damped(*motions, ends::usual_steps) : std::nullopt;
     if (found) {
+        note_doubts(*found, result.model.notes);
         result.unstable = ends::bands_of(*found, {grid.front(), grid.back()});
         result.ends = std::move(found->ends);
         return std::move(found->roots);

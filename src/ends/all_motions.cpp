@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace whirl::ends {
@@ -64,6 +65,9 @@ AllMotions::AllMotions(const assembly::Discretization &discretization, results::
       _rotor(_whole, _shapes.get(), borders(discretization.rotor(), from, to),
              synchronous::table_speeds(discretization.rotor())),
       _slow(assembly::support_scale(discretization)), _from(from), _to(to) {
+    const double growing = stability::growth_reach(discretization.rotor(), form,
+                                                   std::max(std::abs(from), std::abs(to)));
+    _growth_reach = std::isfinite(growing) ? growing : 0;
     if (!results::in_rotating_axes(form)) {
         const double speed = to != 0 ? to : from;
         _zeros = modes::zero_modes(discretization, form, speed, speed).eigenvalues;
@@ -87,10 +91,12 @@ double AllMotions::reach() const {
         return *_reach;
     constexpr int samples = 5;
     std::vector<std::vector<double>> sizes(samples);
-    for (int k = 0; k < samples; ++k)
-        for (const Root &root : at(_from + (_to - _from) * (k + 0.5) / samples).roots)
+    for (int k = 0; k < samples; ++k) {
+        const double speed = _from + (_to - _from) * (k + 0.5) / samples;
+        for (const Root &root : decomposed_at(speed, _rotor.piece_of(speed)).roots)
             if (root.value.imag() >= 0)
                 sizes[static_cast<std::size_t>(k)].push_back(std::abs(root.value));
+    }
     _reach = stability::motion_reach(std::move(sizes), least_reach());
     return *_reach;
 }
@@ -98,6 +104,13 @@ double AllMotions::reach() const {
 double AllMotions::shift_at(double speed) const { return 0.31 * std::max(std::abs(speed), _slow); }
 
 Spectrum AllMotions::at(double speed, int piece) const {
+    Spectrum out = decomposed_at(speed, piece);
+    if (!_shapes && _growth_reach > least_reach())
+        tell_signs(out, _growth_reach);
+    return out;
+}
+
+Spectrum AllMotions::decomposed_at(double speed, int piece) const {
     const double shift = shift_at(speed);
     Spectrum out{speed, {}, _rotor.at(speed, piece)};
     out.roots = modes::all_roots(out.problem, shift, _zeros);
@@ -122,14 +135,15 @@ const Spectrum &AllMotions::told_at(double speed) const {
         return *_told;
     _told = at(speed);
     if (!_shapes) // on few shapes they are no motions of this mesh
-        tell_signs(*_told);
+        tell_signs(*_told, std::numeric_limits<double>::infinity());
     return *_told;
 }
 
-void AllMotions::tell_signs(Spectrum &spectrum) const {
+void AllMotions::tell_signs(Spectrum &spectrum, double up_to) const {
     for (Root &root : spectrum.roots) {
         const std::complex<double> before = root.value;
-        if (root.sign() != 0 || before.imag() < 0 || within_reach(std::abs(before)))
+        if (root.sign() != 0 || before.imag() < 0 || std::abs(before) > up_to ||
+            within_reach(std::abs(before)))
             continue;
         const auto found = of_whole(lifted(root, spectrum.speed));
         if (!found || std::abs(found->value - before) > root.noise ||

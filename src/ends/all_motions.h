@@ -47,7 +47,9 @@ class AllMotions {
     [[nodiscard]] const RotorPieces &rotor() const { return _rotor; }
     /// Whether the motions are those of a reduced rotor, not of all unknowns.
     [[nodiscard]] bool reduced() const { return _shapes != nullptr; }
-    /// Without those that rounding does not tell from infinitely fast ones.
+    /// Without those that rounding does not tell from infinitely fast ones. Of those faster than
+    /// reach() that can grow (stability::growth_reach) the whole rotor tells whether they do, where
+    /// rounding of the decomposition hides it.
     /// @param piece  of the range between table rows, which decides what the rates are at a row
     [[nodiscard]] Spectrum at(double speed, int piece) const;
     [[nodiscard]] Spectrum at(double speed) const { return at(speed, _rotor.piece_of(speed)); }
@@ -65,6 +67,11 @@ class AllMotions {
     /// |l| up to reach(), which is found only where this does not go without it.
     [[nodiscard]] bool within_reach(double size) const {
         return size <= least_reach() || size <= reach();
+    }
+    /// Whether a root of which rounding hides whether it grows is a fast one that can.
+    [[nodiscard]] bool hides_growth(const Root &root) const {
+        const double size = std::abs(root.value);
+        return root.sign() == 0 && size <= _growth_reach && !within_reach(size);
     }
     [[nodiscard]] const modes::FormMatrices &whole() const { return _whole; }
 
@@ -96,6 +103,7 @@ class AllMotions {
     RotorPieces _rotor;
     double _resolved = std::numeric_limits<double>::infinity();
     bool _drives_all = false; ///< something drives motions of every frequency
+    double _growth_reach = 0; ///< stability::growth_reach where it is finite, rad/s
     double _slow = 0;         ///< of the order of the motions on the supports, 1/s
     double _from, _to;
     mutable std::optional<double> _reach; ///< once it was asked for
@@ -105,10 +113,13 @@ class AllMotions {
 
     [[nodiscard]] double least_reach() const;
     [[nodiscard]] double shift_at(double speed) const;
+    /// As at(), as the decomposition has them.
+    [[nodiscard]] Spectrum decomposed_at(double speed, int piece) const;
     /// As at(); of fast motions that rounding of the decomposition hides it is told by the whole
     /// rotor, which knows each of them as sharply as the slow ones, whether they grow.
     [[nodiscard]] const Spectrum &told_at(double speed) const;
-    void tell_signs(Spectrum &spectrum) const;
+    /// @param up_to  |l|, 1/s
+    void tell_signs(Spectrum &spectrum, double up_to) const;
     [[nodiscard]] bool is_rough() const;
     [[nodiscard]] bool tells_decay(double size) const;
     [[nodiscard]] std::optional<WholeMotion> of_whole(const Root &root, double speed) const;

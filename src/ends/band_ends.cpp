@@ -65,6 +65,23 @@ bool overlap(const results::Interval &a, const results::Interval &b) {
     return std::max(a.from, b.from) < std::min(a.to, b.to);
 }
 
+/// The search for bands has carried on to a border of the range what does not grow there: the band
+/// begins or ends at a root between.
+bool carried_to_border(double edge, const results::Interval &band, const EndsFound &found,
+                       const MotionsAt &at, const results::Interval &range) {
+    return (edge == range.from || edge == range.to) &&
+           std::ranges::any_of(found.ends,
+                               [&](const StabilityEnd &end) {
+                                   return begins_or_ends_growth(end) && end.speed > band.from &&
+                                          end.speed < band.to &&
+                                          (end.growing_above > 0) == (edge == range.from) &&
+                                          std::ranges::any_of(found.roots, [&](const auto &root) {
+                                              return root.speed == end.speed;
+                                          });
+                               }) &&
+           growing(at(edge)) == 0;
+}
+
 /// A count at a speed, and the motions behind it.
 struct Look {
     double speed = 0;
@@ -194,9 +211,11 @@ std::vector<double> reconcile(EndsFound &found, std::vector<results::Interval> &
     std::vector<double> unexplained;
     for (const results::Interval &band : bands)
         for (const double edge : {band.from, band.to})
-            if (std::ranges::none_of(all, [&](const results::Interval &other) {
-                    return near(edge, other.from) || near(edge, other.to);
-                }))
+            if (std::ranges::none_of(all,
+                                     [&](const results::Interval &other) {
+                                         return near(edge, other.from) || near(edge, other.to);
+                                     }) &&
+                !carried_to_border(edge, band, found, at, range))
                 unexplained.push_back(edge);
     if (unexplained.empty())
         bands = all;

@@ -86,9 +86,14 @@ class EndSearch {
                                            : std::max(std::abs(_counts.begin()->first),
                                                       std::abs(_counts.rbegin()->first));
         constexpr double slow = 0.05; // balls near rest: powers of the speed
-        for (const auto &[speed, count] : _counts)
-            _out.undamped = _out.undamped || (count.unknown > 0 && std::abs(speed) > slow * top &&
-                                              !at_an_end(speed));
+        for (const auto &[speed, count] : _counts) {
+            if (count.unknown + count.hidden == 0 || std::abs(speed) <= slow * top ||
+                at_an_end(speed))
+                continue;
+            _out.undamped = _out.undamped || count.unknown > 0;
+            if (count.hidden > 0)
+                _out.doubtful.push_back({speed, speed});
+        }
         for (std::size_t i = 0; i < _found.size(); ++i) {
             const Found &found = _found[i];
             StabilityEnd end;
@@ -294,7 +299,7 @@ class EndSearch {
             seen.push_back({passed, {speed, count}});
         }
         for (const auto &[interval, look] : seen)
-            if (look.second.*counted + look.second.unknown < out[interval])
+            if (look.second.*counted + look.second.unknown + look.second.hidden < out[interval])
                 _out.doubtful.push_back({look.first, look.first});
         for (std::size_t k = 0; k < out.size(); ++k)
             if (out[k] == none)

@@ -61,6 +61,7 @@ class Sweep {
             const double size = std::abs(root.value);
             count.growing += root.sign() > 0 ? 1 : 0;
             count.unknown += root.sign() == 0 && _motions.within_reach(size) ? 1 : 0;
+            count.hidden += _motions.hides_growth(root) ? 1 : 0;
             count.resolved += root.sign() > 0 && size <= _motions.resolved_up_to() ? 1 : 0;
         }
         return out;

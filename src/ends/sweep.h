@@ -24,6 +24,7 @@ struct Change {
 struct Count {
     int growing = 0;
     int unknown = 0;
+    int hidden = 0;   ///< the same of fast ones that can grow (AllMotions::hides_growth)
     int resolved = 0; ///< growing ones that the mesh resolves
 };
 

@@ -117,6 +117,30 @@ auto found_or_said(double speed, int unknowns, results::Form form, const Find &f
 
 int fewest_motions(const model::Rotor &rotor) { return bearings_drive(rotor) ? fewest_driven : 8; }
 
+double growth_reach(const model::Rotor &rotor, results::Form form, double top) {
+    constexpr double without_end = std::numeric_limits<double>::infinity();
+    const auto quotient = [](const Eigen::Matrix2d &k, const Eigen::Matrix2d &c) {
+        if (model::pushes_away(c))
+            return without_end;
+        if (model::symmetric(k))
+            return 0.0;
+        const Eigen::Matrix2d damping = (c + c.transpose()) / 2;
+        const double skew = std::abs(k(0, 1) - k(1, 0)) / 2;
+        return skew / std::sqrt(std::max(
+                          damping(0, 0) * damping(1, 1) - damping(0, 1) * damping(1, 0), 0.0));
+    };
+    if (!rotor.shaft.torque_has_potential())
+        return without_end;
+    double of_bearings = 0;
+    for (const model::Bearing &bearing : rotor.bearings)
+        for (const model::BearingCoefficients &at : bearing.rows) {
+            if (!model::symmetric(at.m))
+                return without_end;
+            of_bearings = std::max({of_bearings, quotient(at.k, at.c), quotient(at.kt, at.ct)});
+        }
+    return results::in_rotating_axes(form) ? top + of_bearings : std::max(top, of_bearings);
+}
+
 struct MotionSolver::Data {
     assembly::Discretization d;
     std::shared_ptr<const Eigen::MatrixXd> shapes; ///< none: the whole rotor

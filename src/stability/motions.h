@@ -3,6 +3,7 @@
 #include "assembly/discretization.h"
 #include "balancers/arrangement.h"
 #include "linalg/eigenpair.h"
+#include "results/formulation.h"
 
 #include <Eigen/Core>
 
@@ -33,6 +34,16 @@ struct Motion {
 
 /// Motions looked at, however fast they are: more where bearings drive.
 [[nodiscard]] int fewest_motions(const model::Rotor &rotor);
+
+/// |Im l| up to which motions can begin or cease to grow, rad/s. On the imaginary axis the work of
+/// the forces is zero: w x^H C x = i x^H N x with the symmetric part C of the damping and the skew
+/// part N of the stiffness. In fixed axes w is therefore no larger than the largest such quotient
+/// of a single bearing, and the spin speed for the damping of the shaft itself; in rotating axes,
+/// where N of a bearing has its C times the speed in it, than the sum of both. Infinite where
+/// something drives motions of every frequency: negative damping, cross coupling without damping, a
+/// torque without a potential.
+/// @param top  largest |speed|, rad/s
+[[nodiscard]] double growth_reach(const model::Rotor &rotor, results::Form form, double top);
 
 class PeriodicMotions;
 struct StabilityModel;

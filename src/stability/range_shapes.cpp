@@ -28,20 +28,37 @@ constexpr std::array left_of_lacking{3e-2, 1e-2, 3e-3, 1e-3, 1e-5};
 constexpr double left_of_all_rotating = 1e-4;
 constexpr double left_of_all_fixed = 1e-3;
 /// How far an eigenvalue may be from that of the whole rotor, which what is told has in the end:
-/// over it or the spin speed of motions up to `slow` times the spin speed, in rotating axes, where
-/// roots meet next to zero, and in fixed ones; over it of faster ones, as far as there are some.
+/// over it or the spin speed of motions that matter (Reach), in rotating axes, where roots meet
+/// next to zero, and in fixed ones; over it of faster ones, as far as there are some.
 constexpr double agreeing_rotating = 1e-7;
 constexpr double agreeing_fixed = 1e-5;
 constexpr double agreeing_fast = 1e-3;
-constexpr double slow = 1.3;
 
 using MotionVectors = std::vector<Eigen::VectorXcd>;
+
+/// Which motions must be those of the whole rotor: up to a little above the spin speed, for
+/// combination resonances in rotating axes, and all that may begin or cease to grow.
+struct Reach {
+    double growth = 0; ///< |Im l|, rad/s
+    int fewest = 0;    ///< and of others as many, however fast they are
+
+    Reach(const model::Rotor &rotor, results::Form form, double top)
+        : growth(growth_reach(rotor, form, top)), fewest(fewest_motions(rotor)) {
+        if (!std::isfinite(growth)) // those that grow at some speeds, as far as there are shapes
+            growth = 0;
+    }
+    [[nodiscard]] double at(double speed) const {
+        constexpr double slow = 1.3;
+        return std::max(slow * std::abs(speed), growth);
+    }
+};
 
 /// The motions of the whole rotor at one speed, next to those of a reduced one.
 class Comparison {
   public:
-    Comparison(const modes::FormMatrices &whole, double speed, int fewest)
-        : _whole(whole.at(speed)), _speed(std::abs(speed)), _fewest(fewest),
+    Comparison(const modes::FormMatrices &whole, double speed, const Reach &reach)
+        : _whole(whole.at(speed)), _speed(std::abs(speed)), _fewest(reach.fewest),
+          _reach(reach.at(speed)),
           _agreeing(results::in_rotating_axes(whole.form()) ? agreeing_rotating : agreeing_fixed),
           _shift(0.31 * std::max(_speed, assembly::support_scale(whole.discretization()))) {
         if (!results::in_rotating_axes(whole.form()))
@@ -54,6 +71,7 @@ class Comparison {
         const reduction::Projection few(shapes);
         std::vector<modes::Root> roots = modes::all_roots<double>(
             {few.of(_whole.M), few.of(_whole.D), few.of(_whole.K), {}, {}}, _shift, _zeros);
+        keep_values(roots);
         std::erase_if(roots, [](const modes::Root &root) { return root.value.imag() < 0; });
         std::ranges::sort(roots, {}, [](const auto &root) { return std::abs(root.value); });
         _agrees = true;
@@ -62,7 +80,7 @@ class Comparison {
         for (int k = 0; k < std::ssize(roots); ++k) {
             const modes::Root &root = roots[static_cast<std::size_t>(k)];
             const double size = std::abs(root.value);
-            const bool is_slow = size <= slow * _speed;
+            const bool is_slow = size <= _reach;
             const bool matters = k < _fewest || is_slow || root.sign() > 0;
             if (!matters || root.noise >= size) // of the latter nothing is known
                 continue;
@@ -82,8 +100,32 @@ class Comparison {
         }
     }
 
-    /// Of the last shapes: all slow motions are those of the whole rotor.
+    /// Of the last shapes: all motions that matter are those of the whole rotor.
     [[nodiscard]] bool agrees() const { return _agrees; }
+    /// And the whole rotor has no others: the eigenvalues that its determinant counts up to where
+    /// the next gap is.
+    [[nodiscard]] bool complete() {
+        std::vector<double> sizes;
+        for (const std::complex<double> value : _values)
+            sizes.push_back(std::abs(value));
+        sizes.push_back(2 * _reach);
+        std::ranges::sort(sizes);
+        double below = _reach;
+        double radius = _reach;
+        double widest = 1;
+        for (const double above : sizes) {
+            if (above <= _reach)
+                continue;
+            if (above / below > widest) {
+                widest = above / below;
+                radius = std::sqrt(above * below);
+            }
+            if (above >= 2 * _reach)
+                break;
+            below = above;
+        }
+        return modes::complete_within(_pencil, {0, radius}, _values).value_or(false);
+    }
     /// Of the whole rotor, right and left vectors: all, and those that the shapes lack.
     [[nodiscard]] const MotionVectors &motions() const { return _motions; }
     [[nodiscard]] const MotionVectors &lacking() const { return _lacking; }
@@ -92,11 +134,19 @@ class Comparison {
     modes::QuadraticAt _whole;
     double _speed; ///< rad/s, its modulus
     int _fewest, _zeros = 0;
+    double _reach; ///< |l| up to which all must agree, 1/s
     double _agreeing;
     double _shift;
     modes::WholePencil<double> _pencil;
     bool _agrees = false;
+    std::vector<std::complex<double>> _values; ///< all eigenvalues on the last shapes, 1/s
     MotionVectors _motions, _lacking;
+
+    void keep_values(const std::vector<modes::Root> &roots) {
+        _values.assign(static_cast<std::size_t>(_zeros), 0.0);
+        for (const modes::Root &root : roots)
+            _values.push_back(root.value);
+    }
 };
 
 /// Planar shapes of motions, a motion of length 1.
@@ -114,6 +164,12 @@ Eigen::MatrixXd parts_of(const MotionVectors &motions, const Eigen::SparseMatrix
 /// More shapes, until the rotor on them has the motions at one more speed.
 /// @returns whether it has
 bool enriched(reduction::PlanarShapes &planar, Comparison &comparison) {
+    const auto too_many = [&planar] {
+        return static_cast<double>(planar.matrix().cols()) >
+               large_part * static_cast<double>(planar.metric().rows());
+    };
+    if (too_many())
+        return false;
     comparison.with(planar.matrix());
     for (const double left : left_of_lacking) {
         if (comparison.lacking().empty())
@@ -123,8 +179,7 @@ bool enriched(reduction::PlanarShapes &planar, Comparison &comparison) {
         if (planar.matrix().cols() != before)
             comparison.with(planar.matrix());
     }
-    return comparison.agrees() && static_cast<double>(planar.matrix().cols()) <=
-                                      large_part * static_cast<double>(planar.metric().rows());
+    return !too_many() && comparison.agrees() && comparison.complete();
 }
 
 /// Modes and static deflections are more than the motions need: as few as span these alone.
@@ -148,11 +203,6 @@ void compact(reduction::PlanarShapes &planar, std::list<Comparison> &comparisons
         planar = few;
 }
 
-/// Frequency up to which shapes are to describe motions at these speeds, rad/s.
-double top_of(const std::vector<double> &speeds) {
-    return 2 * std::max(std::abs(speeds.front()), std::abs(speeds.back()));
-}
-
 } // namespace
 
 std::shared_ptr<const Eigen::MatrixXd> range_shapes(const assembly::Discretization &d,
@@ -161,15 +211,16 @@ std::shared_ptr<const Eigen::MatrixXd> range_shapes(const assembly::Discretizati
                                                     const std::vector<double> &speeds,
                                                     const Eigen::MatrixXd *start) {
     const modes::FormMatrices whole(d, form, balancers::balancer_elements(d.rotor(), arrangement));
-    reduction::PlanarShapes planar = start != nullptr
-                                         ? reduction::PlanarShapes(d, top_of(speeds), *start)
-                                         : reduction::PlanarShapes(d, top_of(speeds));
+    const double fastest = std::max(std::abs(speeds.front()), std::abs(speeds.back()));
+    const Reach reach(d.rotor(), form, fastest);
+    const double top = std::max(2 * fastest, reach.growth);
+    reduction::PlanarShapes planar = start != nullptr ? reduction::PlanarShapes(d, top, *start)
+                                                      : reduction::PlanarShapes(d, top);
     std::list<Comparison> comparisons;
     const std::size_t last = speeds.size() - 1;
     for (const std::size_t place : {last, std::size_t{0}, last / 2, last / 4, 3 * last / 4})
         if (speeds[place] != 0 &&
-            !enriched(planar,
-                      comparisons.emplace_back(whole, speeds[place], fewest_motions(d.rotor()))))
+            !enriched(planar, comparisons.emplace_back(whole, speeds[place], reach)))
             return nullptr;
     if (start == nullptr)
         compact(planar, comparisons,

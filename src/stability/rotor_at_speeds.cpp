@@ -269,6 +269,20 @@ void settle_series(StabilityModel &model, const std::vector<double> &speeds) {
     }
 }
 
+/// StabilityModel::resisted.
+bool resisted(const model::Rotor &rotor, int order) {
+    const auto resists = [](const model::BearingCoefficients &at) {
+        return model::symmetric(at.k) && model::symmetric(at.kt) && at.m.isZero(0) &&
+               !model::pushes_away(at.c) && !model::pushes_away(at.ct);
+    };
+    const auto no_internal_damping = [&] {
+        const assembly::Discretization d(rotor, order);
+        return Eigen::SparseMatrix<double>(assembly::assemble_fixed(d, 0).Kc.view()).norm() == 0;
+    };
+    return rotor.every_row(resists) && rotor.shaft.axial_torque == 0 && no_internal_damping() &&
+           modes::stiffness_positive(rotor, order);
+}
+
 } // namespace
 
 StabilityModel stability_model(const model::Case &scene, const std::vector<double> &speeds) {
@@ -297,6 +311,8 @@ StabilityModel stability_model(const model::Case &scene, const std::vector<doubl
                                "at, whether or not they are frequencies"};
             out.form_of_lines = results::Form::general;
         }
+    } else {
+        out.resisted = resisted(scene.rotor, out.order);
     }
     return out;
 }

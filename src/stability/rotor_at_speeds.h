@@ -21,7 +21,11 @@ struct StabilityModel {
     /// The form in which single lines are followed: planar, planar_damped and hyperbolic too.
     results::Form form_of_lines = results::Form::general;
     bool conservative = false; ///< undamped, fixed frame, K > 0: nothing can grow
-    bool reduction = true;     ///< searches may look at a rotor of few shapes first
+    /// Fixed axes, K > 0, and nothing but damping that resists does work: nothing can grow. By the
+    /// parts of x^H Q(l) x = 0, 2 Re l x^H M x = -x^H C x where Im l is not zero, and where it is
+    /// zero l^2 x^H M x + l x^H C x + x^H K x is positive for l >= 0.
+    bool resisted = false;
+    bool reduction = true; ///< searches may look at a rotor of few shapes first
     int order = 1;
     int harmonics = 0; ///< of the Hill series; 0: form hill by the monodromy matrix
     /// Of the steps in time that monodromy matrices need, shared with rotors that hardly differ;

@@ -4,6 +4,7 @@
 #include "analyses/stability.h"
 #include "assembly/rotating_system.h"
 #include "assembly/system.h"
+#include "ends/band_ends.h"
 #include "ends/stability_ends.h"
 #include "ends/sweep.h"
 #include "stability/band_finder.h"
@@ -85,19 +86,36 @@ class WholeRotor {
                                              balancers::arrangement_at_balance(drawn.rotor)));
         else
             _fixed = assembly::assemble_fixed(_d, 0);
+        _tables = drawn.rotor.bearings_depend_on_speed();
     }
     [[nodiscard]] std::vector<std::complex<double>> eigenvalues(double speed) const {
         if (_form == results::Form::rotating)
             return tests::dense_eigenvalues(_rotating, speed);
+        return _tables ? eigenvalues(assembly::assemble_fixed(_d, speed), speed)
+                       : eigenvalues(_fixed, speed);
+    }
+    [[nodiscard]] static std::vector<std::complex<double>>
+    eigenvalues(const assembly::FixedSystem &fixed, double speed) {
         return tests::dense_eigenvalues(
-            Eigen::MatrixXd(_fixed.M.view()),
-            Eigen::MatrixXd(_fixed.C.view()) + speed * Eigen::MatrixXd(_fixed.G.view()),
-            Eigen::MatrixXd(_fixed.K.view()) + speed * Eigen::MatrixXd(_fixed.Kc.view()));
+            Eigen::MatrixXd(fixed.M.view()),
+            Eigen::MatrixXd(fixed.C.view()) + speed * Eigen::MatrixXd(fixed.G.view()),
+            Eigen::MatrixXd(fixed.K.view()) + speed * Eigen::MatrixXd(fixed.Kc.view()));
     }
     [[nodiscard]] int growing(double speed) const {
         const auto values = eigenvalues(speed);
         return static_cast<int>(std::count_if(values.begin(), values.end(),
                                               [](auto value) { return value.real() > 0; }));
+    }
+    /// Whether the dense solver tells of each motion whether it grows.
+    [[nodiscard]] bool tells(double speed) const {
+        double largest = 0;
+        double least = HUGE_VAL;
+        for (const std::complex<double> &value : eigenvalues(speed)) {
+            largest = std::max(largest, std::abs(value));
+            least = std::min(least, std::abs(value.real()));
+        }
+        constexpr double noise = 1e-12; // as below
+        return least > noise * largest;
     }
     /// rad/s: how far from an end the sign of the real part that changes there is lost in the noise
     /// of the dense eigenvalues.
@@ -126,6 +144,7 @@ class WholeRotor {
     assembly::Discretization _d;
     assembly::RotatingSystem _rotating;
     assembly::FixedSystem _fixed;
+    bool _tables = false;
 };
 
 struct Bisected {
@@ -214,6 +233,117 @@ TEST(Ends, OfRandomRotorsAreThoseOfTheCountedStateMatrix) {
         ends += expected.size();
     }
     EXPECT_GE(ends, 60U); // otherwise little was compared
+}
+
+/// Bearings with cross coupling on a table and hardly any damping, which drive motions tens of
+/// times as fast as the rotor spins.
+Drawn hardly_damped(int seed) {
+    std::mt19937 random(static_cast<unsigned>(seed));
+    const auto uniform = [&random](double low, double high) {
+        return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+    };
+    Drawn out;
+    model::Rotor &rotor = out.rotor;
+    rotor.shaft = tests::uniform_shaft(uniform(0.3, 0.6), uniform(0.03, 0.06), tests::steel());
+    rotor.shaft.segments.push_back(rotor.shaft.segments.front());
+    rotor.shaft.order = 3;
+    const double length = 2 * rotor.shaft.segments.front().length;
+    for (const double share : {uniform(0.1, 0.4), uniform(0.5, 0.9)})
+        rotor.discs.push_back(tests::disc_at(share * length, uniform(2, 12), uniform(0.005, 0.05),
+                                             uniform(0.01, 0.09)));
+    for (const double share : {0.1, 0.9}) {
+        const double k = std::exp(uniform(12, 17));
+        const double c = k * std::exp(uniform(-11.5, -9.5));
+        model::Bearing bearing = tests::isotropic_bearing(share * length, k, c);
+        const model::BearingCoefficients row = bearing.rows[0];
+        bearing.rows.clear();
+        for (const double speed : {50.0, 300.0, 550.0, 800.0, 1050.0}) {
+            bearing.speeds.push_back(speed);
+            bearing.rows.push_back(row);
+            model::BearingCoefficients &at = bearing.rows.back();
+            at.k.diagonal() *= uniform(0.6, 1.4);
+            at.k(0, 1) = k * uniform(-0.4, 0.6);
+            at.k(1, 0) = -at.k(0, 1) * uniform(0.3, 1);
+            at.c.diagonal() *= uniform(0.3, 1.5);
+        }
+        rotor.bearings.push_back(bearing);
+    }
+    return out;
+}
+
+// All of them, fast ones too, at low speeds as well: few shapes have them where they were chosen
+// for them alone.
+TEST(Ends, OfFastMotionsOnHardlyDampedBearingsAreThoseOfTheCountedStateMatrix) {
+    constexpr double to = 1100;
+    std::size_t fast = 0;
+    for (int seed = 1; seed <= 5; ++seed) {
+        const Drawn drawn = hardly_damped(seed);
+        model::Case scene;
+        scene.rotor = drawn.rotor;
+        scene.speeds = model::SpeedRange{0, to, 8};
+        const WholeRotor whole(drawn);
+        const std::vector<results::StabilityEnd> ends = analyses::stability(scene, {}).ends;
+        ASSERT_FALSE(ends.empty()) << seed;
+        std::size_t compared = 0;
+        const auto expect_growing = [&](double speed) {
+            int growing = ends.front().growing_below;
+            for (const results::StabilityEnd &end : ends)
+                growing = end.speed < speed ? end.growing_above : growing;
+            if (!whole.tells(speed))
+                return;
+            EXPECT_EQ(growing, whole.growing(speed)) << seed << ": " << speed;
+            ++compared;
+        };
+        constexpr int steps = 90;
+        for (int k = 0; k < steps; ++k)
+            expect_growing(to * (k + 0.5) / steps);
+        const double reach = stability::growth_reach(drawn.rotor, results::Form::general, to);
+        for (const results::StabilityEnd &end : ends) {
+            for (const double side : {1 - 1e-5, 1 + 1e-5})
+                expect_growing(side * end.speed);
+            EXPECT_LE(end.frequency.value(), reach) << seed << ": " << end.speed;
+            fast += end.frequency.value() > 4 * to ? 1 : 0;
+        }
+        EXPECT_GE(compared, steps + ends.size()) << seed; // most of them
+    }
+    EXPECT_GE(fast, 20U); // otherwise little was compared
+}
+
+// A mass on a spring with cross coupling begins to whirl where q = c w.
+TEST(GrowthReach, IsTheFrequencyAtWhichAMassOnOneBearingBeginsToGrow) {
+    constexpr double c = 30, w = 400;
+    model::Rotor rotor;
+    rotor.shaft = tests::uniform_shaft(1, 0.05, tests::steel());
+    rotor.bearings = {tests::isotropic_bearing(0, 1e6, c)};
+    rotor.bearings[0].rows[0].k(0, 1) = c * w;
+    rotor.bearings[0].rows[0].k(1, 0) = -c * w;
+    const auto reach = [&](results::Form form, double top) {
+        return stability::growth_reach(rotor, form, top);
+    };
+    EXPECT_NEAR(reach(results::Form::general, 100), w, 1e-12 * w);
+    EXPECT_EQ(reach(results::Form::general, 500), 500); // of the shaft's own damping
+    EXPECT_NEAR(reach(results::Form::rotating, 100), w + 100, 1e-12 * w); // against the spin
+    rotor.bearings[0].rows[0].c.setZero();
+    EXPECT_EQ(reach(results::Form::general, 500), HUGE_VAL);
+}
+
+// The search for bands carries on to rest what hardly grows there. A root says where it begins.
+TEST(Reconcile, ABandBeginsAtTheRootBeforeTheBorder) {
+    const stability::MotionsAt at = [](double speed) {
+        stability::Motion motion;
+        motion.value = {speed - 3, 900};
+        return std::vector{motion};
+    };
+    ends::EndsFound found;
+    found.ends.resize(1);
+    found.ends[0].speed = 3;
+    found.ends[0].kind = results::EndKind::pair;
+    found.ends[0].growing_above = 2;
+    found.roots.resize(1);
+    found.roots[0].speed = 3;
+    std::vector<results::Interval> bands{{0, 10}};
+    EXPECT_TRUE(ends::reconcile(found, bands, at, results::Form::general, {0, 10}).empty());
+    EXPECT_EQ(bands, (std::vector<results::Interval>{{3, 10}}));
 }
 
 // S1's rotor: a real root passes zero at both ends of its band.

@@ -252,6 +252,7 @@ TEST(WasherDrum, GrowthIsThatOfAllMotions) {
     const auto elements = balancers::balancer_elements(
         scene.rotor, balancers::sampled_arrangements(scene.rotor, 1).front());
     const assembly::RotatingSystem system = assembly::assemble_rotating(d, 0, elements);
+    bool grows = false;
     for (std::size_t k = 0; k < result.speeds.size(); ++k) {
         const double W = result.speeds[k];
         const Eigen::MatrixXd M = system.M.view();
@@ -262,9 +263,11 @@ TEST(WasherDrum, GrowthIsThatOfAllMotions) {
              oracles::state_eigenvalues(M.cast<Real>(), D.cast<Real>(), K.cast<Real>(), 1e3))
             largest = std::max(largest, l.real());
         const auto growth = static_cast<double>(largest);
-        EXPECT_GT(growth, 0) << W; // else nothing would be told from rounding
-        EXPECT_NEAR(result.growth[k], growth, 1e-6 * growth) << W;
+        // Of decay a hundred thousand times slower than the rotor turns rounding leaves six digits.
+        EXPECT_NEAR(result.growth[k], growth, 1e-6 * std::abs(growth) + 1e-12 * W) << W;
+        grows = grows || growth > 1e-4 * W;
     }
+    EXPECT_TRUE(grows); // else nothing would be told from rounding
 }
 
 /// A damped rotor, every second one on bearings that differ between their directions, with cross
