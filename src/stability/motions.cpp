@@ -138,7 +138,9 @@ double growth_reach(const model::Rotor &rotor, results::Form form, double top) {
                 return without_end;
             of_bearings = std::max({of_bearings, quotient(at.k, at.c), quotient(at.kt, at.ct)});
         }
-    return results::in_rotating_axes(form) ? top + of_bearings : std::max(top, of_bearings);
+    if (results::in_rotating_axes(form))
+        return top + of_bearings;
+    return rotor.shaft.internal_damping != 0 ? std::max(top, of_bearings) : of_bearings;
 }
 
 struct MotionSolver::Data {

@@ -20,7 +20,7 @@ namespace whirl::stability {
 namespace {
 
 /// Nothing is gained with so large a part of all shapes, nor where other ones are hardly fewer.
-constexpr double large_part = 0.7;
+constexpr double large_part = 0.8;
 constexpr double hardly_fewer = 0.85;
 /// What may be left of a motion, of its length: of those that the shapes lack, one after the other
 /// until it is enough, and of all of them. The errors of eigenvalues are the squares of it.
@@ -102,13 +102,15 @@ class Comparison {
 
     /// Of the last shapes: all motions that matter are those of the whole rotor.
     [[nodiscard]] bool agrees() const { return _agrees; }
-    /// And the whole rotor has no others: the eigenvalues that its determinant counts up to where
-    /// the next gap is.
-    [[nodiscard]] bool complete() {
+    /// They are all that matter: its determinant counts no other eigenvalues up to where the next
+    /// gap is.
+    [[nodiscard]] bool complete_with(const Eigen::MatrixXd &shapes) {
+        with(shapes);
+        constexpr double beyond = 1.02; // hardly, for beyond that shapes need have no motions
         std::vector<double> sizes;
         for (const std::complex<double> value : _values)
             sizes.push_back(std::abs(value));
-        sizes.push_back(2 * _reach);
+        sizes.push_back(beyond * _reach);
         std::ranges::sort(sizes);
         double below = _reach;
         double radius = _reach;
@@ -120,7 +122,7 @@ class Comparison {
                 widest = above / below;
                 radius = std::sqrt(above * below);
             }
-            if (above >= 2 * _reach)
+            if (above >= beyond * _reach)
                 break;
             below = above;
         }
@@ -179,7 +181,7 @@ bool enriched(reduction::PlanarShapes &planar, Comparison &comparison) {
         if (planar.matrix().cols() != before)
             comparison.with(planar.matrix());
     }
-    return !too_many() && comparison.agrees() && comparison.complete();
+    return !too_many() && comparison.agrees();
 }
 
 /// Modes and static deflections are more than the motions need: as few as span these alone.
@@ -213,7 +215,8 @@ std::shared_ptr<const Eigen::MatrixXd> range_shapes(const assembly::Discretizati
     const modes::FormMatrices whole(d, form, balancers::balancer_elements(d.rotor(), arrangement));
     const double fastest = std::max(std::abs(speeds.front()), std::abs(speeds.back()));
     const Reach reach(d.rotor(), form, fastest);
-    const double top = std::max(2 * fastest, reach.growth);
+    // Modes at rest are taken up to twice as far: none faster than those that can grow.
+    const double top = std::max(2 * fastest, reach.growth / 2);
     reduction::PlanarShapes planar = start != nullptr ? reduction::PlanarShapes(d, top, *start)
                                                       : reduction::PlanarShapes(d, top);
     std::list<Comparison> comparisons;
@@ -225,6 +228,10 @@ std::shared_ptr<const Eigen::MatrixXd> range_shapes(const assembly::Discretizati
     if (start == nullptr)
         compact(planar, comparisons,
                 results::in_rotating_axes(form) ? left_of_all_rotating : left_of_all_fixed);
+    int counted = 0; // at the last and the first speed
+    for (Comparison &comparison : comparisons)
+        if (counted++ < 2 && !comparison.complete_with(planar.matrix()))
+            return nullptr;
     return std::make_shared<const Eigen::MatrixXd>(planar.matrix());
 }
 

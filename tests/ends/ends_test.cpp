@@ -276,7 +276,7 @@ Drawn hardly_damped(int seed) {
 TEST(Ends, OfFastMotionsOnHardlyDampedBearingsAreThoseOfTheCountedStateMatrix) {
     constexpr double to = 1100;
     std::size_t fast = 0;
-    for (int seed = 1; seed <= 5; ++seed) {
+    for (int seed = 1; seed <= 3; ++seed) {
         const Drawn drawn = hardly_damped(seed);
         model::Case scene;
         scene.rotor = drawn.rotor;
@@ -321,8 +321,10 @@ TEST(GrowthReach, IsTheFrequencyAtWhichAMassOnOneBearingBeginsToGrow) {
         return stability::growth_reach(rotor, form, top);
     };
     EXPECT_NEAR(reach(results::Form::general, 100), w, 1e-12 * w);
-    EXPECT_EQ(reach(results::Form::general, 500), 500); // of the shaft's own damping
+    EXPECT_NEAR(reach(results::Form::general, 500), w, 1e-12 * w);
     EXPECT_NEAR(reach(results::Form::rotating, 100), w + 100, 1e-12 * w); // against the spin
+    rotor.shaft.internal_damping = 1e-5; // drives what whirls slower than it turns
+    EXPECT_EQ(reach(results::Form::general, 500), 500);
     rotor.bearings[0].rows[0].c.setZero();
     EXPECT_EQ(reach(results::Form::general, 500), HUGE_VAL);
 }
