@@ -117,7 +117,7 @@ auto found_or_said(double speed, int unknowns, results::Form form, const Find &f
 
 int fewest_motions(const model::Rotor &rotor) { return bearings_drive(rotor) ? fewest_driven : 8; }
 
-double growth_reach(const model::Rotor &rotor, results::Form form, double top) {
+double growth_reach(const model::Rotor &rotor, results::Form form, double speed) {
     constexpr double without_end = std::numeric_limits<double>::infinity();
     const auto quotient = [](const Eigen::Matrix2d &k, const Eigen::Matrix2d &c) {
         if (model::pushes_away(c))
@@ -139,8 +139,8 @@ double growth_reach(const model::Rotor &rotor, results::Form form, double top) {
             of_bearings = std::max({of_bearings, quotient(at.k, at.c), quotient(at.kt, at.ct)});
         }
     if (results::in_rotating_axes(form))
-        return top + of_bearings;
-    return rotor.shaft.internal_damping != 0 ? std::max(top, of_bearings) : of_bearings;
+        return speed + of_bearings;
+    return rotor.shaft.internal_damping != 0 ? std::max(speed, of_bearings) : of_bearings;
 }
 
 struct MotionSolver::Data {

@@ -42,8 +42,8 @@ struct Motion {
 /// where N of a bearing has its C times the speed in it, than the sum of both. Infinite where
 /// something drives motions of every frequency: negative damping, cross coupling without damping, a
 /// torque without a potential.
-/// @param top  largest |speed|, rad/s
-[[nodiscard]] double growth_reach(const model::Rotor &rotor, results::Form form, double top);
+/// @param speed  |spin speed|, or the largest of a range, rad/s
+[[nodiscard]] double growth_reach(const model::Rotor &rotor, results::Form form, double speed);
 
 class PeriodicMotions;
 struct StabilityModel;

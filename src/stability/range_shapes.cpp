@@ -28,7 +28,7 @@ constexpr std::array left_of_lacking{3e-2, 1e-2, 3e-3, 1e-3, 1e-5};
 constexpr double left_of_all_rotating = 1e-4;
 constexpr double left_of_all_fixed = 1e-3;
 /// How far an eigenvalue may be from that of the whole rotor, which what is told has in the end:
-/// over it or the spin speed of motions that matter (Reach), in rotating axes, where roots meet
+/// over it or the spin speed of motions that matter (reach_at), in rotating axes, where roots meet
 /// next to zero, and in fixed ones; over it of faster ones, as far as there are some.
 constexpr double agreeing_rotating = 1e-7;
 constexpr double agreeing_fixed = 1e-5;
@@ -36,29 +36,22 @@ constexpr double agreeing_fast = 1e-3;
 
 using MotionVectors = std::vector<Eigen::VectorXcd>;
 
-/// Which motions must be those of the whole rotor: up to a little above the spin speed, for
-/// combination resonances in rotating axes, and all that may begin or cease to grow.
-struct Reach {
-    double growth = 0; ///< |Im l|, rad/s
-    int fewest = 0;    ///< and of others as many, however fast they are
-
-    Reach(const model::Rotor &rotor, results::Form form, double top)
-        : growth(growth_reach(rotor, form, top)), fewest(fewest_motions(rotor)) {
-        if (!std::isfinite(growth)) // those that grow at some speeds, as far as there are shapes
-            growth = 0;
-    }
-    [[nodiscard]] double at(double speed) const {
-        constexpr double slow = 1.3;
-        return std::max(slow * std::abs(speed), growth);
-    }
-};
+/// |l| up to which the motions at a speed must be those of the whole rotor, rad/s: a little above
+/// the speed, for combination resonances in rotating axes, and all that may begin or cease to grow.
+/// Where something drives all, those that grow are looked at as far as there are shapes.
+double reach_at(double speed, const model::Rotor &rotor, results::Form form) {
+    constexpr double slow = 1.3;
+    const double growing = growth_reach(rotor, form, std::abs(speed));
+    return std::max(slow * std::abs(speed), std::isfinite(growing) ? growing : 0);
+}
 
 /// The motions of the whole rotor at one speed, next to those of a reduced one.
 class Comparison {
   public:
-    Comparison(const modes::FormMatrices &whole, double speed, const Reach &reach)
-        : _whole(whole.at(speed)), _speed(std::abs(speed)), _fewest(reach.fewest),
-          _reach(reach.at(speed)),
+    Comparison(const modes::FormMatrices &whole, double speed)
+        : _whole(whole.at(speed)), _speed(std::abs(speed)),
+          _fewest(fewest_motions(whole.discretization().rotor())),
+          _reach(reach_at(speed, whole.discretization().rotor(), whole.form())),
           _agreeing(results::in_rotating_axes(whole.form()) ? agreeing_rotating : agreeing_fixed),
           _shift(0.31 * std::max(_speed, assembly::support_scale(whole.discretization()))) {
         if (!results::in_rotating_axes(whole.form()))
@@ -214,16 +207,14 @@ std::shared_ptr<const Eigen::MatrixXd> range_shapes(const assembly::Discretizati
                                                     const Eigen::MatrixXd *start) {
     const modes::FormMatrices whole(d, form, balancers::balancer_elements(d.rotor(), arrangement));
     const double fastest = std::max(std::abs(speeds.front()), std::abs(speeds.back()));
-    const Reach reach(d.rotor(), form, fastest);
     // Modes at rest are taken up to twice as far: none faster than those that can grow.
-    const double top = std::max(2 * fastest, reach.growth / 2);
+    const double top = std::max(2 * fastest, reach_at(fastest, d.rotor(), form) / 2);
     reduction::PlanarShapes planar = start != nullptr ? reduction::PlanarShapes(d, top, *start)
                                                       : reduction::PlanarShapes(d, top);
     std::list<Comparison> comparisons;
     const std::size_t last = speeds.size() - 1;
     for (const std::size_t place : {last, std::size_t{0}, last / 2, last / 4, 3 * last / 4})
-        if (speeds[place] != 0 &&
-            !enriched(planar, comparisons.emplace_back(whole, speeds[place], reach)))
+        if (speeds[place] != 0 && !enriched(planar, comparisons.emplace_back(whole, speeds[place])))
             return nullptr;
     if (start == nullptr)
         compact(planar, comparisons,
