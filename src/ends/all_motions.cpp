@@ -34,8 +34,6 @@ std::vector<double> borders(const model::Rotor &rotor, double from, double to) {
 
 /// How far a root of the reduced rotor may be from one of the whole rotor to be the same.
 constexpr double same_root = 1e-3;
-/// So near are those that can grow, on shapes chosen for them (stability::range_shapes).
-constexpr double agreeing = 1e-5;
 /// So near those of the whole rotor are fast motions on few shapes. (Any motion of the whole rotor
 /// is one, whatever led to it.)
 constexpr double nearby = 0.05;
@@ -107,7 +105,7 @@ double AllMotions::shift_at(double speed) const { return 0.31 * std::max(std::ab
 
 Spectrum AllMotions::at(double speed, int piece) const {
     Spectrum out = decomposed_at(speed, piece);
-    if (_growth_reach > least_reach())
+    if (!_shapes && _growth_reach > least_reach())
         tell_signs(out, _growth_reach);
     return out;
 }
@@ -148,14 +146,9 @@ void AllMotions::tell_signs(Spectrum &spectrum, double up_to) const {
             within_reach(std::abs(before)))
             continue;
         const auto found = of_whole(lifted(root, spectrum.speed));
-        const double away = _shapes ? agreeing * std::abs(before) : 0;
-        if (!found || std::abs(found->value - before) > root.noise + away ||
+        if (!found || std::abs(found->value - before) > root.noise ||
             std::ranges::any_of(spectrum.roots, [&](const Root &other) {
-                if (&other == &root)
-                    return false;
-                return _shapes
-                           ? std::abs(found->value - other.value) < std::abs(found->value - before)
-                           : is_that(*found, other);
+                return &other != &root && is_that(*found, other);
             }))
             continue;
         for (Root &both : spectrum.roots)

@@ -48,8 +48,8 @@ class AllMotions {
     /// Whether the motions are those of a reduced rotor, not of all unknowns.
     [[nodiscard]] bool reduced() const { return _shapes != nullptr; }
     /// Without those that rounding does not tell from infinitely fast ones. Of those faster than
-    /// reach() that can grow (stability::growth_reach) the whole rotor tells whether they do, where
-    /// rounding of the decomposition hides it.
+    /// reach() that can grow (stability::growth_reach) a rotor on all unknowns tells by inverse
+    /// iteration whether they do, where rounding of the decomposition hides it.
     /// @param piece  of the range between table rows, which decides what the rates are at a row
     [[nodiscard]] Spectrum at(double speed, int piece) const;
     [[nodiscard]] Spectrum at(double speed) const { return at(speed, _rotor.piece_of(speed)); }
