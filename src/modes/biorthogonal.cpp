@@ -141,7 +141,7 @@ void separate_columns(Eigen::MatrixXcd &left, const Eigen::MatrixXcd &right) {
     const Eigen::Index n = products.rows();
     const double off =
         (products - Eigen::MatrixXcd(products.diagonal().asDiagonal())).cwiseAbs().sum();
-    if (off < 1e-6 * static_cast<double>(n))
+    if (n == 0 || off < 1e-6 * static_cast<double>(n))
         return;
     Eigen::FullPivLU<Eigen::MatrixXcd> lu(products);
     lu.setThreshold(1e-6);
