@@ -175,7 +175,9 @@ class EndSearch {
         const bool confirmed = exact && std::abs(exact->speed - change.speed) <= reach &&
                                std::abs(exact->value) >= like * std::abs(guess.value);
         const int single = change.gain > 0 ? 1 : -1;
-        if (!confirmed && !standing && !change.smooth)
+        // Of a pair two begin or cease to grow.
+        const bool by_one = confirmed && std::abs(change.gain) == 1;
+        if (!standing && (by_one || (!confirmed && !change.smooth)))
             if (const auto zero = zero_beside(change, guess)) {
                 _found.push_back({*zero, EndKind::zero, change.gain, false, change.speed});
                 return;
