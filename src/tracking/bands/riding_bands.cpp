@@ -87,32 +87,43 @@ class BandSearch {
                 is_on(at(here.speed * (1 - beside)), standing));
     }
 
-    /// A speed inside a band between two others where numbers below the multiple differ, by halves.
-    /// (Where numbers of those that stand differ too, one begins or ends to, which is found apart.)
-    [[nodiscard]] std::optional<Sides> between(Sides a, const Sides &b) const {
+    /// A speed inside a band between two others where numbers below the multiple differ. (Where
+    /// numbers of those that stand differ too, one begins or ends to, which is found apart.)
+    [[nodiscard]] std::optional<Sides> between(Sides a, Sides b) const {
         if (a.on > 0 || b.on > 0 || a.below == b.below || a.standing != b.standing ||
             a.speed * b.speed <= 0)
             return std::nullopt;
         const std::ptrdiff_t standing = b.standing;
-        double far = b.speed;
-        double distance = b.distance;
         const auto may_hold_band = [&] {
-            const double width = std::abs(far - a.speed);
-            const double least = std::min(a.distance, distance);
-            return width > resolved * std::abs(far) && !jumps_across(least * least, width, far);
+            const double width = std::abs(b.speed - a.speed);
+            const double least = std::min(a.distance, b.distance);
+            return width > resolved * std::abs(b.speed) &&
+                   !jumps_across(least * least, width, b.speed);
         };
+        bool leads =
+            true; // a line does as long as it gains as much as a half; at a jump it does not
         while (may_hold_band()) {
-            const Sides middle = at((a.speed + far) / 2);
+            const double part = leads ? passed_at(a.distance, b.distance) : 0.5;
+            const Sides middle = at(a.speed + part * (b.speed - a.speed));
             if (is_on(middle, standing))
                 return rides(middle, standing) ? std::optional(middle) : std::nullopt;
-            if (middle.below == a.below)
-                a = middle;
-            else {
-                far = middle.speed;
-                distance = middle.distance;
-            }
+            const double least = std::min(a.distance, b.distance);
+            const double width = std::abs(b.speed - a.speed);
+            (middle.below == a.below ? a : b) = middle;
+            leads =
+                !leads || middle.distance <= least / 2 || std::abs(b.speed - a.speed) <= width / 2;
         }
         return std::nullopt;
+    }
+
+    /// Between two speeds, as a part of the way, where a line between both distances passes the
+    /// multiple; twice as far as that from an end next to it, so that both ends come close.
+    [[nodiscard]] static double passed_at(double from, double to) {
+        constexpr double next = 0.2;
+        const double part = from / (from + to);
+        if (!std::isfinite(from) || !std::isfinite(to) || !(from + to > 0))
+            return 0.5;
+        return part < next ? 2 * part : (part > 1 - next ? 2 * part - 1 : part);
     }
 
     struct End {
