@@ -112,9 +112,10 @@ struct Watched {
 
 /// Speeds at which peaks are looked for: those asked for, an even grid, and those about which a
 /// free motion is near resonance, where a peak can be narrower than both: its frequency, or that of
-/// its line between two speeds of the diagram, passes one of the first multiples.
+/// its line between two speeds of the diagram, passes one of the first multiples that drive it.
+/// @param odd  the multiples of imbalances, not those of the weight
 std::vector<double> looked_at(const model::SpeedRange &range,
-                              const results::CampbellResult &free_motions) {
+                              const results::CampbellResult &free_motions, bool odd) {
     constexpr int even = 200;
     const double low = std::min(range.from, range.to);
     const double high = std::max(range.from, range.to);
@@ -126,12 +127,14 @@ std::vector<double> looked_at(const model::SpeedRange &range,
         for (const double widths : {-8.0, -4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0, 8.0})
             all.push_back(speed + widths * width);
     };
+    const auto drives = [odd](double multiple) { return (std::fmod(multiple, 2) != 0) == odd; };
     for (const results::Crossing &crossing : free_motions.crossings)
-        about(crossing.speed, crossing.damping.ratio.value_or(0));
+        if (drives(crossing.multiple))
+            about(crossing.speed, crossing.damping.ratio.value_or(0));
     for (const results::CampbellMode &mode : free_motions.modes)
         for (std::size_t k = 0; k + 1 < free_motions.speeds.size(); ++k)
             for (const double multiple : multiples_looked_at) {
-                if (!mode.frequency[k] || !mode.frequency[k + 1])
+                if (!drives(multiple) || !mode.frequency[k] || !mode.frequency[k + 1])
                     continue;
                 const double here = *mode.frequency[k] - multiple * free_motions.speeds[k];
                 const double there = *mode.frequency[k + 1] - multiple * free_motions.speeds[k + 1];
@@ -440,7 +443,7 @@ void add_imbalance_response(const Scene &all, results::ResponseResult &result) {
         return;
     const std::vector<Watched> watched = watched_in(all, false, true);
     PeakSearch(motions, watched, all.free_motions,
-               looked_at(model::required_speeds(all.scene), all.free_motions))
+               looked_at(model::required_speeds(all.scene), all.free_motions, true))
         .find(result.peaks, result.curves);
 }
 
@@ -485,7 +488,7 @@ void add_gravity_response(const Scene &all, results::ResponseResult &result) {
         return;
     const std::vector<Watched> watched = watched_in(all, true, false);
     PeakSearch(motions, watched, all.free_motions,
-               looked_at(model::required_speeds(all.scene), all.free_motions))
+               looked_at(model::required_speeds(all.scene), all.free_motions, false))
         .find(out.peaks, out.curves);
 }
 
