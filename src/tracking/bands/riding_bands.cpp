@@ -100,8 +100,8 @@ class BandSearch {
             return width > resolved * std::abs(b.speed) &&
                    !jumps_across(least * least, width, b.speed);
         };
-        bool leads =
-            true; // a line does as long as it gains as much as a half; at a jump it does not
+        // A line leads on as long as it gains as much as a half; across a jump it does not.
+        bool leads = true;
         while (may_hold_band()) {
             const double part = leads ? passed_at(a.distance, b.distance) : 0.5;
             const Sides middle = at(a.speed + part * (b.speed - a.speed));
