@@ -47,9 +47,10 @@ class AllMotions {
     [[nodiscard]] const RotorPieces &rotor() const { return _rotor; }
     /// Whether the motions are those of a reduced rotor, not of all unknowns.
     [[nodiscard]] bool reduced() const { return _shapes != nullptr; }
-    /// Without those that rounding does not tell from infinitely fast ones. Of those faster than
-    /// reach() that can grow (stability::growth_reach) a rotor on all unknowns tells by inverse
-    /// iteration whether they do, where rounding of the decomposition hides it.
+    /// Without those that rounding does not tell from infinitely fast ones. Of
+    /// fast motions that can grow (above reach(), up to stability::growth_reach) rounding of the
+    /// decomposition can hide the sign of the growth: without a reduction it is then found by
+    /// inverse iteration.
     /// @param piece  of the range between table rows, which decides what the rates are at a row
     [[nodiscard]] Spectrum at(double speed, int piece) const;
     [[nodiscard]] Spectrum at(double speed) const { return at(speed, _rotor.piece_of(speed)); }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <set>
 
 namespace whirl::ends {
 
@@ -308,16 +307,15 @@ class EndSearch {
             if (out[k] == none)
                 out[k] = k > 0 ? out[k - 1] + found[k - 1].gain : 0;
         // Of those that rounding hides at every look the changes on both sides tell.
-        std::set<std::size_t> hides;
+        std::vector<char> hides(out.size(), 0);
         for (const auto &[interval, look] : seen)
-            if (look.second.hidden > 0)
-                hides.insert(interval);
-        for (const std::size_t k : hides)
-            if (k > 0)
+            hides[interval] = hides[interval] != 0 || look.second.hidden > 0;
+        for (std::size_t k = 1; k < out.size(); ++k)
+            if (hides[k] != 0)
                 out[k] = std::max(out[k], out[k - 1] + found[k - 1].gain);
-        for (auto k = hides.rbegin(); k != hides.rend(); ++k)
-            if (*k < found.size())
-                out[*k] = std::max(out[*k], out[*k + 1] - found[*k].gain);
+        for (std::size_t k = found.size(); k-- > 0;)
+            if (hides[k] != 0)
+                out[k] = std::max(out[k], out[k + 1] - found[k].gain);
         return out;
     }
 };

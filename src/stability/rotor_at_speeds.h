@@ -25,7 +25,7 @@ struct StabilityModel {
     /// parts of x^H Q(l) x = 0, 2 Re l x^H M x = -x^H C x where Im l is not zero, and where it is
     /// zero l^2 x^H M x + l x^H C x + x^H K x is positive for l >= 0.
     bool resisted = false;
-    bool reduction = true; ///< searches may look at a rotor of few shapes first
+    bool reduction = true; ///< whether a rotor reduced to few planar shapes may be searched first
     int order = 1;
     int harmonics = 0; ///< of the Hill series; 0: form hill by the monodromy matrix
     /// Of the steps in time that monodromy matrices need, shared with rotors that hardly differ;

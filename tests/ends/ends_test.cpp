@@ -10,13 +10,13 @@
 #include "stability/band_finder.h"
 #include "support/balancer_scenes.h"
 #include "support/dense_eigenvalues.h"
+#include "support/random.h"
 #include "support/rotating_scenes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace {
 
@@ -30,10 +30,7 @@ struct Drawn {
 };
 
 Drawn drawn(int seed) {
-    std::mt19937 random(static_cast<unsigned>(seed));
-    const auto uniform = [&random](double low, double high) {
-        return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-    };
+    tests::Random uniform(static_cast<unsigned>(seed));
     Drawn out;
     model::Rotor &rotor = out.rotor;
     rotor.shaft = tests::uniform_shaft(1, uniform(0.03, 0.06), tests::steel());
@@ -238,10 +235,7 @@ TEST(Ends, OfRandomRotorsAreThoseOfTheCountedStateMatrix) {
 /// Bearings with cross coupling on a table and hardly any damping, which drive motions tens of
 /// times as fast as the rotor spins.
 Drawn hardly_damped(int seed) {
-    std::mt19937 random(static_cast<unsigned>(seed));
-    const auto uniform = [&random](double low, double high) {
-        return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-    };
+    tests::Random uniform(static_cast<unsigned>(seed));
     Drawn out;
     model::Rotor &rotor = out.rotor;
     rotor.shaft = tests::uniform_shaft(uniform(0.3, 0.6), uniform(0.03, 0.06), tests::steel());

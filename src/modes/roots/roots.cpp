@@ -119,15 +119,9 @@ Root conjugate(Root root) {
     return root;
 }
 
-template <class Value> double size_of(const Value &root) {
-    if constexpr (std::is_same_v<Value, Root>)
-        return std::abs(root.value);
-    else
-        return std::abs(root);
-}
-
-template <class Value> void drop_zeros(std::vector<Value> &roots, int zeros) {
-    std::ranges::stable_sort(roots, {}, size_of<Value>);
+template <class Value, class Modulus>
+void drop_zeros(std::vector<Value> &roots, int zeros, const Modulus &modulus) {
+    std::ranges::stable_sort(roots, {}, modulus);
     roots.erase(roots.begin(), roots.begin() + std::min<std::ptrdiff_t>(zeros, std::ssize(roots)));
 }
 
@@ -192,7 +186,7 @@ std::vector<Root> all_roots(const DenseQuadratic<Scalar> &unscaled, double shift
             out.push_back(conjugate(root));
         out.push_back(std::move(root));
     }
-    drop_zeros(out, zeros);
+    drop_zeros(out, zeros, [](const Root &root) { return std::abs(root.value); });
     return out;
 }
 
@@ -204,7 +198,7 @@ std::vector<Complex> all_values(const DenseQuadratic<double> &problem, double sh
     for (const Complex &value : mu)
         if (std::abs(value) > smallest)
             out.push_back(shift + 1.0 / (matrix.s * value));
-    drop_zeros(out, zeros);
+    drop_zeros(out, zeros, [](Complex value) { return std::abs(value); });
     return out;
 }
 

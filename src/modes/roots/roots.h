@@ -37,7 +37,7 @@ template <class Scalar>
 [[nodiscard]] std::vector<Root> all_roots(const DenseQuadratic<Scalar> &problem, double shift,
                                           int zeros);
 
-/// Their values alone, at a third of the cost: nothing tells what rounding makes of them.
+/// The eigenvalues alone, at a third of the cost: without their rates and their rounding errors.
 /// @throws linalg::SolverError
 [[nodiscard]] std::vector<std::complex<double>> all_values(const DenseQuadratic<double> &problem,
                                                            double shift, int zeros);
