@@ -3,6 +3,7 @@
 #include "assembly/frequency_scales.h"
 #include "ends/resolved_reach.h"
 #include "linalg/symmetric_eigen.h"
+#include "modes/roots/roots.h"
 #include "modes/zero_modes.h"
 #include "stability/motion_reach.h"
 #include "synchronous/parts.h"
@@ -101,7 +102,7 @@ double AllMotions::reach() const {
     return *_reach;
 }
 
-double AllMotions::shift_at(double speed) const { return 0.31 * std::max(std::abs(speed), _slow); }
+double AllMotions::shift_at(double speed) const { return modes::usual_shift(speed, _slow); }
 
 Spectrum AllMotions::at(double speed, int piece) const {
     Spectrum out = decomposed_at(speed, piece);

@@ -100,47 +100,24 @@ bool iterate(const modes::QuadraticAt &p, Complex l, bool standing, WholeMotion 
     return true;
 }
 
+} // namespace
+
 /// Newton's method, with better vectors at each step.
-/// @param scale    of speed and root, 1/s
-/// @param standing  the speed is the eigenvalue
-/// @param correct  moves the speed or the root of a motion by the forms of its vectors, and says
-///                 how far, relative; not finite: it goes nowhere
-template <class Correct>
-std::optional<WholeMotion> corrected(const modes::FormMatrices &whole, WholeMotion m, double scale,
-                                     bool standing, const Correct &correct) {
+std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole, const WholeMotion &guess,
+                                       bool standing) {
     constexpr int most_steps = 25;
+    WholeMotion m = guess;
+    m.value = {0, standing ? 0 : guess.value.imag()};
+    const double scale = std::max(std::abs(guess.speed), std::abs(m.value));
     Settled settled;
     Factors factors;
-    modes::QuadraticAt problem = whole.at(m.speed);
     for (int step = 0; step < most_steps; ++step) {
+        const modes::QuadraticAt problem = whole.at(m.speed);
         // At an eigenvalue itself the factorisation can fail: a little beside it does as well.
         if (!iterate(problem, m.value, standing, m, factors) &&
             !iterate(problem, m.value + 1e-10 * scale, standing, m, factors))
             return std::nullopt;
         const Forms f = forms(problem, m.value, m);
-        const double speed = m.speed;
-        const double change = correct(f, m);
-        if (!std::isfinite(change))
-            return std::nullopt;
-        m.rate = -f.by_speed / f.by_root;
-        if (settled(change)) {
-            m.noise = noise_of(problem, m, f.by_root);
-            return m;
-        }
-        if (m.speed != speed)
-            problem = whole.at(m.speed);
-    }
-    return std::nullopt;
-}
-
-} // namespace
-
-std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole, const WholeMotion &guess,
-                                       bool standing) {
-    WholeMotion start = guess;
-    start.value = {0, standing ? 0 : guess.value.imag()};
-    const double scale = std::max(std::abs(guess.speed), std::abs(start.value));
-    return corrected(whole, start, scale, standing, [&](const Forms &f, WholeMotion &m) {
         const Complex of_w = Complex(0, 1) * f.by_root;
         double change = 0;
         double change_w = 0;
@@ -153,10 +130,18 @@ std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole, const W
         }
         m.speed += change;
         m.value = {0, m.value.imag() + change_w};
-        if (!(std::abs(m.speed - guess.speed) <= 0.5 * std::abs(guess.speed)))
-            return HUGE_VAL;
-        return std::max(std::abs(change / m.speed), std::abs(change_w) / (100 * scale));
-    });
+        const double relative =
+            std::max(std::abs(change / m.speed), std::abs(change_w) / (100 * scale));
+        if (!(std::abs(m.speed - guess.speed) <= 0.5 * std::abs(guess.speed)) ||
+            !std::isfinite(relative))
+            return std::nullopt;
+        m.rate = -f.by_speed / f.by_root;
+        if (settled(relative)) {
+            m.noise = noise_of(problem, m, f.by_root);
+            return m;
+        }
+    }
+    return std::nullopt;
 }
 
 std::optional<WholeMotion> at_its_speed(const modes::FormMatrices &whole, const WholeMotion &guess,

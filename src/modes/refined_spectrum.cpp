@@ -6,6 +6,7 @@
 #include "modes/planar_whirl.h"
 #include "modes/roots/followed_roots.h"
 #include "modes/roots/reduced_form.h"
+#include "modes/roots/roots.h"
 #include "modes/roots/whole_pencil.h"
 #include "modes/zero_modes.h"
 #include "reduction/orthonormal.h"
@@ -499,7 +500,7 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
     [[nodiscard]] std::vector<Root> roots_of(const ReducedForm &form, double speed, int wanted,
                                              const ZeroModes &zeros) const {
         const double c = centre(wanted);
-        const double shift = c > 0 ? c : 0.31 * std::max(std::abs(speed), _supports);
+        const double shift = c > 0 ? c : usual_shift(speed, _supports);
         std::vector<Root> roots =
             all_roots(form.template at<Scalar>(speed), shift, zeros.eigenvalues);
         if (real)

@@ -53,7 +53,7 @@ class Comparison {
           _fewest(fewest_motions(whole.discretization().rotor())),
           _reach(reach_at(speed, whole.discretization().rotor(), whole.form())),
           _agreeing(results::in_rotating_axes(whole.form()) ? agreeing_rotating : agreeing_fixed),
-          _shift(0.31 * std::max(_speed, assembly::support_scale(whole.discretization()))) {
+          _shift(modes::usual_shift(speed, assembly::support_scale(whole.discretization()))) {
         if (!results::in_rotating_axes(whole.form()))
             _zeros =
                 modes::zero_modes(whole.discretization(), whole.form(), speed, speed).eigenvalues;

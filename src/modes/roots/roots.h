@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
 #include <complex>
 #include <vector>
 
@@ -36,6 +38,12 @@ struct Root {
 template <class Scalar>
 [[nodiscard]] std::vector<Root> all_roots(const DenseQuadratic<Scalar> &problem, double shift,
                                           int zeros);
+
+/// A shift next to the slow roots, and of no value that is likely to be one, 1/s.
+/// @param slow  modulus of the order of theirs at rest, 1/s
+[[nodiscard]] inline double usual_shift(double speed, double slow) {
+    return 0.31 * std::max(std::abs(speed), slow);
+}
 
 /// The eigenvalues alone, at a third of the cost: without their rates and their rounding errors.
 /// @throws linalg::SolverError
