@@ -39,7 +39,7 @@ class HillEntries {
 
     /// The pair (cosine, sine) of matrices times the component `source` of a series whose
     /// amplitude is `factor` times the unknown `column`.
-    void add_product(const TurningSupports::Pair &pair, Component source, Component column,
+    void add_product(const PeriodicSupports::Pair &pair, Component source, Component column,
                      double factor) {
         const int k = source.harmonic;
         if (k == 0) {
@@ -67,11 +67,11 @@ class HillEntries {
 
 } // namespace
 
-SystemAtSpeed hill_system(const RotatingSystem &system, const TurningSupports &supports,
+SystemAtSpeed hill_system(const RotatingSystem &system, const PeriodicSupports &supports,
                           double speed, int harmonics) {
     const linalg::Matrix D = system.damping(speed);
     const linalg::Matrix K = system.stiffness(speed);
-    const TurningSupports::Pair turning_K{
+    const PeriodicSupports::Pair turning_K{
         linalg::Matrix::sum(1, supports.K.cosine, speed, supports.Ks.cosine),
         linalg::Matrix::sum(1, supports.K.sine, speed, supports.Ks.sine)};
     const int n = K.size();
@@ -103,7 +103,7 @@ SystemAtSpeed hill_system(const RotatingSystem &system, const TurningSupports &s
     return {into_M.matrix(), into_D.matrix(), into_K.matrix()};
 }
 
-PeriodicStiffness periodic_stiffness(const RotatingSystem &system, const TurningSupports &supports,
+PeriodicStiffness periodic_stiffness(const RotatingSystem &system, const PeriodicSupports &supports,
                                      int harmonics) {
     const int n = system.K.size();
     HillEntries into_K(n, harmonics, 0.5);

@@ -17,9 +17,10 @@ struct SystemAtSpeed {
 ///
 /// and (l^2 M + l D + K) (q_0, a_1, b_1, a_2, ...) = 0 with the real matrices returned, of size
 /// (2 harmonics + 1) times that of the system. Every motion comes 2 harmonics + 1 times, with l
-/// shifted by 2 i speed; the copy whose q_0 is largest suffers least from the cut.
+/// shifted by multiples of 2 i speed: its aliases. The one whose q_0 is largest suffers least from
+/// the cut.
 [[nodiscard]] SystemAtSpeed hill_system(const RotatingSystem &system,
-                                        const TurningSupports &supports, double speed,
+                                        const PeriodicSupports &supports, double speed,
                                         int harmonics);
 
 /// What is left of it for motions that repeat with the supports (l = 0), by powers of the speed:
@@ -29,7 +30,7 @@ struct PeriodicStiffness {
     linalg::Matrix K, Ks, Kss;
 };
 [[nodiscard]] PeriodicStiffness periodic_stiffness(const RotatingSystem &system,
-                                                   const TurningSupports &supports, int harmonics);
+                                                   const PeriodicSupports &supports, int harmonics);
 
 /// A vector of the same over `size` unknowns as terms exp(2 i k speed t), a column each, from
 /// k = -harmonics on.

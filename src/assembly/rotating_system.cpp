@@ -204,8 +204,8 @@ RotatingSystem assemble_rotating(const Discretization &discretization, double be
             out.K.matrix(n), out.Ks.matrix(n), out.Kss.matrix(n)};
 }
 
-TurningSupports turning_supports(const Discretization &discretization, double bearing_speed,
-                                 int unknowns) {
+PeriodicSupports periodic_supports(const Discretization &discretization, double bearing_speed,
+                                   int unknowns) {
     // t conj(u) exp(-2 i speed t) = t conj(u) cos - i t conj(u) sin.
     ComplexEntries K_cos, K_sin, C_cos, C_sin, Ks_cos, Ks_sin;
     assemble_supports(discretization, bearing_speed,

@@ -26,7 +26,7 @@ struct RotatingSystem {
 
 /// What supports that are not the same from every direction add in rotating axes, where they turn
 /// backwards twice a revolution: each matrix is cosine * cos(2 speed t) + sine * sin(2 speed t).
-struct TurningSupports {
+struct PeriodicSupports {
     struct Pair {
         linalg::Matrix cosine, sine;
     };
@@ -34,7 +34,7 @@ struct TurningSupports {
 };
 
 /// Bearings as at `bearing_speed` (rad/s); only the part of them that is the same from every
-/// direction, see turning_supports for the rest.
+/// direction, see periodic_supports for the rest.
 /// @param balancers  elements at their balanced positions, any number; with `frozen` their masses
 ///                   are held in place: no unknowns of their own
 [[nodiscard]] RotatingSystem
@@ -42,7 +42,7 @@ assemble_rotating(const Discretization &discretization, double bearing_speed,
                   const std::vector<balancers::BalancerElement> &balancers, bool frozen = false);
 
 /// @param unknowns  real unknowns of the system it goes with
-[[nodiscard]] TurningSupports turning_supports(const Discretization &discretization,
-                                               double bearing_speed, int unknowns);
+[[nodiscard]] PeriodicSupports periodic_supports(const Discretization &discretization,
+                                                 double bearing_speed, int unknowns);
 
 } // namespace whirl::assembly

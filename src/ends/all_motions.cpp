@@ -35,13 +35,13 @@ std::vector<double> borders(const model::Rotor &rotor, double from, double to) {
 
 /// How far a root of the reduced rotor may be from one of the whole rotor to be the same.
 constexpr double same_root = 1e-3;
-/// So near those of the whole rotor are fast motions on few shapes. (Any motion of the whole rotor
-/// is one, whatever led to it.)
+/// So near those of the whole rotor are fast motions on the reduced rotor. (Any motion of the whole
+/// rotor is one, whatever led to it.)
 constexpr double nearby = 0.05;
 
-/// Nothing is known of a root but that it is faster than this: rounding does not tell its inverse
-/// from zero. So are motions of parts that hardly have mass, other ones at every speed: there is
-/// nothing to follow.
+/// Nothing is known of a root but that it is faster than this: rounding hides its inverse from
+/// zero. So are motions of parts that hardly have mass, other ones at every speed: there is nothing
+/// to follow.
 bool is_lost(const Root &root, double shift, double fast) {
     const double distance = std::abs(root.value - shift);
     return root.noise >= std::abs(root.value) && distance / (1 + root.noise / distance) > fast;
@@ -135,7 +135,7 @@ const Spectrum &AllMotions::told_at(double speed) const {
     if (_told && _told->speed == speed)
         return *_told;
     _told = at(speed);
-    if (!_shapes) // on few shapes they are no motions of this mesh
+    if (!_shapes) // on the reduced rotor they are no motions of this mesh
         tell_signs(*_told, std::numeric_limits<double>::infinity());
     return *_told;
 }
@@ -163,8 +163,8 @@ void AllMotions::tell_signs(Spectrum &spectrum, double up_to) const {
     }
 }
 
-/// Those of few shapes hit the fast motions of a driven rotor roughly: the whole rotor has them
-/// beside that.
+/// Those of the reduced rotor hit the fast motions of a driven rotor roughly: the whole rotor has
+/// them beside that.
 bool AllMotions::is_rough() const { return _drives_all && _shapes != nullptr; }
 
 /// Whether how a motion dies out says something, too.
@@ -180,7 +180,7 @@ std::optional<WholeMotion> AllMotions::of_whole(const Root &root, double speed) 
 }
 
 /// By the eigenvalues alone, from which the whole rotor finds its own; nothing where one of the
-/// motions that count hardly grows or dies out, so that their vectors must tell what rounding
+/// motions that count hardly grows or dies out, so that their vectors must give what rounding
 /// hides.
 std::optional<FastestGrowing> AllMotions::by_values(double speed, double above,
                                                     double up_to) const {

@@ -47,10 +47,9 @@ class AllMotions {
     [[nodiscard]] const RotorPieces &rotor() const { return _rotor; }
     /// Whether the motions are those of a reduced rotor, not of all unknowns.
     [[nodiscard]] bool reduced() const { return _shapes != nullptr; }
-    /// Without those that rounding does not tell from infinitely fast ones. Of
-    /// fast motions that can grow (above reach(), up to stability::growth_reach) rounding of the
-    /// decomposition can hide the sign of the growth: without a reduction it is then found by
-    /// inverse iteration.
+    /// Without those that rounding does not distinguish from infinitely fast ones. Of fast motions
+    /// that can grow (above reach(), up to stability::growth_reach) rounding of the decomposition
+    /// can hide the sign of the growth: without a reduction it is then found by inverse iteration.
     /// @param piece  of the range between table rows, which decides what the rates are at a row
     [[nodiscard]] Spectrum at(double speed, int piece) const;
     [[nodiscard]] Spectrum at(double speed) const { return at(speed, _rotor.piece_of(speed)); }
@@ -78,8 +77,8 @@ class AllMotions {
 
     /// |l| up to which the motions that grow are counted as resolved, 1/s: infinite unless set.
     [[nodiscard]] double resolved_up_to() const { return _resolved; }
-    /// Sets it from the mesh (resolved_reach.h) and the shapes. From then on
-    /// fastest_growing() tells of every motion whether it grows, however fast it is.
+    /// Sets it from the mesh (resolved_reach.h) and the shapes. From then on fastest_growing()
+    /// decides of every motion whether it grows, however fast it is.
     void count_resolved();
     /// The same without that: motions above this |l| (1/s) are not counted as resolved.
     void count_up_to(double size) { _resolved = size; }
@@ -116,7 +115,7 @@ class AllMotions {
     [[nodiscard]] double shift_at(double speed) const;
     /// As at(), as the decomposition has them.
     [[nodiscard]] Spectrum decomposed_at(double speed, int piece) const;
-    /// As at(); of fast motions that rounding of the decomposition hides it is told by the whole
+    /// As at(); of fast motions that rounding of the decomposition hides it is decided by the whole
     /// rotor, which knows each of them as sharply as the slow ones, whether they grow.
     [[nodiscard]] const Spectrum &told_at(double speed) const;
     /// @param up_to  |l|, 1/s

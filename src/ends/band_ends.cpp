@@ -83,13 +83,13 @@ bool carried_to_border(double edge, const results::Interval &band, const EndsFou
 }
 
 /// A count at a speed, and the motions behind it.
-struct Look {
+struct Probe {
     double speed = 0;
     std::vector<Motion> motions;
     int count = 0;
 };
 
-/// Part of the speed by which one looks beside an end that is known.
+/// Part of the speed at which the sides of an end are probed that is known.
 constexpr double beside = 1e-9;
 
 class CountSearch {
@@ -98,17 +98,17 @@ class CountSearch {
     CountSearch(const MotionsAt &at, std::vector<double> edges)
         : _at(at), _edges(std::move(edges)) {}
 
-    [[nodiscard]] Look look(double speed) const {
-        Look out{speed, _at(speed), 0};
+    [[nodiscard]] Probe probe(double speed) const {
+        Probe out{speed, _at(speed), 0};
         out.count = growing(out.motions);
         return out;
     }
-    void between(const Look &a, const Look &b) {
+    void between(const Probe &a, const Probe &b) {
         const std::optional<double> edge = edge_between(a.speed, b.speed);
         if (a.count == b.count || (!edge && lost_in_noise(a, b)))
             return;
         if (edge || b.speed - a.speed <= 1e-10 * std::abs(b.speed)) {
-            const Look &more = b.count > a.count ? b : a;
+            const Probe &more = b.count > a.count ? b : a;
             StabilityEnd end;
             end.speed = edge.value_or((a.speed + b.speed) / 2);
             constexpr double aside = 1e-5; // right beside the end damped ones hardly die out
@@ -123,7 +123,7 @@ class CountSearch {
             ends.push_back(end);
             return;
         }
-        const Look middle = look((a.speed + b.speed) / 2);
+        const Probe middle = probe((a.speed + b.speed) / 2);
         between(a, middle);
         between(middle, b);
     }
@@ -145,11 +145,11 @@ class CountSearch {
     /// The motions that grow at one of two speeds close to each other only sank below the noise on
     /// the way to the other, as those of balls do towards rest, with a power of the speed: beyond
     /// an end they would die out, or have a real part of zero but for rounding.
-    [[nodiscard]] static bool lost_in_noise(const Look &a, const Look &b) {
+    [[nodiscard]] static bool lost_in_noise(const Probe &a, const Probe &b) {
         constexpr double close = 0.3;       // of the speed
         constexpr double same_order = 0.02; // a sixth power leaves 0.1
-        const Look &more = a.count > b.count ? a : b;
-        const Look &fewer = a.count > b.count ? b : a;
+        const Probe &more = a.count > b.count ? a : b;
+        const Probe &fewer = a.count > b.count ? b : a;
         if (b.speed - a.speed > close * std::abs(more.speed) ||
             std::abs(fewer.speed) > std::abs(more.speed))
             return false;
@@ -229,26 +229,26 @@ std::vector<double> reconcile(EndsFound &found, std::vector<results::Interval> &
 
 EndsFound multiplier_ends(const MotionsAt &at, const std::vector<double> &speeds,
                           const std::vector<results::Interval> &bands) {
-    std::vector<double> looks = speeds;
+    std::vector<double> probe_speeds = speeds;
     std::vector<double> edges;
     for (const auto &[from, to] : bands) { // their ends are known: no halving is needed there
-        looks.push_back((from + to) / 2);
+        probe_speeds.push_back((from + to) / 2);
         for (const double end : {from, to}) {
             if (end == speeds.front() || end == speeds.back())
                 continue; // a border of the range
             const double step = std::min(beside * std::abs(end), (to - from) / 8);
-            looks.insert(looks.end(), {end - step, end + step});
+            probe_speeds.insert(probe_speeds.end(), {end - step, end + step});
             edges.push_back(end);
         }
     }
-    std::ranges::sort(looks);
+    std::ranges::sort(probe_speeds);
     CountSearch search(at, std::move(edges));
     EndsFound out;
-    std::optional<Look> before;
-    for (const double speed : looks) {
+    std::optional<Probe> before;
+    for (const double speed : probe_speeds) {
         if (speed < speeds.front() || speed > speeds.back())
             continue;
-        Look now = search.look(speed);
+        Probe now = search.probe(speed);
         if (before)
             search.between(*before, now);
         before = std::move(now);

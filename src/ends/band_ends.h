@@ -11,7 +11,7 @@ namespace whirl::ends {
 [[nodiscard]] std::vector<results::Interval> bands_of(const EndsFound &found,
                                                       const results::Interval &range);
 
-/// Makes the ends and the unstable bands tell one story. An end at which growth begins or ceases
+/// Reconciles stability limits with unstable ranges. An end at which growth begins or ceases
 /// altogether is the band's end, to the last digit; bands that only the ends know are taken up, and
 /// so are ends of bands that only the search for bands knows: collisions of undamped motions.
 /// @param at    motions at a speed, for how many grow inside of such a band

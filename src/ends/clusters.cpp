@@ -211,7 +211,7 @@ bool off_the_axis(const Cluster &a, const Cluster &b, const ClusterStep &step) {
     return stays_off(a, b, step, false) || (step.is_long && stays_off(a, b, step, true));
 }
 
-bool drowned(const Cluster &a, const Cluster &b) {
+bool zero_but_for_rounding(const Cluster &a, const Cluster &b) {
     const auto in_noise = [](const Cluster &roots) {
         constexpr double both_parts = 3;
         return std::ranges::all_of(

@@ -6,7 +6,7 @@
 
 namespace whirl::ends {
 
-/// Roots at one end of a step that cannot be told apart.
+/// Roots at one end of a step that cannot be distinguished.
 using Cluster = std::vector<const Root *>;
 
 [[nodiscard]] Cluster cluster(const Spectrum &spectrum, const std::vector<int> &numbers);
@@ -31,6 +31,6 @@ struct ClusterStep {
 
 /// As many at both ends, and at one of them they are zero but for rounding: so of balls near rest,
 /// over long steps.
-[[nodiscard]] bool drowned(const Cluster &a, const Cluster &b);
+[[nodiscard]] bool zero_but_for_rounding(const Cluster &a, const Cluster &b);
 
 } // namespace whirl::ends

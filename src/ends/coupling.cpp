@@ -59,7 +59,7 @@ class Couplings {
 
 } // namespace
 
-bool weakly_coupled(const Strand &a, const Strand &b, double t, const Spectrum &from,
+bool weakly_coupled(const Branch &a, const Branch &b, double t, const Spectrum &from,
                     const Spectrum &to) {
     constexpr double far_below = 0.05;
     const double allowed = far_below * std::abs(a.at(t).real() * b.at(t).real());

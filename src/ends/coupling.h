@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ends/strands.h"
+#include "ends/branches.h"
 
 namespace whirl::ends {
 
@@ -11,8 +11,8 @@ namespace whirl::ends {
 /// every other motion.
 /// @param t        where they pass, part of the step
 /// @param from,to  at its ends
-/// @returns whether the coupling is far below that as it looks from either end
-[[nodiscard]] bool weakly_coupled(const Strand &a, const Strand &b, double t, const Spectrum &from,
+/// @returns whether the coupling is far below that seen from either end
+[[nodiscard]] bool weakly_coupled(const Branch &a, const Branch &b, double t, const Spectrum &from,
                                   const Spectrum &to);
 
 } // namespace whirl::ends

@@ -76,10 +76,10 @@ Forms forms(const modes::QuadraticAt &p, Complex l, const WholeMotion &m) {
 using Factors = linalg::SparseFactor<Complex>;
 
 /// Better vectors of the root next to l: Q(l)^-1 Q'(l) x, and the same from the left.
-/// @param standing  l is zero and the speed is the eigenvalue: Q' by the speed. By l it would be
+/// @param at_zero  l is zero and the speed is the eigenvalue: Q' by the speed. By l it would be
 ///                  skew without damping, y^H Q' x = 0, and lead away from the vectors wanted.
 /// @returns whether Q(l) could be factorised
-bool iterate(const modes::QuadraticAt &p, Complex l, bool standing, WholeMotion &m, Factors &lu) {
+bool iterate(const modes::QuadraticAt &p, Complex l, bool at_zero, WholeMotion &m, Factors &lu) {
     const Eigen::VectorXd d =
         linalg::scales_at(std::max(std::abs(l), 1e-300), p.M.diagonal(), p.K.diagonal());
     const ComplexSparse whole = linalg::sum(l * l, p.M, l, p.D, 1, p.K);
@@ -87,7 +87,7 @@ bool iterate(const modes::QuadraticAt &p, Complex l, bool standing, WholeMotion 
     Q.makeCompressed();
     if (!lu.factorize(Q))
         return false;
-    const Sparse &slope = standing ? p.above.K : p.D; // beside 2 l M
+    const Sparse &slope = at_zero ? p.above.K : p.D; // beside 2 l M
     const Eigen::VectorXcd to_right = 2.0 * l * times(p.M, m.right) + times(slope, m.right);
     const Eigen::VectorXcd to_left =
         2.0 * std::conj(l) * times(p.M.transpose(), m.left) + times(slope.transpose(), m.left);
@@ -104,24 +104,24 @@ bool iterate(const modes::QuadraticAt &p, Complex l, bool standing, WholeMotion 
 
 /// Newton's method, with better vectors at each step.
 std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole, const WholeMotion &guess,
-                                       bool standing) {
+                                       bool at_zero) {
     constexpr int most_steps = 25;
     WholeMotion m = guess;
-    m.value = {0, standing ? 0 : guess.value.imag()};
+    m.value = {0, at_zero ? 0 : guess.value.imag()};
     const double scale = std::max(std::abs(guess.speed), std::abs(m.value));
     Settled settled;
     Factors factors;
     for (int step = 0; step < most_steps; ++step) {
         const modes::QuadraticAt problem = whole.at(m.speed);
         // At an eigenvalue itself the factorisation can fail: a little beside it does as well.
-        if (!iterate(problem, m.value, standing, m, factors) &&
-            !iterate(problem, m.value + 1e-10 * scale, standing, m, factors))
+        if (!iterate(problem, m.value, at_zero, m, factors) &&
+            !iterate(problem, m.value + 1e-10 * scale, at_zero, m, factors))
             return std::nullopt;
         const Forms f = forms(problem, m.value, m);
         const Complex of_w = Complex(0, 1) * f.by_root;
         double change = 0;
         double change_w = 0;
-        if (standing) {
+        if (at_zero) {
             change = -(f.value / f.by_speed).real();
         } else { // value + of_w dw + by_speed dspeed = 0
             const double determinant = (std::conj(of_w) * f.by_speed).imag();

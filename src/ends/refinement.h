@@ -22,10 +22,10 @@ struct WholeMotion {
 /// The speed next to `guess` at which a root i w of the whole rotor lies on the imaginary axis:
 /// Newton's method for y^H Q(i w, speed) x = 0, two real equations for w and the speed, with x and
 /// y by inverse iteration at each step, so that its error is squared twice over.
-/// @param standing  w is zero and stays so: one equation for the speed
+/// @param at_zero  w is zero and stays so: one equation for the speed
 /// @returns nothing where it does not converge
 [[nodiscard]] std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole,
-                                                     const WholeMotion &guess, bool standing);
+                                                     const WholeMotion &guess, bool at_zero);
 
 /// The root of the whole rotor next to `guess` at its speed.
 /// @param pencil  keeps the order of elimination from one root to the next

@@ -15,11 +15,11 @@ using results::EndKind;
 using results::StabilityEnd;
 using Complex = std::complex<double>;
 
-/// At rest nothing is told from nothing: the part of the largest speed that is left out there.
+/// At rest nothing grows or dies out: the part of the largest speed that is left out there.
 constexpr double at_rest = 1e-6;
 
 /// Speeds to begin with in one piece of the range, which is ascending and does not cross zero.
-std::vector<double> base_speeds(double from, double to, const std::vector<double> &looks,
+std::vector<double> base_speeds(double from, double to, const std::vector<double> &probe_speeds,
                                 double top, double step) {
     const double rest = at_rest * top;
     const double low = std::abs(from) < rest ? rest : from;
@@ -31,7 +31,7 @@ std::vector<double> base_speeds(double from, double to, const std::vector<double
     const int steps = std::max(2, static_cast<int>(std::ceil((high - low) / step)));
     for (int k = 1; k < steps; ++k)
         out.push_back(low + (high - low) * k / steps);
-    out.insert(out.end(), looks.begin(), looks.end());
+    out.insert(out.end(), probe_speeds.begin(), probe_speeds.end());
     std::ranges::sort(out);
     out.erase(std::unique(out.begin(), out.end()), out.end());
     std::erase_if(out, [&](double speed) { return speed < low || speed > high; });
@@ -43,21 +43,21 @@ struct Found {
     WholeMotion motion;
     EndKind kind = EndKind::pair;
     int gain = 0;
-    bool together = false; ///< with others that rounding does not tell apart
+    bool together = false; ///< with others that rounding does not distinguish
     double place = 0; ///< the same change of the reduced rotor, whose motions are counted, rad/s
 };
 
 class EndSearch {
   public:
-    EndSearch(const AllMotions &motions, const std::vector<double> &looks, int steps)
+    EndSearch(const AllMotions &motions, const std::vector<double> &probe_speeds, int steps)
         : _motions(motions) {
         const RotorPieces &rotor = motions.rotor();
         const double from = rotor.from(0);
         const double to = rotor.to(rotor.pieces() - 1);
         const double top = std::max(std::abs(from), std::abs(to));
         for (int piece = 0; piece < rotor.pieces(); ++piece) {
-            const auto speeds =
-                base_speeds(rotor.from(piece), rotor.to(piece), looks, top, (to - from) / steps);
+            const auto speeds = base_speeds(rotor.from(piece), rotor.to(piece), probe_speeds, top,
+                                            (to - from) / steps);
             if (speeds.size() < 2)
                 continue;
             const Swept range = swept(motions, piece, speeds);
@@ -157,17 +157,17 @@ class EndSearch {
         const auto [place, root] = at_the_axis(change, piece);
         WholeMotion guess = _motions.lifted(root, place);
         // A pair that has come to the real axis moves along it as two; where they part rounding
-        // does not tell them from a pair.
+        // does not distinguish them from a pair.
         constexpr double both_parts = 3;
-        const bool standing = root.value.imag() == 0 || change.value.imag() == 0 ||
-                              std::abs(root.value) <= both_parts * root.noise;
-        guess.value = {0, standing ? 0 : std::abs(root.value.imag())};
+        const bool at_zero = root.value.imag() == 0 || change.value.imag() == 0 ||
+                             std::abs(root.value) <= both_parts * root.noise;
+        guess.value = {0, at_zero ? 0 : std::abs(root.value.imag())};
         if (root.value.imag() < 0) {
             guess.right = guess.right.conjugate().eval();
             guess.left = guess.left.conjugate().eval();
         }
-        const bool collide = change.undamped && !standing;
-        const auto exact = collide ? std::nullopt : on_the_axis(_motions.whole(), guess, standing);
+        const bool collide = change.undamped && !at_zero;
+        const auto exact = collide ? std::nullopt : on_the_axis(_motions.whole(), guess, at_zero);
         const double reach = 3 * (change.to - change.from) + 1e-4 * std::abs(change.speed);
         // A pair next to zero can lead to where two real roots meet, which is another motion.
         constexpr double like = 0.5;
@@ -176,14 +176,14 @@ class EndSearch {
         const int single = change.gain > 0 ? 1 : -1;
         // Of a pair two begin or cease to grow.
         const bool by_one = confirmed && std::abs(change.gain) == 1;
-        if (!standing && (by_one || (!confirmed && !change.smooth)))
+        if (!at_zero && (by_one || (!confirmed && !change.smooth)))
             if (const auto zero = zero_beside(change, guess)) {
                 _found.push_back({*zero, EndKind::zero, change.gain, false, change.speed});
                 return;
             }
-        if (confirmed && (standing || exact->rate.real() * single > 0)) {
-            _found.push_back({*exact, standing ? EndKind::zero : EndKind::pair,
-                              standing ? change.gain : 2 * single, false, change.speed});
+        if (confirmed && (at_zero || exact->rate.real() * single > 0)) {
+            _found.push_back({*exact, at_zero ? EndKind::zero : EndKind::pair,
+                              at_zero ? change.gain : 2 * single, false, change.speed});
         } else if (!change.smooth && change.from != change.to &&
                    change.to - change.from < 1e-9 * std::abs(change.speed)) {
             guess.value = {0, std::abs(change.value.imag())};
@@ -210,17 +210,16 @@ class EndSearch {
                    : std::nullopt;
     }
 
-    /// Next to a speed rounding hides whether motions grow: as many as the looks on both sides
-    /// tell.
+    /// Next to a speed rounding hides whether motions grow: as many as at the speeds on both sides.
     [[nodiscard]] bool hidden_at(double speed) const {
         const double near = hidden * std::abs(speed);
         return std::any_of(_counts.lower_bound(speed - near), _counts.upper_bound(speed + near),
-                           [](const auto &look) { return look.second.unknown > 0; });
+                           [](const auto &probe) { return probe.second.unknown > 0; });
     }
 
     /// Of two real roots that meet next to zero the one that grew is lost in rounding there, and
     /// found as one of two a little later: all these changes are those of the roots which pass
-    /// zero, each once, and how many grow is what the looks on both sides tell.
+    /// zero, each once, and how many grow follows from the speeds on both sides.
     void take_together() {
         std::vector<Found> out;
         const auto next_to_zero = [](const Found &found) {
@@ -300,16 +299,16 @@ class EndSearch {
             out[passed] = std::max(out[passed], count.*counted);
             seen.push_back({passed, {speed, count}});
         }
-        for (const auto &[interval, look] : seen)
-            if (look.second.*counted + look.second.unknown + look.second.hidden < out[interval])
-                _out.doubtful.push_back({look.first, look.first});
+        for (const auto &[interval, probe] : seen)
+            if (probe.second.*counted + probe.second.unknown + probe.second.hidden < out[interval])
+                _out.doubtful.push_back({probe.first, probe.first});
         for (std::size_t k = 0; k < out.size(); ++k)
             if (out[k] == none)
                 out[k] = k > 0 ? out[k - 1] + found[k - 1].gain : 0;
-        // Of those that rounding hides at every look the changes on both sides tell.
+        // Those that rounding hides at every speed are known from the changes on both sides.
         std::vector<char> hides(out.size(), 0);
-        for (const auto &[interval, look] : seen)
-            hides[interval] = hides[interval] != 0 || look.second.hidden > 0;
+        for (const auto &[interval, probe] : seen)
+            hides[interval] = hides[interval] != 0 || probe.second.hidden > 0;
         for (std::size_t k = 1; k < out.size(); ++k)
             if (hides[k] != 0)
                 out[k] = std::max(out[k], out[k - 1] + found[k - 1].gain);
@@ -322,8 +321,8 @@ class EndSearch {
 
 } // namespace
 
-EndsFound find_ends(const AllMotions &motions, const std::vector<double> &looks, int steps) {
-    return EndSearch(motions, looks, steps).ends();
+EndsFound find_ends(const AllMotions &motions, const std::vector<double> &probe_speeds, int steps) {
+    return EndSearch(motions, probe_speeds, steps).ends();
 }
 
 } // namespace whirl::ends

@@ -20,17 +20,17 @@ struct EndsFound {
     std::vector<results::Interval> doubtful;
     /// The motions on the imaginary axis at the ends that are roots (kinds zero and pair).
     std::vector<WholeMotion> roots;
-    /// Of some motions rounding does not let one tell whether they grow: there is no damping, and
-    /// collisions of theirs are found more surely by a search for them (stability/).
+    /// Of some motions rounding hides whether they grow: there is no damping, and collisions of
+    /// theirs are found more surely by a search for them (stability/).
     bool undamped = false;
 };
 
 /// Every speed of the range at which the number of growing motions changes. All eigenvalues of the
 /// reduced rotor are followed through the range (sweep.h); each change is found again with the
 /// whole rotor, as a root (refinement.h), relative 1e-12 but for rounding.
-/// @param looks  speeds that should be looked at, as inside of bands known already
+/// @param probe_speeds  further speeds to count at, as inside of bands known already
 /// @param steps  to begin with
-[[nodiscard]] EndsFound find_ends(const AllMotions &motions, const std::vector<double> &looks,
-                                  int steps = usual_steps);
+[[nodiscard]] EndsFound find_ends(const AllMotions &motions,
+                                  const std::vector<double> &probe_speeds, int steps = usual_steps);
 
 } // namespace whirl::ends

@@ -1,6 +1,6 @@
 #include "ends/sweep.h"
 
-#include "ends/strands.h"
+#include "ends/branches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,18 +15,18 @@ namespace {
 /// motions grow at both ends; a change in one shorter than the second is known well enough.
 constexpr double minute = 1e-7;
 constexpr double least = 2e-11;
-constexpr int most_looks = 4000;
+constexpr int most_spectra = 4000;
 
-/// Where the real part of a strand passes zero.
-double zero_of(const Strand &strand) {
+/// Where the real part of a branch passes zero.
+double zero_of(const Branch &branch) {
     double low = 0;
     double high = 1;
-    const bool grows = strand.to->value.real() > 0;
-    if ((strand.from->value.real() > 0) == grows)
-        return strand.from->sign() == 0 ? 0 : 1; // at one end it is as good as zero
+    const bool grows = branch.to->value.real() > 0;
+    if ((branch.from->value.real() > 0) == grows)
+        return branch.from->sign() == 0 ? 0 : 1; // at one end it is as good as zero
     for (int k = 0; k < 60; ++k) {
         const double middle = (low + high) / 2;
-        ((strand.at(middle).real() > 0) == grows ? high : low) = middle;
+        ((branch.at(middle).real() > 0) == grows ? high : low) = middle;
     }
     return (low + high) / 2;
 }
@@ -36,9 +36,9 @@ class Sweep {
     Sweep(const AllMotions &motions, int piece, const std::vector<double> &speeds)
         : _motions(motions), _piece(piece),
           _scale(std::max(std::abs(speeds.front()), std::abs(speeds.back()))) {
-        Spectrum before = look(speeds.front());
+        Spectrum before = spectrum_at(speeds.front());
         for (std::size_t k = 1; k < speeds.size(); ++k) {
-            Spectrum now = look(speeds[k]);
+            Spectrum now = spectrum_at(speeds[k]);
             through(before, now);
             before = std::move(now);
         }
@@ -50,10 +50,10 @@ class Sweep {
     const AllMotions &_motions;
     int _piece;
     double _scale; ///< largest speed, rad/s
-    int _looks_left = most_looks;
+    int _spectra_left = most_spectra;
 
-    Spectrum look(double speed) {
-        --_looks_left;
+    Spectrum spectrum_at(double speed) {
+        --_spectra_left;
         Spectrum out = _motions.at(speed, _piece);
         Count &count = found.counts[speed];
         count = {};
@@ -70,10 +70,10 @@ class Sweep {
     void through(const Spectrum &a, const Spectrum &b) {
         const double step = b.speed - a.speed;
         const double size = std::max(std::abs(a.speed), std::abs(b.speed));
-        const Strands strands = followed(a, b);
-        std::optional<double> cut = look_at(strands, a, b, _scale);
+        const Branches branches = followed(a, b);
+        std::optional<double> cut = where_to_refine(branches, a, b, _scale);
         if (!cut) {
-            cut = take(a, b, strands);
+            cut = take(a, b, branches);
             if (!cut)
                 return;
         }
@@ -83,44 +83,45 @@ class Sweep {
             take_abrupt(a, b);
             return;
         }
-        if (_looks_left <= 0) {
+        if (_spectra_left <= 0) {
             found.doubtful.push_back({a.speed, b.speed});
             return;
         }
-        const Spectrum middle = look(a.speed + std::clamp(*cut, 1e-3, 1 - 1e-3) * step);
+        const Spectrum middle = spectrum_at(a.speed + std::clamp(*cut, 1e-3, 1 - 1e-3) * step);
         through(a, middle);
         through(middle, b);
     }
 
-    /// @returns where to look before the changes of a step can be told: in the middle, where what
-    /// becomes of the strands does not explain how many grow at its ends; between two real roots
-    /// that pass zero, of which each would lead to the other's speed
-    std::optional<double> take(const Spectrum &a, const Spectrum &b, const Strands &strands) {
+    /// @returns where to solve next before the changes of a step are known: in the middle, where
+    /// the branches do not explain how many grow at its ends; between two real roots that pass
+    /// zero, as refining one could find the other
+    std::optional<double> take(const Spectrum &a, const Spectrum &b, const Branches &branches) {
         std::vector<Change> changes;
-        std::vector<double> standing; // where in the step
+        std::vector<double> real_roots; // where in the step
         int sum = 0;
-        for (const Strand &strand : strands.strands) {
-            const int gain = (strand.to->sign() > 0 ? 1 : 0) - (strand.from->sign() > 0 ? 1 : 0);
+        for (const Branch &branch : branches.branches) {
+            const int gain = (branch.to->sign() > 0 ? 1 : 0) - (branch.from->sign() > 0 ? 1 : 0);
             sum += gain;
-            const double t = gain != 0 ? zero_of(strand) : 0;
-            const std::complex<double> value = strand.at(t);
+            const double t = gain != 0 ? zero_of(branch) : 0;
+            const std::complex<double> value = branch.at(t);
             if (gain == 0 || value.imag() < -1e-9 * _scale)
                 continue;
             if (value.imag() < 1e-9 * _scale && t > 0 && t < 1)
-                standing.push_back(t);
+                real_roots.push_back(t);
             changes.push_back({a.speed + t * (b.speed - a.speed),
                                a.speed,
                                b.speed,
                                {value.real(), std::abs(value.imag())},
                                gain,
-                               strand.from->sign() * strand.to->sign() != 0});
+                               branch.from->sign() * branch.to->sign() != 0});
         }
         if (sum != b.growing() - a.growing())
-            return strands.middle;
-        std::ranges::sort(standing);
-        for (std::size_t k = 1; k < standing.size(); ++k)
-            if ((standing[k] - standing[k - 1]) * (b.speed - a.speed) > minute * std::abs(b.speed))
-                return (standing[k] + standing[k - 1]) / 2;
+            return branches.middle;
+        std::ranges::sort(real_roots);
+        for (std::size_t k = 1; k < real_roots.size(); ++k)
+            if ((real_roots[k] - real_roots[k - 1]) * (b.speed - a.speed) >
+                minute * std::abs(b.speed))
+                return (real_roots[k] + real_roots[k - 1]) / 2;
         found.changes.insert(found.changes.end(), changes.begin(), changes.end());
         return std::nullopt;
     }

@@ -9,7 +9,7 @@
 
 namespace whirl::ends {
 
-/// A speed at which a motion begins or ceases to grow, as cubics between looks place it.
+/// A speed at which a motion begins or ceases to grow, placed by the cubic over its step.
 struct Change {
     double speed = 0;           ///< rad/s
     double from = 0, to = 0;    ///< the step that it lies in
@@ -19,8 +19,8 @@ struct Change {
     bool undamped = false;      ///< they did neither grow nor die out before they met
 };
 
-/// How many motions grow at a speed, and of how many of those that are not too fast rounding does
-/// not let one tell.
+/// How many motions grow at a speed, and of how many of those that are not too fast rounding hides
+/// whether they do.
 struct Count {
     int growing = 0;
     int unknown = 0;

@@ -214,8 +214,8 @@ double PeakSearch::corrected(double speed, std::size_t quantity) const {
         (slope(speed + apart, quantity) - slope(speed - apart, quantity)) / (2 * apart);
     const double step = -exact / curvature;
     constexpr double rounding = 1e-12;
-    const bool tells = std::abs(step) > rounding * std::abs(speed) && std::abs(step) < apart;
-    return tells ? speed + step : speed;
+    const bool usable = std::abs(step) > rounding * std::abs(speed) && std::abs(step) < apart;
+    return usable ? speed + step : speed;
 }
 
 double PeakSearch::bottom_between(const Sample &a, const Sample &b, std::size_t quantity) const {

@@ -118,8 +118,8 @@ QuadraticResolvent::QuadraticResolvent(const QuadraticTerms &terms, const Eigen:
 }
 
 void QuadraticResolvent::find_residues() {
-    // Columns of X are eigenvectors of T; nearer poles than rounding tells apart are held that far
-    // apart: their terms cancel, and T is solved.
+    // Columns of X are eigenvectors of T; nearer poles than rounding distinguishes are held that
+    // far apart: their terms cancel, and T is solved.
     const double least = std::numeric_limits<double>::epsilon() * _T.cwiseAbs().maxCoeff();
     Eigen::MatrixXcd X = Eigen::MatrixXcd::Identity(_T.rows(), _T.rows());
     for (Eigen::Index k = 1; k < _T.rows(); ++k) {

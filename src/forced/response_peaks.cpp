@@ -151,8 +151,8 @@ Compared widened_at(ReducedMotion &reduced, Comparison &whole, const std::vector
     return out;
 }
 
-/// What rounding hides at the speeds compared, ascending, is not told from an error of the peaks
-/// that they stand for.
+/// What rounding hides at the speeds compared, ascending, is not distinguished from an error of the
+/// peaks that they stand for.
 void add_rounding(const std::vector<std::pair<double, double>> &hidden, std::vector<Peak> &peaks) {
     if (hidden.empty())
         return;
@@ -177,12 +177,12 @@ std::vector<PeakSearch::Sample> drawn(const PeakSearch &search, double from, dou
     for (const PeakSearch::Sample &s : search.samples()) {
         if (s.speed < from || s.speed > to || without_limit(s.speed))
             continue;
-        bool tells = out.empty() || s.speed - out.back().speed > (to - from) / steps;
-        for (std::size_t i = 0; !tells && i < s.value.size(); ++i)
-            tells = std::abs(s.value[i] - out.back().value[i]) > seen * s.value[i] ||
-                    std::abs(std::remainder(s.phase[i] - out.back().phase[i],
-                                            2 * std::numbers::pi)) > turned;
-        if (tells)
+        bool keep = out.empty() || s.speed - out.back().speed > (to - from) / steps;
+        for (std::size_t i = 0; !keep && i < s.value.size(); ++i)
+            keep = std::abs(s.value[i] - out.back().value[i]) > seen * s.value[i] ||
+                   std::abs(std::remainder(s.phase[i] - out.back().phase[i],
+                                           2 * std::numbers::pi)) > turned;
+        if (keep)
             out.push_back(s);
     }
     return out;
@@ -216,7 +216,7 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     for (int round = 0; round < most_rounds; ++round) {
         if (round == 0 || out.reduction_error > moved)
             resonances = resonances_about(reduced, from, to);
-        // First the motions at the resonances, which tell most of those beside them.
+        // First the motions at the resonances, which decide most of those next to them.
         const Compared at =
             widened_at(reduced, whole, telling_speeds(resonances, from, to, round > 0),
                        agreed / 10); // so that peaks between agree as well

@@ -31,7 +31,8 @@ Sparse factor(const Sparse &A) {
 
 /// L with K = L L^T for a positive semidefinite K whose null space N is known: as many unknowns as
 /// N has columns, those by which its motions differ most, depend on the others in what strains, K =
-/// B K_rr B^T with B = [1; W], W = -N_p^-T N_r^T. Small pivots need not be told from zeros.
+/// B K_rr B^T with B = [1; W], W = -N_p^-T N_r^T. Small pivots need not be distinguished from
+/// zeros.
 Sparse semidefinite_factor(const Sparse &K, const Eigen::MatrixXd &N) {
     if (N.cols() == 0)
         return factor(K);

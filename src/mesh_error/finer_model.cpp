@@ -33,7 +33,7 @@ std::vector<std::complex<double>> of_sense(const modes::Spectrum &spectrum, bool
 /// Distance to the partner among candidates (likeness, eigenvalue of the finer model). Where one of
 /// them is far nearer than all others, and not much less like it, that is the mode (damped modes,
 /// and those on cross-coupled bearings, are not orthogonal: their shapes resemble each other). Else
-/// the farthest counts: where shapes do not tell which is which, the larger error is stated.
+/// the farthest counts: where shapes do not identify the counterpart, the larger error is stated.
 double error_among(std::complex<double> value,
                    std::vector<std::pair<double, std::complex<double>>> candidates) {
     constexpr double far_nearer = 0.02;

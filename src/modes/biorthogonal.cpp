@@ -165,8 +165,8 @@ Eigen::MatrixXd overlaps(const ModeBasis &a, const ModeBasis &b) {
                 .cwiseAbs());
     };
     Eigen::MatrixXd out = products(a.complex_right, b.complex_right);
-    for (std::size_t copy = 0; copy < a.copies.size(); ++copy)
-        out = out.cwiseMax(products(a.copies[a.ways_back[copy]], b.copies[copy]));
+    for (std::size_t alias = 0; alias < a.aliases.size(); ++alias)
+        out = out.cwiseMax(products(a.aliases[a.ways_back[alias]], b.aliases[alias]));
     return out;
 }
 

@@ -35,21 +35,22 @@ struct ModeBasis {
     Eigen::MatrixXd left, right;
     Eigen::MatrixXcd complex_left, complex_right;
     [[nodiscard]] bool is_complex() const { return complex_left.size() > 0; }
-    /// In rotating axes a mode may be followed by a copy of its continuation, its conjugate or one
-    /// of a Hill series: right vectors of such copies, and the copy that leads back from each.
-    std::vector<Eigen::MatrixXcd> copies;
+    /// In rotating axes a mode may be followed by an alias of its continuation, its conjugate or
+    /// one of a Hill series: right vectors of such aliases, and the alias that leads back from
+    /// each.
+    std::vector<Eigen::MatrixXcd> aliases;
     std::vector<std::size_t> ways_back;
-    /// Of a Hill series: more copies than the conjugate.
-    [[nodiscard]] bool of_series() const { return copies.size() > 1; }
+    /// Of a Hill series: more aliases than the conjugate.
+    [[nodiscard]] bool of_series() const { return aliases.size() > 1; }
     /// dv/dspeed of each mode towards lower and higher speeds; not a number where unknown.
     Eigen::VectorXcd rate_below, rate_above;
 };
 
-/// Products of left and right vectors of two speeds, both ways, of the copies that fit best: 1 for
+/// Products of left and right vectors of two speeds, both ways, of the aliases that fit best: 1 for
 /// a mode and itself, 0 for two modes of one speed. Rows of a, columns of b.
 [[nodiscard]] Eigen::MatrixXd overlaps(const ModeBasis &a, const ModeBasis &b);
 
-/// One of these products, with its phase; of a mode itself, not of its copies.
+/// One of these products, with its phase; of a mode itself, not of its aliases.
 [[nodiscard]] std::complex<double> overlap(const ModeBasis &a, const ModeBasis &b, Eigen::Index i,
                                            Eigen::Index j);
 

@@ -19,8 +19,9 @@ struct FreeMotions {
 };
 
 /// Decided by the constraints that the rotor has, one row for each spring there is, whatever its
-/// stiffness: sums of element stiffnesses would have to tell a soft bearing from the rounding of a
-/// stiff shaft. Springs whose forces cancel (a negative beside a positive stiffness) do constrain.
+/// stiffness: sums of element stiffnesses would have to resolve a soft bearing beside the rounding
+/// of a stiff shaft. Springs whose forces cancel (a negative beside a positive stiffness) do
+/// constrain.
 /// @param bearing_speed  rad/s, of the bearings' coefficients
 /// @param spin_speed     rad/s, of the gyroscopic coupling in `damping`
 [[nodiscard]] FreeMotions free_motions(const assembly::Discretization &discretization,

@@ -84,7 +84,7 @@ Spectrum GeneralSpectrum::solve(AtSpeed &problem, int wanted, Errors errors) con
         found = problem.solver(options.shift).solve(options);
     } catch (const linalg::SolverError &) {
         // Motions that creep, as against strong dampers, have eigenvalues so near zero that the
-        // others drown beside them; a shift towards the others brings both to one size.
+        // rounding of theirs hides the others; a shift towards the others brings both to one size.
         if (options.shift != 0)
             throw;
         options.shift = problem.elastic_shift();

@@ -6,7 +6,7 @@
 #include "linalg/quadratic/quadratic_eigen.h"
 #include "linalg/quadratic/quadratic_problem.h"
 #include "linalg/sparse_sum.h"
-#include "modes/hill/seen_whirl.h"
+#include "modes/hill/fixed_frame_whirl.h"
 #include "reduction/projection.h"
 #include "results/whirl.h"
 
@@ -55,9 +55,9 @@ RotatingSpectrum::RotatingSpectrum(const assembly::Discretization &discretizatio
                 _held.emplace_back(_parts, std::sqrt(*balancer->parts.diameter));
         }
     if (harmonics > 0)
-        _supports = reduced(assembly::turning_supports(discretization, bearing_speed,
-                                                       2 * (discretization.planar_size() +
-                                                            balancers::unknowns_of(balancers))),
+        _supports = reduced(assembly::periodic_supports(discretization, bearing_speed,
+                                                        2 * (discretization.planar_size() +
+                                                             balancers::unknowns_of(balancers))),
                             shapes);
 }
 
@@ -130,19 +130,20 @@ linalg::QuadraticResult RotatingSpectrum::solve_hill(double speed, int wanted, d
     return found;
 }
 
-/// A motion that stands still in the rotor is its own conjugate in one of its copies, and that one
-/// stands for it, whichever is largest: in the place of the copy `pair`, which is taken out of all.
-void RotatingSpectrum::take_standing_copy(double speed, std::vector<linalg::ComplexPair> &all,
-                                          linalg::ComplexPair &pair) {
+/// A motion that stands still in the rotor is its own conjugate in one of its aliases, and that one
+/// stands for it, whichever is largest: in the place of the alias `pair`, which is taken out of
+/// all.
+void RotatingSpectrum::take_self_conjugate(double speed, std::vector<linalg::ComplexPair> &all,
+                                           linalg::ComplexPair &pair) {
     const double places = std::round(pair.value.imag() / std::abs(2 * speed));
     const double near = 1e-7 * std::abs(speed);
     if (places == 0 || !(std::abs(pair.value.imag() - places * std::abs(2 * speed)) <= near))
         return;
-    for (linalg::ComplexPair &copy : all)
-        if (copy.vector.size() > 0 && copy.value.imag() == 0 &&
-            std::abs(copy.value.real() - pair.value.real()) <= near) {
-            std::swap(pair, copy);
-            copy.vector.resize(0); // not to be taken again
+    for (linalg::ComplexPair &alias : all)
+        if (alias.vector.size() > 0 && alias.value.imag() == 0 &&
+            std::abs(alias.value.real() - pair.value.real()) <= near) {
+            std::swap(pair, alias);
+            alias.vector.resize(0); // not to be taken again
             return;
         }
 }
@@ -181,8 +182,8 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
     }
     if (_harmonics > 0 && keep == Keep::best && speed != 0) {
         for (linalg::ComplexPair &pair : out.pairs)
-            take_standing_copy(speed, found.pairs, pair);
-        drop_copies_of_straight(_stations, _system.M.size(), speed, out.pairs);
+            take_self_conjugate(speed, found.pairs, pair);
+        drop_alias_of_straight(_stations, _system.M.size(), speed, out.pairs);
     }
     std::sort(out.pairs.begin(), out.pairs.end(),
               [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
@@ -193,7 +194,7 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radiu
                                                       Keep keep, Reach reach) const {
     // The shift is no eigenvalue, and of the size of what is looked for: the motions on the
     // supports, or, where those are far slower than the elastic ones wanted besides, these.
-    const bool near_zero = keep == Keep::accurate && speed != 0; // every motion has a copy there
+    const bool near_zero = keep == Keep::accurate && speed != 0; // every motion has an alias there
     const double slow =
         0.31 * (near_zero ? std::abs(speed)
                           : std::max(std::abs(speed), assembly::support_scale(_discretization)));
@@ -257,8 +258,8 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::eigenvalues(double speed, double
     return out;
 }
 
-RotatingSpectrum::Eigenvalues RotatingSpectrum::copies(double speed, double radius,
-                                                       int least) const {
+RotatingSpectrum::Eigenvalues RotatingSpectrum::aliases(double speed, double radius,
+                                                        int least) const {
     return up_to(speed, radius, least, Keep::accurate, Reach::asked);
 }
 
@@ -275,7 +276,7 @@ WhirlMode RotatingSpectrum::in_fixed_frame(const linalg::ComplexPair &pair, doub
         turn = nu; // both whirls have this frequency: the whole motion
         mode.shape = pair.vector.head(_system.M.size());
     } else {
-        const SeenWhirl whirl = seen_whirl(_stations, pair, _system.M.size(), speed);
+        const FixedFrameWhirl whirl = fixed_frame_whirl(_stations, pair, _system.M.size(), speed);
         turn = whirl.turn;
         constexpr double shown = 0.01; // of the energy: a tenth of the deflections
         if (nu != 0 && whirl.other_size >= shown * whirl.size)
@@ -353,7 +354,7 @@ RotatingSpectrum::Lowest RotatingSpectrum::lowest(double speed, int wanted) cons
     bool any = false;
     for (int attempt = 0; attempt <= 12; ++attempt) {
         try {
-            // Of the series each motion has many copies: a second decomposition of so large a
+            // Of the series each motion has many aliases: a second decomposition of so large a
             // matrix is for what is asked alone.
             out.found = up_to(speed, radius, wanted, Keep::best,
                               _harmonics > 0 ? Reach::asked : Reach::farthest);

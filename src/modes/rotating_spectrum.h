@@ -28,8 +28,8 @@ class RotatingSpectrum {
                      const std::vector<balancers::BalancerElement> &balancers, int harmonics,
                      const Eigen::MatrixXd *shapes = nullptr);
 
-    /// The same on few shapes without harmonics, whose eigenvalues are to begin with: as a dense
-    /// decomposition leaves them, without a word on their errors, at half the cost.
+    /// The same on the reduced rotor without harmonics, whose eigenvalues are to begin with: as a
+    /// dense decomposition leaves them, without a word on their errors, at half the cost.
     static RotatingSpectrum rough(const assembly::Discretization &discretization,
                                   const std::vector<balancers::BalancerElement> &balancers,
                                   const Eigen::MatrixXd &shapes);
@@ -50,7 +50,7 @@ class RotatingSpectrum {
     /// constant part. Vectors over all terms of the series. All places within `radius` of 0, and at
     /// least `least`, or all there are.
     /// @throws linalg::SolverError
-    [[nodiscard]] Eigenvalues copies(double speed, double radius, int least) const;
+    [[nodiscard]] Eigenvalues aliases(double speed, double radius, int least) const;
 
     /// Of deflections along the shaft, in x and y: a measure that no unit or mesh changes.
     [[nodiscard]] double motion_energy(const Eigen::VectorXcd &xy) const;
@@ -92,7 +92,7 @@ class RotatingSpectrum {
     const assembly::Discretization &_discretization;
     int _harmonics;
     assembly::RotatingSystem _system;
-    std::optional<assembly::TurningSupports> _supports;
+    std::optional<assembly::PeriodicSupports> _supports;
     Eigen::SparseMatrix<double> _M, _C, _Cs, _K, _Ks, _Kss; ///< of the system, to be combined
     Eigen::Index _parts = 0;                                ///< first unknown of balancers' parts
     /// First unknowns and diameters of parts that move across one alone (SmallMotions).
@@ -104,7 +104,7 @@ class RotatingSpectrum {
     std::array<Eigen::MatrixXd, 6> _full; ///< of a rough one: _M, _C, ... as full matrices
     mutable int _usual = 6; ///< pairs that were enough last time: the first try of the next
 
-    /// Copies of a motion that count.
+    /// Aliases of a motion that count.
     enum class Keep {
         best,    ///< the one whose constant part is largest
         accurate ///< those whose largest term has neighbours on both sides in the series
@@ -133,8 +133,8 @@ class RotatingSpectrum {
     /// @param radius  as of solve()
     [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double radius,
                                                      double shift) const;
-    static void take_standing_copy(double speed, std::vector<linalg::ComplexPair> &all,
-                                   linalg::ComplexPair &pair);
+    static void take_self_conjugate(double speed, std::vector<linalg::ComplexPair> &all,
+                                    linalg::ComplexPair &pair);
     [[nodiscard]] bool cut_off(const Eigen::VectorXcd &series) const;
     /// Residual and rounding by left vectors of the motions up to a modulus as seen from the fixed
     /// frame, 1/s, and of all that grow: a factorisation each.

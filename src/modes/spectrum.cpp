@@ -13,12 +13,12 @@
 #include "modes/orbits.h"
 #include "modes/planar_whirl.h"
 #include "modes/refined_spectrum.h"
+#include "modes/rotating/rotating_pencil.h"
+#include "modes/rotating/rotating_reduced_rotor.h"
 #include "modes/rotating_spectrum.h"
 #include "modes/solver/data.h"
 #include "modes/solver/degenerate.h"
 #include "modes/symmetric_spectrum.h"
-#include "modes/turning/few_turning.h"
-#include "modes/turning/turning_pencil.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
 
@@ -40,15 +40,15 @@ SpectrumSolver::~SpectrumSolver() = default;
 
 const Eigen::MatrixXd *SpectrumSolver::shapes() const { return _data->shapes.get(); }
 
-const SpectrumSolver *SpectrumSolver::on_few_shapes(double from, double to, int wanted) const {
-    if (!_data->turning)
+const SpectrumSolver *SpectrumSolver::reduced_for(double from, double to, int wanted) const {
+    if (!_data->reduced_rotor)
         return nullptr;
-    _data->take_turning({std::min(from, to), std::max(from, to), wanted});
-    if (_data->turning && !_data->on_few)
-        _data->on_few.reset(new SpectrumSolver(std::make_unique<Data>(
+    _data->use_reduced_rotor({std::min(from, to), std::max(from, to), wanted});
+    if (_data->reduced_rotor && !_data->reduced_solver)
+        _data->reduced_solver.reset(new SpectrumSolver(std::make_unique<Data>(
             _data->d.rotor(), _data->form, _data->d.order(), _data->refinement, 0,
-            std::make_shared<const Eigen::MatrixXd>(_data->turning->shapes()))));
-    return _data->on_few.get();
+            std::make_shared<const Eigen::MatrixXd>(_data->reduced_rotor->shapes()))));
+    return _data->reduced_solver.get();
 }
 
 const assembly::Discretization &SpectrumSolver::discretization() const { return _data->d; }
@@ -105,28 +105,28 @@ Spectrum SpectrumSolver::damped(double speed, int wanted, Errors errors) const {
 void SpectrumSolver::follow(const std::vector<double> &speeds, int wanted) const {
     constexpr std::size_t several = 8; // fewer cost less one by one
     if (!results::in_rotating_axes(_data->form) ||
-        (speeds.size() < several && !_data->turning_range))
+        (speeds.size() < several && !_data->reduced_range))
         return;
     const auto [from, to] = std::minmax_element(speeds.begin(), speeds.end());
-    _data->take_turning({*from, *to, wanted});
+    _data->use_reduced_rotor({*from, *to, wanted});
 }
 
 std::unique_ptr<SpectrumSolver> SpectrumSolver::by_monodromy(double from, double to,
                                                              int wanted) const {
     const int harmonics = _data->rotating->harmonics();
     Data::made(_data->series, _data->d, _data->balancers);
-    auto few = std::make_unique<Data>(
+    auto reduced = std::make_unique<Data>(
         _data->d.rotor(), _data->form, _data->d.order(), _data->refinement, harmonics,
         floquet_shapes(_data->d, _data->balancers, *_data->series, from, to, wanted));
-    few->floquet =
-        std::make_unique<FloquetSpectrum>(few->d, *few->rotating, few->balancers, few->shapes);
-    return std::unique_ptr<SpectrumSolver>(new SpectrumSolver(std::move(few)));
+    reduced->floquet = std::make_unique<FloquetSpectrum>(reduced->d, *reduced->rotating,
+                                                         reduced->balancers, reduced->shapes);
+    return std::unique_ptr<SpectrumSolver>(new SpectrumSolver(std::move(reduced)));
 }
 
 bool SpectrumSolver::by_matrix() const { return _data->floquet != nullptr; }
 
 bool SpectrumSolver::by_matrix(double speed, int wanted) const {
-    return by_matrix() && _data->floquet->tells(speed, wanted);
+    return by_matrix() && _data->floquet->resolves(speed, wanted);
 }
 
 double SpectrumSolver::slow() const { return by_matrix() ? _data->floquet->slow() : 0; }
@@ -135,7 +135,7 @@ std::vector<WhirlMode> SpectrumSolver::near(double speed,
                                             const std::vector<WhirlMode> &guesses) const {
     if (_data->form == results::Form::rotating && !_data->tables) {
         const RotatingSpectrum &rotating = *_data->rotating;
-        return turning_modes_near(
+        return rotating_modes_near(
             rotating,
             Data::made(_data->pencil, _data->matrices(), assembly::support_scale(_data->d)), speed,
             guesses);
@@ -149,10 +149,10 @@ std::vector<WhirlMode> SpectrumSolver::near(double speed,
 }
 
 Spectrum SpectrumSolver::rotating(double speed, int wanted, Errors errors) const {
-    if (_data->turning && speed != 0) {
-        _data->take_turning({speed, speed, wanted});
-        if (_data->turning)
-            if (std::optional<Spectrum> found = _data->turning->modes(speed, wanted))
+    if (_data->reduced_rotor && speed != 0) {
+        _data->use_reduced_rotor({speed, speed, wanted});
+        if (_data->reduced_rotor)
+            if (std::optional<Spectrum> found = _data->reduced_rotor->modes(speed, wanted))
                 return *std::move(found);
     }
     if (_data->floquet)
@@ -165,7 +165,7 @@ Spectrum SpectrumSolver::rotating(double speed, int wanted, Errors errors) const
 
 void SpectrumSolver::classify(Spectrum &spectrum) const {
     // At speed each mode in rotating axes comes with its dominant whirl, which is a
-    // circle, or a straight line (seen_whirl.h).
+    // circle, or a straight line (fixed_frame_whirl.h).
     if (results::is_planar(_data->form) ||
         (results::in_rotating_axes(_data->form) && spectrum.speed != 0))
         return;

@@ -52,19 +52,19 @@ class SpectrumSolver {
     /// Whether modes are those of shapes refined on the whole rotor (refined_spectrum.h).
     [[nodiscard]] bool refines() const;
 
-    /// Form rotating: by few shapes over the range of these speeds, where they do.
+    /// Form rotating: by a reduced rotor over the range of these speeds, where one suffices.
     void follow(const std::vector<double> &speeds, int wanted) const;
 
-    /// Form rotating: this rotor on the few shapes that its motions were found to have over a range
-    /// of speeds, after follow() through several; for searches that ask at hundreds of speeds. Its
-    /// modes are over the amplitudes of these shapes. Null where there is none.
+    /// Form rotating: this rotor reduced to the shapes that its motions were found to have over a
+    /// range of speeds, after follow() through several; for searches that ask at hundreds of
+    /// speeds. Its modes are over the amplitudes of these shapes. Null where there is none.
     /// @param from,to  rad/s
-    [[nodiscard]] const SpectrumSolver *on_few_shapes(double from, double to, int wanted) const;
+    [[nodiscard]] const SpectrumSolver *reduced_for(double from, double to, int wanted) const;
     /// Of such a rotor its planar shapes, N x r; null of a whole one.
     [[nodiscard]] const Eigen::MatrixXd *shapes() const;
 
-    /// Form hill: this rotor on the few shapes that its motions have over a range of speeds, its
-    /// modes by monodromy matrices (hill/floquet_spectrum.h) and over the amplitudes of these
+    /// Form hill: this rotor reduced to the shapes that its motions have over a range of speeds,
+    /// its modes by monodromy matrices (hill/floquet_spectrum.h) and over the amplitudes of these
     /// shapes; near() makes them those of this rotor.
     /// @param from,to  rad/s
     [[nodiscard]] std::unique_ptr<SpectrumSolver> by_monodromy(double from, double to,
@@ -72,7 +72,7 @@ class SpectrumSolver {
     /// This is such a rotor: a speed costs little.
     [[nodiscard]] bool by_matrix() const;
     /// Of such a rotor: it does so, for it is not next to rest, where its matrix cannot tell as
-    /// many modes (FloquetSpectrum::tells).
+    /// many modes (FloquetSpectrum::resolves).
     [[nodiscard]] bool by_matrix(double speed, int wanted) const;
     /// At speeds up to this one all its motions are at least five times as fast, rad/s; 0: not
     /// known (FloquetSpectrum::slow).

@@ -99,7 +99,7 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
     }
     ModeBasis out = basis_in(form, matrices, spectrum.speed, of);
     if (form == Form::rotating) {
-        out.copies = {out.complex_right.conjugate()};
+        out.aliases = {out.complex_right.conjugate()};
         out.ways_back = {0};
     }
     for (Eigen::VectorXcd *rates : {&out.rate_below, &out.rate_above})
@@ -124,7 +124,7 @@ ModeBasis SpectrumSolver::hill_basis(const Spectrum &spectrum) const {
         _data->rotating->harmonics(), std::abs(spectrum.speed) <= slow(), spectrum);
     // Where a spectrum costs much, slopes are those between speeds (tracking).
     if (!_data->floquet || spectrum.speed == 0 ||
-        _data->floquet->drowns(spectrum.speed, static_cast<int>(spectrum.modes.size())))
+        _data->floquet->loses_to_rounding(spectrum.speed, static_cast<int>(spectrum.modes.size())))
         return out;
     out.rate_below = rates(spectrum);
     out.rate_above = out.rate_below;

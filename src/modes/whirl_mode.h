@@ -63,8 +63,8 @@ struct Relaxation {
     }
 };
 
-/// Whether errors are judged by the left vectors too, a factorisation each: for those that are
-/// handed on, not for beginnings, names and what is followed.
+/// Whether errors are judged by the left vectors too, a factorisation each: for those that are of
+/// results, not for initial guesses, names and lines that are followed.
 enum class Errors { with_left_vectors, of_right_vectors };
 
 /// One whirl mode at one spin speed.
@@ -88,8 +88,8 @@ struct WhirlMode {
     Eigen::VectorXcd left; ///< forms general and rotating: of the matrices; empty: not known
     double residual = 0;
     double rounding = 0;
-    /// False in form hill: of a series cut off, or of a rotor on few shapes that was not found with
-    /// all unknowns. Such a value may be off by anything.
+    /// False in form hill: of a series cut off, or of a reduced rotor that was not found with all
+    /// unknowns. Such a value may be off by anything.
     bool confirmed = true;
 };
 
@@ -165,8 +165,8 @@ struct Spectrum {
     return false;
 }
 
-/// The eigenvalue of a mode. A real part that the eigensolver does not tell from zero is none:
-/// without damping the forms that allow for it would otherwise show damping of either sign.
+/// The eigenvalue of a mode. A real part that the eigensolver does not distinguish from zero is
+/// none: without damping the forms that allow for it would otherwise show damping of either sign.
 [[nodiscard]] inline std::complex<double> determined_value(const WhirlMode &mode) {
     const double error = (mode.residual + mode.rounding) * std::abs(mode.eigenvalue);
     const bool damped = std::abs(mode.eigenvalue.real()) > error;

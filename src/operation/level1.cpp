@@ -3,10 +3,10 @@
 #include "assembly/planar_part.h"
 #include "assembly/system.h"
 #include "ends/all_motions.h"
+#include "ends/branches.h"
 #include "ends/finer_ends.h"
 #include "ends/resolved_reach.h"
 #include "ends/stability_ends.h"
-#include "ends/strands.h"
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
 #include "model/errors.h"
@@ -140,7 +140,7 @@ class CoupledRotor {
     [[nodiscard]] const CouplingRange &range() const { return _range; }
     [[nodiscard]] const ends::AllMotions &motions() const { return _motions; }
 
-    /// Of largest real part, 1/s; a real part of 0: not told from nothing.
+    /// Of largest real part, 1/s; a real part of 0: zero within rounding.
     [[nodiscard]] Complex least_damped(double q) const {
         return _motions.fastest_growing(_range.s(q), 0, _motions.resolved_up_to()).value;
     }
@@ -153,10 +153,10 @@ class CoupledRotor {
         const ends::Spectrum before = _motions.at(_range.s(from));
         const ends::Spectrum after = _motions.at(_range.s(to));
         const ends::Root &root = before.nearest(value);
-        const ends::Strands strands = ends::followed(before, after);
-        for (const ends::Strand &strand : strands.strands)
-            if (strand.from == &root && strand.cluster == 0)
-                return strand.to->value;
+        const ends::Branches branches = ends::followed(before, after);
+        for (const ends::Branch &branch : branches.branches)
+            if (branch.from == &root && branch.cluster == 0)
+                return branch.to->value;
         if (halvings == most_halvings)
             return after.nearest(root.value).value;
         const double middle = (from + to) / 2;
@@ -167,7 +167,7 @@ class CoupledRotor {
     [[nodiscard]] std::optional<Complex> of_whole(double q, Complex value) const {
         const ends::Root root = _motions.at(_range.s(q)).nearest(value);
         const auto whole = _motions.of_whole(_motions.lifted(root, _range.s(q)));
-        constexpr double same = 0.01; // few shapes are better than that
+        constexpr double same = 0.01; // the reduced rotor is better than that
         Complex found = root.value;
         if (whole && std::abs(whole->value - root.value) <= same * std::abs(root.value))
             found = {std::abs(whole->value.real()) <= whole->noise ? 0 : whole->value.real(),

@@ -91,13 +91,13 @@ std::vector<FloquetMotion> motions_of(const System &system, double speed,
         const Eigen::VectorXcd right = vector_of(found, found.right, i);
         const Eigen::VectorXcd left = vector_of(found, found.left, i);
         const double sharp = std::abs(found.products(i)) / (right.norm() * left.norm());
-        const double drowned = 10 * epsilon * size / std::max(sharp, epsilon);
+        const double rounding_of_value = 10 * epsilon * size / std::max(sharp, epsilon);
         constexpr double known = 1e-3; // of a multiplier
-        if (!(drowned < known * std::abs(multiplier)))
+        if (!(rounding_of_value < known * std::abs(multiplier)))
             continue;
         FloquetMotion motion;
         motion.value = std::log(multiplier) / period(speed);
-        motion.noise = drowned / std::abs(multiplier) / period(speed);
+        motion.noise = rounding_of_value / std::abs(multiplier) / period(speed);
         motion.state = right.normalized();
         motion.shape = weights.cwiseInverse().cwiseProduct(motion.state);
         motion.frequency = frequency_of(steady.M, motion.shape);

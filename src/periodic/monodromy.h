@@ -36,7 +36,7 @@ struct FloquetMotion {
     double frequency = 0; ///< |q'| over |q| at t = 0, measured by M, rad/s
 };
 
-/// Eigenpairs of the monodromy matrix, both conjugates; without those that rounding has drowned.
+/// Eigenpairs of the monodromy matrix, both conjugates; without those hidden by rounding.
 /// @throws linalg::SolverError
 [[nodiscard]] std::vector<FloquetMotion> floquet_motions(const System &system, double speed,
                                                          int steps);

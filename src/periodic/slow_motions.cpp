@@ -15,9 +15,9 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXcd;
 
-/// Whether one motion is a copy of another: the exponents differ by a multiple of 2 i speed, and
+/// Whether one motion is an alias of another: the exponents differ by a multiple of 2 i speed, and
 /// the terms are the same.
-bool copies(const SeriesMotion &a, Complex b_value, const MatrixXcd &b, double speed) {
+bool aliases(const SeriesMotion &a, Complex b_value, const MatrixXcd &b, double speed) {
     constexpr double same = 1e-9;
     const double places = std::round((a.value - b_value).imag() / (2 * speed));
     const Complex rest = a.value - b_value - Complex(0, 2 * speed * places);
@@ -37,8 +37,8 @@ bool all_apart(const std::vector<SeriesMotion> &motions, double speed) {
         for (std::size_t j = 0; j < i; ++j) {
             const SeriesMotion &other = motions[j];
             const MatrixXcd turned = other.right.rowwise().reverse().conjugate();
-            if (copies(motions[i], other.value, other.right, speed) ||
-                copies(motions[i], std::conj(other.value), turned, speed))
+            if (aliases(motions[i], other.value, other.right, speed) ||
+                aliases(motions[i], std::conj(other.value), turned, speed))
                 return false;
         }
     return true;

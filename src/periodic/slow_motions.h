@@ -12,9 +12,10 @@ namespace whirl::periodic {
 
 /// Motions at speeds far below their frequencies. Half a turn takes so long there that the
 /// monodromy matrix needs many steps, or forgets damped motions, and Hill's series as one large
-/// eigenproblem has copies of every motion at distances of twice the speed. Each motion is followed
-/// down from a speed at which the matrix tells all, as a root of Hill's series with as many terms
-/// as it needs (modal_series.h). None is lost and none is met twice, or there is no answer.
+/// eigenproblem has aliases of every motion at distances of twice the speed. Each motion is
+/// followed down from a speed at which the matrix resolves all, as a root of Hill's series with as
+/// many terms as it needs (modal_series.h). None is lost and none is met twice, or there is no
+/// answer.
 class SlowMotions {
   public:
     using SystemAt = std::function<const System &(double speed)>;
@@ -24,7 +25,7 @@ class SlowMotions {
     SlowMotions(SystemAt system, double from, const std::vector<FloquetSeries> &motions);
 
     /// @param speed  of the sign of `from` and not larger, rad/s
-    /// @returns the same motions in the same order, each as the copy with the largest term in the
+    /// @returns the same motions in the same order, each as the alias with the largest term in the
     ///          middle; nothing where one of them is lost on the way, or takes too many terms
     [[nodiscard]] std::optional<std::vector<FloquetSeries>> at(double speed);
 

@@ -49,8 +49,8 @@ System::System(const assembly::Discretization &discretization, double bearing_sp
     _Ks = reduced(system.Ks);
     _Kss = reduced(system.Kss);
     const int unknowns = system.M.size();
-    const assembly::TurningSupports turning =
-        assembly::turning_supports(discretization, bearing_speed, unknowns);
+    const assembly::PeriodicSupports turning =
+        assembly::periodic_supports(discretization, bearing_speed, unknowns);
     const std::vector<Sparse> all{turning.C.cosine.view(),  turning.C.sine.view(),
                                   turning.K.cosine.view(),  turning.K.sine.view(),
                                   turning.Ks.cosine.view(), turning.Ks.sine.view()};
@@ -62,9 +62,9 @@ System::System(const assembly::Discretization &discretization, double bearing_sp
         const Eigen::MatrixXd forces = A * picked;
         return linalg::transposed_times(picked, forces);
     };
-    _turning_C = {small(all[0]), small(all[1])};
-    _turning_K = {small(all[2]), small(all[3])};
-    _turning_Ks = {small(all[4]), small(all[5])};
+    _periodic_C = {small(all[0]), small(all[1])};
+    _periodic_K = {small(all[2]), small(all[3])};
+    _periodic_Ks = {small(all[4]), small(all[5])};
     const auto loads = [shapes](const Eigen::MatrixXd &columns) {
         return shapes != nullptr ? reduction::Projection(*shapes).loads(columns) : columns;
     };
@@ -112,12 +112,12 @@ Eigen::MatrixXd System::turning(double speed, double angle) const {
     const double c = std::cos(angle);
     const double s = std::sin(angle);
     const Eigen::Index m = _places.cols();
-    const bool damps = !_turning_C.cosine.isZero(0) || !_turning_C.sine.isZero(0);
+    const bool damps = !_periodic_C.cosine.isZero(0) || !_periodic_C.sine.isZero(0);
     Eigen::MatrixXd out(m, damps ? 2 * m : m);
-    out.leftCols(m) = c * (_turning_K.cosine + speed * _turning_Ks.cosine) +
-                      s * (_turning_K.sine + speed * _turning_Ks.sine);
+    out.leftCols(m) = c * (_periodic_K.cosine + speed * _periodic_Ks.cosine) +
+                      s * (_periodic_K.sine + speed * _periodic_Ks.sine);
     if (damps)
-        out.rightCols(m) = c * _turning_C.cosine + s * _turning_C.sine;
+        out.rightCols(m) = c * _periodic_C.cosine + s * _periodic_C.sine;
     return out;
 }
 

@@ -57,7 +57,7 @@ class System {
     struct Pair {
         Eigen::MatrixXd cosine, sine;
     };
-    Pair _turning_C, _turning_K, _turning_Ks;
+    Pair _periodic_C, _periodic_K, _periodic_Ks;
 
     void scale(const Eigen::VectorXd &unknowns);
 };

@@ -25,8 +25,8 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using linalg::Rows;
 
-/// Motions of which half a turn leaves so different parts are told from one another in one block:
-/// exp(-18) of a multiplier is 1e8 times its rounding.
+/// Motions of which half a turn leaves so different parts are separated in one block: exp(-18) of a
+/// multiplier is 1e8 times its rounding.
 constexpr double together = 18;
 
 /// Q_k+1 R_k = A_k Q_k over groups of parts of half a turn, R_k triangular. The last basis is the
@@ -53,7 +53,7 @@ class TriangularTurn {
         _settled = (columns < size && settle(columns)) || settle(size);
     }
 
-    /// Whether motions that matter are told from one another.
+    /// Whether motions that matter are separated.
     [[nodiscard]] bool settled() const { return _settled; }
     [[nodiscard]] std::size_t groups() const { return _R.size(); }
     /// The first part of a group; of the end the number of all.
@@ -171,11 +171,11 @@ std::vector<Multiplier> multipliers(const TriangularTurn &turn, Index begin, Ind
         const Eigen::VectorXcd left = vector_of(found, found.left, i);
         const double sharp = std::abs(found.products(i)) / (right.norm() * left.norm());
         const double size = std::abs(found.values(i));
-        const double drowned = 10 * rounding * matrix.norm() / std::max(sharp, rounding);
+        const double rounding_of_value = 10 * rounding * matrix.norm() / std::max(sharp, rounding);
         constexpr double known = 1e-3; // of a multiplier
-        if (drowned < known * size)
+        if (rounding_of_value < known * size)
             out.push_back({(std::log(found.values(i)) + logarithm) / half_turn,
-                           drowned / size / half_turn, right.normalized()});
+                           rounding_of_value / size / half_turn, right.normalized()});
     }
     return out;
 }
@@ -283,7 +283,7 @@ std::vector<MatrixXcd> over_half_turn(const TriangularTurn &turn, const std::vec
     return out;
 }
 
-/// All terms of a motion that so many places tell, the middle one that of its mean rate; nothing
+/// All terms of a motion that so many places resolve, the middle one that of its mean rate; nothing
 /// where there are more.
 /// @param states  with entries as they are
 std::optional<FloquetSeries> terms_of(const System &system, const MatrixXd &M, double speed,

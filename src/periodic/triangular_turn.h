@@ -27,7 +27,7 @@ namespace whirl::periodic {
 /// @param spread  of what is left of the motions listed after half a turn, the logarithm
 /// @param columns  directions that are followed at first, those of motions that die out far faster
 ///                 left out
-/// @returns those that can be told; nothing where the parts that their terms would need are too
+/// @returns those that can be resolved; nothing where the parts that their terms would need are too
 ///          many
 /// @throws linalg::SolverError
 [[nodiscard]] std::optional<std::vector<FloquetSeries>> damped_series(const System &system,

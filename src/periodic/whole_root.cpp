@@ -261,7 +261,7 @@ WholeRotor::Matrices WholeRotor::assembled(double bearing_speed) const {
         assembly::assemble_rotating(_discretization, bearing_speed, _balancers);
     const int unknowns = rotating.M.size();
     return {std::move(rotating),
-            assembly::turning_supports(_discretization, bearing_speed, unknowns)};
+            assembly::periodic_supports(_discretization, bearing_speed, unknowns)};
 }
 
 WholeRotor::AtSpeed WholeRotor::at(double speed) const {

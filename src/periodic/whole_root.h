@@ -31,9 +31,9 @@ class WholeRotor {
         Eigen::VectorXcd left;      ///< the same of the transposed problem, conjugate
         double noise = 0;           ///< how far rounding can move l, 1/s
     };
-    /// The root next to a guess: inverse iteration with both vectors, and the quotient of them.
-    /// At slow speeds copies of all motions are next to it: terms of the motion tell which is
-    /// meant.
+    /// The root next to a guess: inverse iteration with both vectors, and the quotient of them. At
+    /// slow speeds aliases of all motions are next to it: terms of the motion identify the one that
+    /// is meant.
     /// @param speed      not zero, rad/s
     /// @param frequency  that the motion is fastest at, rad/s: for the first N
     /// @param terms      q_-K, ..., q_K of the guess, a column each, any number of them, or none
@@ -71,7 +71,7 @@ class WholeRotor {
     /// Bearings as at one speed.
     struct Matrices {
         assembly::RotatingSystem rotating;
-        assembly::TurningSupports turning;
+        assembly::PeriodicSupports turning;
     };
     Matrices _matrices; ///< with tables: not used
     /// Their pattern and order of elimination, by the number of harmonics.

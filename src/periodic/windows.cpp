@@ -53,7 +53,7 @@ MatrixXd at_places(Index known, Index wanted) {
     return out;
 }
 
-/// Cosines and sines of the two highest terms that so many places tell, a column each.
+/// Cosines and sines of the two highest terms that so many places resolve, a column each.
 MatrixXd highest(Index places) {
     MatrixXd out(places, 4);
     for (Index j = 0; j < places; ++j)
@@ -92,7 +92,7 @@ class Windows {
         }
     }
 
-    /// Whether so many places tell the maps.
+    /// Whether so many places resolve the maps.
     [[nodiscard]] bool told() const {
         constexpr double nothing = 3e-15;
         return _maps.allFinite() && combined(_maps, highest(_maps.cols())).norm() <=
@@ -100,7 +100,7 @@ class Windows {
     }
 
     /// Windows twice as wide, as long as that takes fewer products than it saves; by more places
-    /// where these do not tell them any more.
+    /// where these do not resolve them any more.
     void widen() {
         constexpr Index price = 3; // of a place, in products
         while (_left % 2 == 0 && price * _maps.cols() < _left / 2) {
@@ -114,7 +114,7 @@ class Windows {
         }
     }
 
-    /// Windows as wide as a part; nothing where too many places are needed to tell them.
+    /// Windows as wide as a part; nothing where too many places are needed to resolve them.
     [[nodiscard]] std::optional<std::vector<Rows>> parts(Index count) {
         while (_left > count) {
             const MatrixXd before = _maps;

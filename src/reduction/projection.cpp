@@ -63,7 +63,7 @@ assembly::RotatingSystem Projection::of(const assembly::RotatingSystem &s) const
     return {of(s.M), of(s.C), of(s.Cs), of(s.K), of(s.Ks), of(s.Kss)};
 }
 
-assembly::TurningSupports Projection::of(const assembly::TurningSupports &s) const {
+assembly::PeriodicSupports Projection::of(const assembly::PeriodicSupports &s) const {
     return {{of(s.C.cosine), of(s.C.sine)},
             {of(s.K.cosine), of(s.K.sine)},
             {of(s.Ks.cosine), of(s.Ks.sine)}};

@@ -22,7 +22,7 @@ class Projection {
     [[nodiscard]] Eigen::MatrixXd of(const Eigen::SparseMatrix<double> &A) const;
     [[nodiscard]] assembly::FixedSystem of(const assembly::FixedSystem &system) const;
     [[nodiscard]] assembly::RotatingSystem of(const assembly::RotatingSystem &system) const;
-    [[nodiscard]] assembly::TurningSupports of(const assembly::TurningSupports &supports) const;
+    [[nodiscard]] assembly::PeriodicSupports of(const assembly::PeriodicSupports &supports) const;
 
     /// Loads on all unknowns, a column each, as loads on the amplitudes.
     [[nodiscard]] Eigen::MatrixXd loads(const Eigen::MatrixXd &columns) const;

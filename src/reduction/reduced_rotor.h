@@ -12,9 +12,9 @@ namespace whirl::reduction {
 /// Row of a quantity (a deflection, a slope) over the reduced unknowns, r entries.
 using Row = Eigen::VectorXd;
 
-/// A rotor on few shapes: planar unknowns q = shapes * p, p complex with r entries, the kinetic
-/// energy |p'|^2/2: shapes are orthonormal under the mass matrix, fast ones shorter, for inertia is
-/// added to them. The real form is (Re p; Im p).
+/// A reduced rotor: planar unknowns q = shapes * p, p complex with r entries, the kinetic energy
+/// |p'|^2/2: shapes are orthonormal under the mass matrix, fast ones shorter, for inertia is added
+/// to them. The real form is (Re p; Im p).
 struct ReducedRotor {
     Eigen::MatrixXd shapes;     ///< N x r
     Eigen::MatrixXd mass_times; ///< N x r: p = mass_times^T q, for q = shapes * p

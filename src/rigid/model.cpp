@@ -22,7 +22,7 @@ using assembly::Combination;
 using assembly::Discretization;
 
 /// Undamped forward motion that stands still in rotating axes: (K - W^2 A) u = 0.
-struct Standing {
+struct SynchronousProblem {
     Sparse K, A;
     int planes = 1; ///< real unknowns for each planar one
 };
@@ -33,7 +33,7 @@ assembly::RotatingSystem rotating_system(const Discretization &d) {
         true);
 }
 
-Standing standing(const Discretization &d) {
+SynchronousProblem synchronous_problem(const Discretization &d) {
     if (d.rotor().rotating_anisotropy()) {
         const assembly::RotatingSystem system = rotating_system(d);
         return {system.K.view(), Sparse(-Sparse(system.Kss.view())), 2};
@@ -43,7 +43,7 @@ Standing standing(const Discretization &d) {
 }
 
 /// With a deflection held at zero, in every plane.
-Standing pinned(const Standing &free, const Combination &deflection) {
+SynchronousProblem pinned(const SynchronousProblem &free, const Combination &deflection) {
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(free.planes, free.K.rows());
     for (int plane = 0; plane < free.planes; ++plane)
         for (const auto &[unknown, value] : deflection)
@@ -54,7 +54,7 @@ Standing pinned(const Standing &free, const Combination &deflection) {
 }
 
 /// The lowest positive roots, ascending with multiplicity; none where K is not positive definite.
-std::vector<ModelValue> roots(const Standing &motion, int count) {
+std::vector<ModelValue> roots(const SynchronousProblem &motion, int count) {
     std::vector<ModelValue> out;
     try {
         const auto K = linalg::Matrix::from_sparse(motion.K);
@@ -159,12 +159,12 @@ double permissible(ZeroRootStiffness &stiffness, const Combination &slope, doubl
 class Model {
   public:
     Model(const model::Rotor &rotor, int order, const std::vector<RigidTarget> &targets)
-        : _d(rotor, order), _standing(standing(_d)) {
+        : _d(rotor, order), _synchronous(synchronous_problem(_d)) {
         int count = 1;
         for (const RigidTarget &target : targets)
             if (target.kind != RigidQuantity::additional)
                 count = std::max({count, target.index + 1, target.upper.value_or(0) + 1});
-        _critical = roots(_standing, count);
+        _critical = roots(_synchronous, count);
     }
 
     [[nodiscard]] std::optional<ModelValue> value(const RigidTarget &target) const {
@@ -172,7 +172,7 @@ class Model {
         case RigidQuantity::critical:
             return at(_critical, target.index);
         case RigidQuantity::additional:
-            return at(roots(pinned(_standing, _d.deflection_at(target.z)), target.index + 1),
+            return at(roots(pinned(_synchronous, _d.deflection_at(target.z)), target.index + 1),
                       target.index);
         case RigidQuantity::permissible:
             return permissible_anisotropy(target);
@@ -183,7 +183,7 @@ class Model {
 
   private:
     Discretization _d;
-    Standing _standing;
+    SynchronousProblem _synchronous;
     std::vector<ModelValue> _critical;
 
     static std::optional<ModelValue> at(const std::vector<ModelValue> &values, int index) {

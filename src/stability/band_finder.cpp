@@ -117,8 +117,10 @@ BandsFound BandFinder::find(const std::vector<double> &speeds) {
     _shapes = found_shapes(speeds);
     if (_shapes)
         try {
-            const MotionSolver few(_model, _arrangement, _shapes);
-            const MotionsAt reduced = [&few](double speed) { return few.at(speed); };
+            const MotionSolver reduced_rotor(_model, _arrangement, _shapes);
+            const MotionsAt reduced = [&reduced_rotor](double speed) {
+                return reduced_rotor.at(speed);
+            };
             if (auto found = confirmed(reduced, whole, speeds))
                 return std::move(*found);
         } catch (const linalg::SolverError &) {

@@ -43,21 +43,21 @@ int across(const std::vector<int> &to, int index, bool upwards) {
 
 BandSearch::BandSearch(const MotionsAt &at, const std::vector<double> &speeds)
     : _at(at), _most_halvings(2 * static_cast<int>(speeds.size()) + 200) {
-    (void)look(speeds[0], speeds[1] - speeds[0]);
+    (void)probe(speeds[0], speeds[1] - speeds[0]);
     for (std::size_t k = 1; k < speeds.size(); ++k)
-        (void)look(speeds[k], speeds[k] - speeds[k - 1]);
+        (void)probe(speeds[k], speeds[k] - speeds[k - 1]);
     for (std::size_t k = 1; k < speeds.size(); ++k)
-        through(_looks.at(speeds[k - 1]), _looks.at(speeds[k]), 0);
-    for (auto next = std::next(_looks.begin(), 2); next != _looks.end(); ++next) {
-        const Look &before = std::prev(next, 2)->second;
-        const Look &middle = std::prev(next)->second;
+        through(_probes.at(speeds[k - 1]), _probes.at(speeds[k]), 0);
+    for (auto next = std::next(_probes.begin(), 2); next != _probes.end(); ++next) {
+        const Probe &before = std::prev(next, 2)->second;
+        const Probe &middle = std::prev(next)->second;
         peaks(before, middle, next->second);
         dip(before, middle, next->second);
     }
 }
 
-const BandSearch::Look &BandSearch::look(double speed, double step) {
-    Look &out = _looks[speed];
+const BandSearch::Probe &BandSearch::probe(double speed, double step) {
+    Probe &out = _probes[speed];
     out = {speed, _at(speed), 0};
     out.growth = growth_of(out.motions);
     _known[speed] = out.growth;
@@ -66,7 +66,7 @@ const BandSearch::Look &BandSearch::look(double speed, double step) {
     return out;
 }
 
-const Continuation &BandSearch::continuation(const Look &a, const Look &b) {
+const Continuation &BandSearch::continuation(const Probe &a, const Probe &b) {
     const auto found = _continued.find({a.speed, b.speed});
     if (found != _continued.end())
         return found->second;
@@ -78,40 +78,40 @@ const Continuation &BandSearch::continuation(const Look &a, const Look &b) {
 /// Follows the two to the next speeds that were looked at on one side of a step.
 /// @param at            which of the motions at the end of the step on that side they are
 /// @param first,second  their eigenvalues there
-void BandSearch::add_beyond(Coalescence &m, const Look &end, std::array<int, 2> at,
+void BandSearch::add_beyond(Coalescence &m, const Probe &end, std::array<int, 2> at,
                             std::complex<double> first, std::complex<double> second, bool upwards) {
     constexpr int most = 2;
-    const auto copy = [&m](const Look &look, int index) {
-        const double repeats = look.motions[static_cast<std::size_t>(index)].repeats;
-        return std::complex<double>(0, m.copies * repeats);
+    const auto alias = [&m](const Probe &probe, int index) {
+        const double repeats = probe.motions[static_cast<std::size_t>(index)].repeats;
+        return std::complex<double>(0, m.aliases * repeats);
     };
-    second -= copy(end, at[1]);
-    auto place = _looks.find(end.speed);
-    const auto border = upwards ? std::prev(_looks.end()) : _looks.begin();
+    second -= alias(end, at[1]);
+    auto place = _probes.find(end.speed);
+    const auto border = upwards ? std::prev(_probes.end()) : _probes.begin();
     for (int k = 0; k < most && place != border; ++k) {
-        const Look &here = place->second;
-        const Look &next = (upwards ? ++place : --place)->second;
+        const Probe &here = place->second;
+        const Probe &next = (upwards ? ++place : --place)->second;
         const Continuation &on = upwards ? continuation(here, next) : continuation(next, here);
         for (int &index : at) {
             index = across(on.to, index, upwards);
             if (index == Continuation::nowhere)
                 return;
         }
-        first = copy_next_to(first, next.motions[static_cast<std::size_t>(at[0])]);
-        second = copy_next_to(second, next.motions[static_cast<std::size_t>(at[1])]);
-        m.beyond.push_back({next.speed, first, second + copy(next, at[1])});
+        first = nearest_alias(first, next.motions[static_cast<std::size_t>(at[0])]);
+        second = nearest_alias(second, next.motions[static_cast<std::size_t>(at[1])]);
+        m.beyond.push_back({next.speed, first, second + alias(next, at[1])});
     }
 }
 
-void BandSearch::halve(const Look &a, const Look &b, int depth) {
+void BandSearch::halve(const Probe &a, const Probe &b, int depth) {
     ++_halvings;
     const double half = (b.speed - a.speed) / 2;
-    const Look &middle = look(a.speed + half, half);
+    const Probe &middle = probe(a.speed + half, half);
     through(a, middle, depth + 1);
     through(middle, b, depth + 1);
 }
 
-void BandSearch::through(const Look &a, const Look &b, int depth) {
+void BandSearch::through(const Probe &a, const Probe &b, int depth) {
     const Continuation &next = continuation(a, b);
     const bool unstable = a.growth > 0 && b.growth > 0;
     // Where one motion grows all the way it does not matter what becomes of the others.
@@ -133,16 +133,16 @@ void BandSearch::through(const Look &a, const Look &b, int depth) {
 }
 
 /// @returns whether all of them could be judged.
-bool BandSearch::coalescences_resolved(const Continuation &next, const Look &a, const Look &b) {
+bool BandSearch::coalescences_resolved(const Continuation &next, const Probe &a, const Probe &b) {
     for (Coalescence m : next.coalescences) {
-        const auto unstable_at = [](const Look &look, std::complex<double> value) {
-            return look.growth > 0 && value.real() > 0;
+        const auto unstable_at = [](const Probe &probe, std::complex<double> value) {
+            return probe.growth > 0 && value.real() > 0;
         };
         // Of a motion that grows at one end it is known that a band ends in between.
         if (unstable_at(a, m.first_from) || unstable_at(a, m.second_from) ||
             unstable_at(b, m.first_to) || unstable_at(b, m.second_to))
             continue;
-        const bool known = m.ordered || m.copies == 0; // which of them is the copy
+        const bool known = m.ordered || m.aliases == 0; // which of them is the alias
         if (m.action == 0 && known) {
             add_beyond(m, b, m.index_to, m.first_to, m.second_to, true);
             add_beyond(m, a, m.index_from, m.first_from, m.second_from, false);
@@ -156,7 +156,7 @@ bool BandSearch::coalescences_resolved(const Continuation &next, const Look &a, 
     return true;
 }
 
-bool BandSearch::one_grows_through(const Continuation &next, const Look &a, const Look &b) {
+bool BandSearch::one_grows_through(const Continuation &next, const Probe &a, const Probe &b) {
     for (int i = 0; i < std::ssize(a.motions); ++i) {
         const int j = next.to[static_cast<std::size_t>(i)];
         if (j != Continuation::nowhere && a.motions[static_cast<std::size_t>(i)].grows() &&
@@ -179,7 +179,7 @@ void BandSearch::window_between(double from, double to) {
 }
 
 /// Of motions that die out at three neighbouring speeds.
-void BandSearch::peaks(const Look &a, const Look &b, const Look &c) {
+void BandSearch::peaks(const Probe &a, const Probe &b, const Probe &c) {
     const std::vector<int> &to_b = continuation(a, b).to;
     const std::vector<int> &to_c = continuation(b, c).to;
     for (std::size_t i = 0; i < a.motions.size(); ++i) {
@@ -236,7 +236,7 @@ void BandSearch::peak_of(const std::array<double, 3> &speeds,
 }
 
 /// A stable window under a dip of the largest growth.
-void BandSearch::dip(const Look &a, const Look &b, const Look &c) {
+void BandSearch::dip(const Probe &a, const Probe &b, const Probe &c) {
     const double y0 = a.growth;
     const double y1 = b.growth;
     const double y2 = c.growth;

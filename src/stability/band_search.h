@@ -34,7 +34,7 @@ class BandSearch {
 
   private:
     /// Motions at a speed.
-    struct Look {
+    struct Probe {
         double speed = 0;
         std::vector<Motion> motions;
         double growth = 0;
@@ -47,24 +47,24 @@ class BandSearch {
     int _halvings = 0; ///< so far
     int _most_halvings;
 
-    std::map<double, Look> _looks;                                ///< all so far
+    std::map<double, Probe> _probes;                              ///< all so far
     std::map<std::pair<double, double>, Continuation> _continued; ///< between neighbours
 
-    [[nodiscard]] const Look &look(double speed, double step);
-    [[nodiscard]] const Continuation &continuation(const Look &a, const Look &b);
-    void add_beyond(Coalescence &m, const Look &end, std::array<int, 2> at,
+    [[nodiscard]] const Probe &probe(double speed, double step);
+    [[nodiscard]] const Continuation &continuation(const Probe &a, const Probe &b);
+    void add_beyond(Coalescence &m, const Probe &end, std::array<int, 2> at,
                     std::complex<double> first, std::complex<double> second, bool upwards);
-    void through(const Look &a, const Look &b, int depth);
-    void halve(const Look &a, const Look &b, int depth);
-    [[nodiscard]] bool coalescences_resolved(const Continuation &next, const Look &a,
-                                             const Look &b);
-    [[nodiscard]] static bool one_grows_through(const Continuation &next, const Look &a,
-                                                const Look &b);
+    void through(const Probe &a, const Probe &b, int depth);
+    void halve(const Probe &a, const Probe &b, int depth);
+    [[nodiscard]] bool coalescences_resolved(const Continuation &next, const Probe &a,
+                                             const Probe &b);
+    [[nodiscard]] static bool one_grows_through(const Continuation &next, const Probe &a,
+                                                const Probe &b);
     void window_between(double from, double to);
-    void peaks(const Look &a, const Look &b, const Look &c);
+    void peaks(const Probe &a, const Probe &b, const Probe &c);
     void peak_of(const std::array<double, 3> &speeds,
                  const std::array<std::complex<double>, 3> &values);
-    void dip(const Look &a, const Look &b, const Look &c);
+    void dip(const Probe &a, const Probe &b, const Probe &c);
 };
 
 } // namespace whirl::stability

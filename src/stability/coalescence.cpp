@@ -161,7 +161,7 @@ class Follower {
             spread = std::abs(values.front()) / 2;
         // At the border of what was computed motions come and go.
         const bool border = inner > 0.9 * _border;
-        // Balls near rest: rounding cannot tell these motions from each other, nor what they do.
+        // Balls near rest: rounding cannot distinguish these motions, nor what they do.
         const bool blurred = spread <= noise;
         if (!may_meet || growth < -spread || border || blurred) {
             // One that can only have become the other; another motion can still meet it.
@@ -210,10 +210,10 @@ class Follower {
         if (of_one_action({i, j}, {ti, tj}))
             return;
         const bool opposite = a(i).action * a(j).action < 0 && b(ti).action * b(tj).action < 0;
-        if (opposite && a(i).action != b(ti).action) // mixed: actions tell which is which
+        if (opposite && a(i).action != b(ti).action) // mixed: actions identify them
             std::swap(ti, tj);
-        const Complex first_to = copy_next_to(a(i).value, b(ti));
-        const Complex second_to = copy_next_to(a(j).value, b(tj));
+        const Complex first_to = nearest_alias(a(i).value, b(ti));
+        const Complex second_to = nearest_alias(a(j).value, b(tj));
         const double repeats_from = a(i).repeats;
         const double repeats_to = b(ti).repeats;
         const double moved = ordered ? 0 : most_moved(i, j, ti, tj);
@@ -233,13 +233,13 @@ class Follower {
     /// How far two motions can have moved in frequency, whichever became which.
     [[nodiscard]] double most_moved(int i, int j, int ti, int tj) const {
         const auto moved = [](const Motion &from, const Motion &to) {
-            return std::abs(copy_next_to(from.value, to).imag() - from.value.imag());
+            return std::abs(nearest_alias(from.value, to).imag() - from.value.imag());
         };
         return std::max(moved(a(i), b(ti)), moved(a(i), b(tj))) +
                std::max(moved(a(j), b(ti)), moved(a(j), b(tj)));
     }
 
-    /// Of a pair known as a pair: copies that are farther from each other at both ends than they
+    /// Of a pair known as a pair: aliases that are farther from each other at both ends than they
     /// could have come.
     [[nodiscard]] static bool far_apart(const Coalescence &m, double moved) {
         constexpr double reserve = 2;

@@ -20,7 +20,7 @@ struct Coalescence {
     double to = 0;
     std::complex<double> first_from, second_from, first_to, second_to; ///< 1/s
     bool ordered = true; ///< false: at `to` it is not known which is which
-    int copies = 0;      ///< the second one is that many of its copies away (Motion::repeats)
+    int aliases = 0;     ///< the second one is that many of its aliases away (Motion::repeats)
     std::array<int, 2> index_from{}; ///< which of the motions at `from` they are
     std::array<int, 2> index_to{};
     std::vector<PairValues> beyond; ///< the two outside of the speeds, where they are known
@@ -39,8 +39,8 @@ struct Continuation {
 /// `from` (least squares); where one coefficient outweighs the others, that is the motion.
 ///
 /// Two motions that became mixtures of each other are known as a pair only. Pairs that cross in
-/// frequency, by themselves or a whole number of copies away, and pairs known as pairs may meet. Of
-/// a pair and its conjugate one is listed; pairs too damped to open a band are left out. Larger
+/// frequency, by themselves or a whole number of aliases away, and pairs known as pairs may meet.
+/// Of a pair and its conjugate one is listed; pairs too damped to open a band are left out. Larger
 /// groups of mixtures, and motions without a partner well inside of what was computed, are
 /// doubtful.
 [[nodiscard]] Continuation continued(double from, const std::vector<Motion> &motions_from,

@@ -83,11 +83,11 @@ std::vector<RayleighFunctional::Admixture> admixtures(const std::vector<ComplexP
     return out;
 }
 
-/// Of copies next to +-i speed, which are one motion, one is kept.
+/// Of aliases next to +-i speed, which are one motion, one is kept.
 void drop_sidebands(std::vector<Motion> &motions, double speed) {
     const double width = 2 * std::abs(speed);
     const auto same = [width](const Motion &a, const Motion &b) {
-        return copies_apart(a.value, b.value, width) < 1e-6 * width &&
+        return alias_distance(a.value, b.value, width) < 1e-6 * width &&
                std::abs(a.state.dot(b.state)) > 1 - 1e-6;
     };
     std::vector<Motion> kept;
@@ -201,7 +201,7 @@ struct MotionSolver::Data {
 
     [[nodiscard]] Solved turning(double speed) const {
         if (hill)
-            return turning_hill(speed);
+            return rotating_hill(speed);
         const auto spectrum = tables ? std::make_shared<const modes::RotatingSpectrum>(
                                            d, speed, balancers, 0, shapes.get())
                                      : rotating;
@@ -213,7 +213,7 @@ struct MotionSolver::Data {
                 }};
     }
 
-    [[nodiscard]] Solved turning_hill(double speed) const {
+    [[nodiscard]] Solved rotating_hill(double speed) const {
         HillMotions::Found found = hill->at(speed);
         if (speed == 0)
             return {std::move(found.pairs), nullptr};
@@ -267,7 +267,7 @@ struct MotionSolver::Data {
         }
     }
 
-    /// Displacements and velocities at the time zero, the same for every copy in Hill's series.
+    /// Displacements and velocities at the time zero, the same for every alias in Hill's series.
     [[nodiscard]] Eigen::VectorXcd state_of(const ComplexPair &pair, double speed) const {
         const Eigen::Index n = root_K.size();
         Eigen::VectorXcd place = pair.vector.head(n);
@@ -297,7 +297,8 @@ struct MotionSolver::Data {
         return motion;
     }
 
-    /// Real parts that the eigensolver cannot tell from zero, from the forms that they consist of.
+    /// Real parts that the eigensolver cannot distinguish from zero, from the forms that they
+    /// consist of.
     void look_again(const Solved &solved, std::size_t index,
                     std::optional<RayleighFunctional> &functional, Motion &motion) const {
         const ComplexPair &pair = solved.pairs[index];
@@ -380,14 +381,14 @@ int MotionSolver::harmonics() const { return _data->hill ? _data->hill->harmonic
 
 const assembly::Discretization &MotionSolver::discretization() const { return _data->d; }
 
-std::complex<double> copy_next_to(std::complex<double> other, const Motion &motion) {
+std::complex<double> nearest_alias(std::complex<double> other, const Motion &motion) {
     if (motion.repeats == 0)
         return motion.value;
     const double off = motion.value.imag() - other.imag();
     return {motion.value.real(), other.imag() + std::remainder(off, motion.repeats)};
 }
 
-double copies_apart(std::complex<double> a, std::complex<double> b, double repeats) {
+double alias_distance(std::complex<double> a, std::complex<double> b, double repeats) {
     const Complex off = a - b;
     return std::abs(
         Complex(off.real(), repeats != 0 ? std::remainder(off.imag(), repeats) : off.imag()));

@@ -19,7 +19,7 @@ struct Motion {
     Eigen::VectorXcd state;     ///< displacements and velocities, made comparable; length 1
     double noise = 0;           ///< how far Re l can be from the truth by rounding, 1/s
     bool may_meet = true;       ///< slow enough for a combination resonance at this speed
-    double repeats = 0;         ///< copies of l lie i times this apart, rad/s; 0: there are none
+    double repeats = 0;         ///< aliases of l lie i times this apart, rad/s; 0: there are none
     int action = 0;             ///< without damping its sign (FloquetMotion), where it is known
 
     [[nodiscard]] bool grows() const { return value.real() > noise; }
@@ -28,9 +28,9 @@ struct Motion {
     [[nodiscard]] bool neutral() const { return std::abs(value.real()) <= noise; }
 };
 
-/// How far apart two values are where copies of both lie i times `repeats` apart (0: there are
+/// How far apart two values are where aliases of both lie i times `repeats` apart (0: there are
 /// none), 1/s.
-[[nodiscard]] double copies_apart(std::complex<double> a, std::complex<double> b, double repeats);
+[[nodiscard]] double alias_distance(std::complex<double> a, std::complex<double> b, double repeats);
 
 /// Motions looked at, however fast they are: more where bearings drive.
 [[nodiscard]] int fewest_motions(const model::Rotor &rotor);
@@ -85,8 +85,8 @@ class MotionSolver {
     std::unique_ptr<Data> _data;
 };
 
-/// The value of a motion at that of its copies (Motion::repeats) which is next to another value.
-[[nodiscard]] std::complex<double> copy_next_to(std::complex<double> other, const Motion &motion);
+/// The value of a motion at that of its aliases (Motion::repeats) which is next to another value.
+[[nodiscard]] std::complex<double> nearest_alias(std::complex<double> other, const Motion &motion);
 
 /// The one of largest real part.
 [[nodiscard]] const Motion &fastest_growing(const std::vector<Motion> &motions);

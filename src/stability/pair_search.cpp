@@ -46,7 +46,7 @@ double margin_of(double off_s, double off_q, double root) {
 }
 
 /// A pair that is known at speeds beyond both ends of a step, too. Mean and squared half difference
-/// by all of them, and without the first or the last one, which tells how far they can be trusted.
+/// by all of them, and without the first or the last one, which shows how far they can be trusted.
 class Neighbourhood {
   public:
     explicit Neighbourhood(const Coalescence &m) : _low(m.from), _high(m.to) {
@@ -167,7 +167,7 @@ class CoalescenceSearch {
             const double root = std::abs(std::sqrt(found.q).real());
             const double margin = margin_of(off_s, off_q, root);
             const double moved = std::abs(guess.speed - speed);
-            // What three points say of the whole is not enough: another look where they place the
+            // What three points say of the whole is not enough: another speed where they place the
             // most growth must agree with them.
             said_stable = guess.growth < -2 * margin ? said_stable + 1 : 0;
             if (said_stable == looks_that_agree || moved < 1e-9 * std::abs(_m.to) ||
@@ -225,8 +225,8 @@ class CoalescenceSearch {
             for (const Motion &b : motions) {
                 if (&a == &b)
                     continue;
-                // Copies as far apart as at the ends; both may be at another copy together.
-                const Complex shift(0, _m.copies * a.repeats);
+                // Aliases as far apart as at the ends; both may be at another alias together.
+                const Complex shift(0, _m.aliases * a.repeats);
                 PairPoint point = pair_point(speed, a.value, b.value + shift);
                 if (a.repeats > 0)
                     point.s = s + Complex((point.s - s).real(),
@@ -243,8 +243,8 @@ class CoalescenceSearch {
     }
 };
 
-/// Two motions of opposite actions, which tell which is which at every look: they open a band where
-/// the difference of their frequencies passes zero, and nowhere else.
+/// Two motions of opposite actions, which identify them at every speed: they open a band where the
+/// difference of their frequencies passes zero, and nowhere else.
 class PassingSearch {
   public:
     PassingSearch(const MotionsAt &at, const Coalescence &m)
@@ -271,7 +271,7 @@ class PassingSearch {
     Place _low, _high; ///< the narrowest so far
     double _size;
 
-    /// By the sign of the difference: each look leaves a smaller bracket, until one of them grows
+    /// By the sign of the difference: each speed leaves a smaller bracket, until one of them grows
     /// or rounding hides the difference, and with it any band that may be there.
     CoalescenceVerdict where_they_pass() {
         const double sign = _low.apart() < 0 ? 1 : -1;
@@ -281,7 +281,7 @@ class PassingSearch {
         constexpr int most_steps = 60;
         for (int step = 0; step < most_steps; ++step) {
             const double speed = bracket.next();
-            const std::optional<Place> now = look(speed);
+            const std::optional<Place> now = probe(speed);
             if (!now)
                 break;
             if (now->grows)
@@ -301,7 +301,7 @@ class PassingSearch {
     /// They come no nearer to each other than at the ends, nor would a parabola.
     CoalescenceVerdict in_the_middle() {
         const double speed = (_low.speed + _high.speed) / 2;
-        const std::optional<Place> now = look(speed);
+        const std::optional<Place> now = probe(speed);
         if (!now)
             return {Kind::unsure, speed};
         if (now->grows)
@@ -314,7 +314,7 @@ class PassingSearch {
     }
 
     /// Nothing where they are not what the ends lead one to expect.
-    [[nodiscard]] std::optional<Place> look(double speed) const {
+    [[nodiscard]] std::optional<Place> probe(double speed) const {
         const double share = (speed - _low.speed) / (_high.speed - _low.speed);
         const Complex first = _low.first + share * (_high.first - _low.first);
         const Complex second = _low.second + share * (_high.second - _low.second);
@@ -323,18 +323,18 @@ class PassingSearch {
         const Motion *other = nearest(motions, second, -_m.action);
         if (one == nullptr || other == nullptr)
             return std::nullopt;
-        const Place out{speed, copy_next_to(first, *one), copy_next_to(second, *other),
+        const Place out{speed, nearest_alias(first, *one), nearest_alias(second, *other),
                         one->noise + other->noise, !one->neutral() || !other->neutral()};
         const double off = std::max(std::abs(out.first - first), std::abs(out.second - second));
         return out.grows || off <= 0.3 * _size ? std::optional(out) : std::nullopt;
     }
-    /// Of this action, or of none that can be told: where they have met.
+    /// Of this action, or of none that is known: where they have met.
     [[nodiscard]] static const Motion *nearest(const std::vector<Motion> &motions, Complex expected,
                                                int action) {
         const Motion *best = nullptr;
         double least = HUGE_VAL;
         for (const Motion &motion : motions) {
-            const double off = std::abs(copy_next_to(expected, motion) - expected);
+            const double off = std::abs(nearest_alias(expected, motion) - expected);
             if (motion.action * action >= 0 && off < least) {
                 least = off;
                 best = &motion;

@@ -21,9 +21,9 @@ struct CoalescenceVerdict {
 /// sqrt(q) are not; interpolated, they lead to the place where s + sqrt(q) grows most, and what is
 /// found there judges the interpolation.
 ///
-/// Motions without damping whose opposite actions are known at both ends are told apart everywhere
-/// but inside their band: the sign of the difference of their frequencies brackets it. None is seen
-/// of bands in which growth stays within the noise of the two.
+/// Motions without damping whose opposite actions are known at both ends are distinguished
+/// everywhere but inside their band: the sign of the difference of their frequencies brackets it.
+/// None is seen of bands in which growth stays within the noise of the two.
 [[nodiscard]] CoalescenceVerdict examine(const MotionsAt &at, const Coalescence &coalescence);
 
 } // namespace whirl::stability

@@ -39,7 +39,7 @@ constexpr std::size_t most_kept = 4000;
 /// Rounding that is ever there, of speed and modulus.
 constexpr double ever_there = 1e-11;
 
-/// Largest copies_apart over the speed of those up to a frequency to the nearest of the others.
+/// Largest alias_distance over the speed of those up to a frequency to the nearest of the others.
 double largest_change(const Floquet &some, const Floquet &others, double reach, double speed) {
     double worst = 0;
     for (const FloquetMotion &motion : some) {
@@ -47,7 +47,7 @@ double largest_change(const Floquet &some, const Floquet &others, double reach, 
             continue;
         double nearest = std::numeric_limits<double>::infinity();
         for (const FloquetMotion &other : others)
-            nearest = std::min(nearest, copies_apart(motion.value, other.value, 2 * speed) -
+            nearest = std::min(nearest, alias_distance(motion.value, other.value, 2 * speed) -
                                             100 * (other.noise + motion.noise));
         worst = std::max(worst, nearest / speed);
     }
@@ -260,7 +260,7 @@ std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bo
         const bool neutral = !_discretization.rotor().damped() && motion.neutral();
         const bool matters =
             motion.grows() || (!neutral && motion.value.real() >= most - 10 * agreement * size);
-        // Faster ones are looked at where the rotor turns faster: fewer harmonics tell there.
+        // Faster ones are looked at where the rotor turns faster: fewer harmonics suffice there.
         if (motion.value.imag() < 0 || !(matters || (all && motion.may_meet)))
             continue;
         const auto root = whole_root(speed, one);

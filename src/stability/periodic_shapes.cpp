@@ -12,7 +12,7 @@
 
 namespace whirl::stability {
 
-/// The whole rotor's own motion on the strip. Far from its largest term it is found by the copy
+/// The whole rotor's own motion on the strip. Far from its largest term it is found by the alias
 /// around that, which takes few terms.
 std::optional<periodic::WholeRotor::Root> PeriodicMotions::whole_root(double speed,
                                                                       const Listed &one) const {
@@ -24,12 +24,12 @@ std::optional<periodic::WholeRotor::Root> PeriodicMotions::whole_root(double spe
         const auto series =
             periodic::centred_series(system(speed), speed, steps(speed, reach(speed)), motion);
         if (series) {
-            const reduction::Projection few(*_shapes);
+            const reduction::Projection basis(*_shapes);
             Eigen::MatrixXcd terms(2 * _discretization.planar_size() +
                                        2 * balancers::unknowns_of(_balancers),
                                    series->terms.cols());
             for (Eigen::Index k = 0; k < terms.cols(); ++k)
-                terms.col(k) = few.lifted(series->terms.col(k));
+                terms.col(k) = basis.lifted(series->terms.col(k));
             auto root = _whole->next_to(speed, series->value, 0, terms);
             if (root) {
                 root->value += motion.value - series->value;
@@ -50,7 +50,7 @@ bool PeriodicMotions::has_wanted() const {
             const double allowed =
                 closely * std::max(std::abs(speed), std::abs(one.value)) + 10 * one.noise;
             return std::ranges::any_of(list, [&](const Listed &other) {
-                return copies_apart(one.value, other.motion.value, 2 * speed) <= allowed;
+                return alias_distance(one.value, other.motion.value, 2 * speed) <= allowed;
             });
         });
     });

@@ -73,8 +73,8 @@ class Varied {
     /// The whole rotor.
     [[nodiscard]] MotionSolver whole(double dI) const { return {model_with(dI), _arrangement}; }
 
-    /// What the shapes tell is still to be found with the whole rotor. By the monodromy matrix all
-    /// is by shapes.
+    /// What the reduced rotor gives is still to be found with the whole rotor. By the monodromy
+    /// matrix all is by shapes.
     [[nodiscard]] bool to_be_refined() const { return _by_shapes && _shapes && !by_monodromy(); }
     void leave_shapes() { _by_shapes = false; }
 
@@ -88,7 +88,7 @@ class Varied {
         };
         try {
             return count(dI) > count(0);
-        } catch (const linalg::SolverError &) { // not to be told: the search below decides
+        } catch (const linalg::SolverError &) { // not decided: the search below decides
             return false;
         }
     }
@@ -101,7 +101,7 @@ class Varied {
         return growth_of(solver(dI).at(speed)) > 0;
     }
 
-    /// The same by the whole rotor, near what the shapes told; none where it is not there.
+    /// The same by the whole rotor, near that of the reduced rotor; none where it is not there.
     [[nodiscard]] std::optional<double> refined(double speed, double told) const {
         const auto growth = [&](double dI) { return growth_of(whole(dI).at(speed)); };
         for (const double share : {1e-8, 1e-6, 1e-4}) {

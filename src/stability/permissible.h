@@ -12,11 +12,10 @@ namespace whirl::stability {
 /// For each anisotropy element the largest dI (the others as given) that leaves every speed of
 /// `speeds` stable, by descent: from the largest dI that a body can have, each unstable band gives
 /// the dI at which its strongest speed is just stable, until no band is left. This is done with a
-/// rotor on few shapes; what comes out is found again with the whole rotor, and verified by the
-/// search for bands, at it and just above. Beside it the
-/// closed form of the rigid rotor (A. N. Gorbenko, On the permissible level of inertial anisotropy
-/// of a gyroscopic rotor) where its supports are isotropic, symmetric about the centre of mass and
-/// there is no balancer.
+/// reduced rotor; what comes out is found again with the whole rotor, and verified by the search
+/// for bands, at it and just above. Beside it the closed form of the rigid rotor (A. N. Gorbenko,
+/// On the permissible level of inertial anisotropy of a gyroscopic rotor) where its supports are
+/// isotropic, symmetric about the centre of mass and there is no balancer.
 ///
 /// Where the equations of an elastic rotor stay periodic in time, the bands of the rotor as it is,
 /// or of the last unstable one of the descent, are followed to the dI at which the last of them

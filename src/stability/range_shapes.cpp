@@ -27,9 +27,9 @@ constexpr double hardly_fewer = 0.85;
 constexpr std::array left_of_lacking{3e-2, 1e-2, 3e-3, 1e-3, 1e-5};
 constexpr double left_of_all_rotating = 1e-4;
 constexpr double left_of_all_fixed = 1e-3;
-/// How far an eigenvalue may be from that of the whole rotor, which what is told has in the end:
-/// over it or the spin speed of motions that matter (reach_at), in rotating axes, where roots meet
-/// next to zero, and in fixed ones; over it of faster ones, as far as there are some.
+/// How far an eigenvalue may be from that of the whole rotor, which results have in the end: over
+/// it or the spin speed of motions that matter (reach_at), in rotating axes, where roots meet next
+/// to zero, and in fixed ones; over it of faster ones, as far as there are some.
 constexpr double agreeing_rotating = 1e-7;
 constexpr double agreeing_fixed = 1e-5;
 constexpr double agreeing_fast = 1e-3;
@@ -61,9 +61,9 @@ class Comparison {
     }
 
     void with(const Eigen::MatrixXd &shapes) {
-        const reduction::Projection few(shapes);
+        const reduction::Projection basis(shapes);
         std::vector<modes::Root> roots = modes::all_roots<double>(
-            {few.of(_whole.M), few.of(_whole.D), few.of(_whole.K), {}, {}}, _shift, _zeros);
+            {basis.of(_whole.M), basis.of(_whole.D), basis.of(_whole.K), {}, {}}, _shift, _zeros);
         keep_values(roots);
         std::erase_if(roots, [](const modes::Root &root) { return root.value.imag() < 0; });
         std::ranges::sort(roots, {}, [](const auto &root) { return std::abs(root.value); });
@@ -78,7 +78,7 @@ class Comparison {
             if (!matters || root.noise >= size) // of the latter nothing is known
                 continue;
             auto found =
-                _pencil.refined({root.value, few.lifted(root.right), few.lifted(root.left)});
+                _pencil.refined({root.value, basis.lifted(root.right), basis.lifted(root.left)});
             const double allowed =
                 root.noise + (is_slow ? _agreeing * std::max(size, _speed) : agreeing_fast * size);
             const bool same = found && std::abs(found->value - root.value) <= allowed;

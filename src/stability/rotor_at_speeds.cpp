@@ -208,13 +208,13 @@ bool refine(const ZeroRootSystem &system, linalg::ComplexPair &pair) {
     return false;
 }
 
-/// By those of the system on few shapes, each made a root of the whole one; nothing where one of
-/// them is none.
+/// By those of the reduced system, each made a root of the whole one; nothing where one of them is
+/// none.
 std::optional<std::vector<linalg::ComplexPair>> refined(const ZeroRootSystem &system,
                                                         const Eigen::MatrixXd &shapes, double top) {
-    const reduction::Projection few(shapes);
-    const auto reduced = [&few](const Eigen::SparseMatrix<double> &A) {
-        return Eigen::SparseMatrix<double>(few.of(A).sparseView());
+    const reduction::Projection basis(shapes);
+    const auto reduced = [&basis](const Eigen::SparseMatrix<double> &A) {
+        return Eigen::SparseMatrix<double>(basis.of(A).sparseView());
     };
     constexpr double beyond = 1.01; // the top of the range
     std::vector<linalg::ComplexPair> out;
@@ -224,7 +224,7 @@ std::optional<std::vector<linalg::ComplexPair>> refined(const ZeroRootSystem &sy
             if (!is_asked_for(pair, top, beyond))
                 continue;
             const double speed = pair.value.real();
-            pair.vector = few.lifted(pair.vector);
+            pair.vector = basis.lifted(pair.vector);
             if (refine(system, pair))
                 out.push_back(std::move(pair));
             else if (!is_at_rest(system, speed, top))
@@ -294,7 +294,7 @@ StabilityModel stability_model(const model::Case &scene, const std::vector<doubl
     out.formulation = modes::without_planar_damped(chosen, scene.rotor);
     out.order = mesh_error::resolve_order(scene, out.formulation);
     const results::Form form = out.formulation.form;
-    // On few shapes its fast motions would grow where those of the whole rotor do not.
+    // On the reduced rotor its fast motions would grow where those of the whole rotor do not.
     if (!scene.rotor.shaft.torque_has_potential() && form != results::Form::hill)
         out.reduction = false;
     if (results::in_rotating_axes(form)) {

@@ -18,11 +18,11 @@ class GrowthAlong {
         _reference = fastest_growing(at(unstable));
     }
 
-    struct Look {
+    struct Probe {
         Motion motion;    ///< of those most like the one followed, the one that grows most
         double apart = 0; ///< of the two neutral motions next to its frequency, rad/s; 0: none
     };
-    Look operator()(double speed) const {
+    Probe operator()(double speed) const {
         const std::vector<Motion> motions = _at(speed);
         std::vector<double> likeness;
         for (const Motion &motion : motions)
@@ -178,7 +178,7 @@ void SignBracket::unstable_at(double place, double growth) {
 double band_end(const MotionsAt &at, double stable, double unstable, double tolerance) {
     GrowthAlong along(at, unstable);
     SignBracket bracket(stable, unstable);
-    const GrowthAlong::Look first = along(stable);
+    const GrowthAlong::Probe first = along(stable);
     const double decline = first.motion.value.real();
     // At the stable end two motions that neither grow nor die out.
     bool meets = first.motion.neutral() && first.apart > 0;
@@ -191,21 +191,21 @@ double band_end(const MotionsAt &at, double stable, double unstable, double tole
     }
     for (int step = 0; step < 200 && bracket.width() > tolerance; ++step) {
         const double next = bracket.next();
-        const GrowthAlong::Look look = along(next);
-        const double growth = look.motion.value.real();
-        const bool decays = look.motion.decays();
+        const GrowthAlong::Probe here = along(next);
+        const double growth = here.motion.value.real();
+        const bool decays = here.motion.decays();
         // Within the noise: unstable where the other side decays (a root), else not.
-        if (bracket.decays() && !meets ? growth > 0 : look.motion.grows()) {
+        if (bracket.decays() && !meets ? growth > 0 : here.motion.grows()) {
             bracket.unstable_at(next, meets ? growth * growth : growth);
-            along.move_to(look.motion);
+            along.move_to(here.motion);
             continue;
         }
         const bool was_root = bracket.decays() && !meets;
-        if (!meets && !decays && !was_root && look.apart > 0)
+        if (!meets && !decays && !was_root && here.apart > 0)
             bracket.square_growth(); // squares of half differences are smooth through the end
-        meets = !decays && !was_root && look.apart > 0;
+        meets = !decays && !was_root && here.apart > 0;
         if (meets)
-            bracket.stable_at(next, -look.apart * look.apart / 4);
+            bracket.stable_at(next, -here.apart * here.apart / 4);
         else
             bracket.stable_at(next, decays || was_root ? std::min(growth, -1e-300) : 0);
     }
@@ -264,12 +264,12 @@ std::vector<results::Interval> unstable_bands(const MotionsAt &at,
 }
 
 double strongest_speed(const MotionsAt &at, const results::Interval &band) {
-    // By parabolas after a coarse look, since a band may have several humps.
-    constexpr int looks = 16;
+    // By parabolas after coarse probing, since a band may have several humps.
+    constexpr int parts = 16;
     double best = (band.from + band.to) / 2;
     double most = -1;
-    const double width = (band.to - band.from) / looks;
-    for (int i = 0; i <= looks; ++i) {
+    const double width = (band.to - band.from) / parts;
+    for (int i = 0; i <= parts; ++i) {
         const double speed = band.from + i * width;
         const double growth = growth_of(at(speed));
         if (growth > most) {

@@ -31,7 +31,7 @@ struct BandsFound {
 [[nodiscard]] BandsFound find_bands(const MotionsAt &at, const std::vector<double> &speeds,
                                     double part = 0);
 
-/// The band around a speed at which something grows, between two borders, by looks outwards.
+/// The band around a speed at which something grows, between two borders, searched outwards.
 /// @param step  the first one, rad/s
 [[nodiscard]] results::Interval band_around(const MotionsAt &at, double unstable, double step,
                                             const results::Interval &borders);
@@ -48,14 +48,14 @@ struct BandsFound {
 [[nodiscard]] double band_end(const MotionsAt &at, double stable, double unstable,
                               double tolerance);
 
-/// The border between a stable and an unstable place, by looks in between: secants between two
+/// The border between a stable and an unstable place, by speeds in between: secants between two
 /// growths of known sign, kept off the ends, of which one that stays is weighted less each time
 /// (Anderson and Björck); halves where a sign is not known or secants do not get on.
 class SignBracket {
   public:
     SignBracket(double stable, double unstable) : _stable(stable), _unstable(unstable) {}
 
-    /// Where to look next.
+    /// The next speed to try.
     [[nodiscard]] double next();
     /// @param growth  there, not above zero; 0: not known whether it is below
     void stable_at(double place, double growth);

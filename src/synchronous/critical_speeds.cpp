@@ -26,7 +26,7 @@ using assembly::Discretization;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// Modes that rounding does not tell apart have one eigenvalue, so that their mixtures are
+/// Modes that rounding does not distinguish have one eigenvalue, so that their mixtures are
 /// separated.
 /// @param modes  ascending
 void join_indistinct(std::vector<modes::WhirlMode> &modes) {

@@ -36,7 +36,7 @@ assembly::FixedSystem steady_in_rotating_axes(const assembly::Discretization &ro
     assembly::RotatingSystem system = held_in_rotating_axes(rotor, bearing_speed);
     if (harmonics > 0) {
         assembly::PeriodicStiffness series = assembly::periodic_stiffness(
-            system, assembly::turning_supports(rotor, bearing_speed, system.K.size()), harmonics);
+            system, assembly::periodic_supports(rotor, bearing_speed, system.K.size()), harmonics);
         system.K = std::move(series.K);
         system.Ks = std::move(series.Ks);
         system.Kss = std::move(series.Kss);

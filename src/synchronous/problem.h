@@ -46,7 +46,7 @@ class SynchronousProblem {
 
     /// The unknowns are pairs (x, y), not those of one plane.
     [[nodiscard]] bool pairs() const { return _pairs; }
-    /// M and K are Hermitian and D is zero at every row: K - W^2 M tells by its inertia how many
+    /// M and K are Hermitian and D is zero at every row: the inertia of K - W^2 M gives how many
     /// roots are below W.
     [[nodiscard]] bool conservative() const { return _conservative; }
 

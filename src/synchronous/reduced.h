@@ -49,7 +49,7 @@ class ReducedSynchronous {
     /// Roots with Im l >= `steepness` |Re l|, bearings as at a speed between the rows `piece` and
     /// `piece` + 1 of the tables (0 of a constant problem); without the motions that no support
     /// resists, ascending by Im l. Of a conservative problem they are exactly on the axes, where
-    /// its energies tell them.
+    /// they follow from its energies.
     /// @throws linalg::SolverError
     [[nodiscard]] std::vector<ReducedRoot> at(double speed, std::size_t piece,
                                               double steepness) const;

@@ -20,7 +20,8 @@ int side_of(const modes::WhirlMode &mode, double speed, double multiple) {
                                                                             : -1;
 }
 
-bool stands(results::Form form, const modes::WhirlMode &mode, double speed, double multiple) {
+bool locked_to_rotor(results::Form form, const modes::WhirlMode &mode, double speed,
+                     double multiple) {
     return multiple == 1 && results::in_rotating_axes(form) && locked(mode, speed);
 }
 
@@ -151,7 +152,8 @@ StepEnd CrossingSearch::end(const Node &node, std::size_t place, bool towards_hi
 }
 
 bool CrossingSearch::held(const Node &node, std::size_t place) const {
-    return stands(_solver.form(), mode_at(node, place), node.snapshot.spectrum.speed, _multiple);
+    return locked_to_rotor(_solver.form(), mode_at(node, place), node.snapshot.spectrum.speed,
+                           _multiple);
 }
 
 /// Of the two whirls of a motion in rotating axes, at the spin speed plus and minus the
@@ -200,7 +202,7 @@ bool CrossingSearch::jumps(const StepEnd &a, const StepEnd &b) {
     return steepest * (b.speed - a.speed) < 0.25 * least;
 }
 
-/// Where this link has to be looked at, or none.
+/// Speed at which this link has to be solved, or none.
 std::optional<double> CrossingSearch::look(const Node &a, const Node &b, const Link &link,
                                            int depth) {
     const StepEnd from = end(a, link.from, true);
@@ -215,7 +217,7 @@ std::optional<double> CrossingSearch::look(const Node &a, const Node &b, const L
         find_lock_ends(a, b, link.line);
     if (hold_a || hold_b)
         return std::nullopt;
-    const std::optional<double> speed = where_to_look(from, to, depth);
+    const std::optional<double> speed = next_probe(from, to, depth);
     // At the spin speed itself one goes over into the other without a jump.
     if (speed && _multiple != 1 && upper_whirl(a, link.from) != upper_whirl(b, link.to))
         return depth < 12 ? std::optional((from.speed + to.speed) / 2) : std::nullopt;

@@ -15,8 +15,8 @@ namespace whirl::tracking {
 [[nodiscard]] int side_of(const modes::WhirlMode &mode, double speed, double multiple);
 
 /// The mode stands still in the rotor, and so on this multiple, the spin speed itself.
-[[nodiscard]] bool stands(results::Form form, const modes::WhirlMode &mode, double speed,
-                          double multiple);
+[[nodiscard]] bool locked_to_rotor(results::Form form, const modes::WhirlMode &mode, double speed,
+                                   double multiple);
 
 /// Distance of a mode of a spectrum from a multiple of the spin speed.
 /// @param rates  of its modes, towards lower or higher speeds

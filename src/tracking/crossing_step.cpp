@@ -53,7 +53,7 @@ int sign_inside(const StepEnd &end, double inwards) {
 
 } // namespace
 
-std::optional<double> where_to_look(const StepEnd &a, const StepEnd &b, int depth) {
+std::optional<double> next_probe(const StepEnd &a, const StepEnd &b, int depth) {
     const double h = b.speed - a.speed;
     const double secant = b.distance - a.distance;
     const double slope_a = std::isfinite(a.slope) ? a.slope * h : secant;

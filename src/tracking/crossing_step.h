@@ -28,10 +28,10 @@ struct StepEnd {
     }
 };
 
-/// Speed inside the step at which the distance must be looked at: near a root, where the ends or
+/// Speed inside the step at which the distance must be evaluated: near a root, where the ends or
 /// their slopes show that there is one, or where the cubic through both ends and slopes comes close
 /// to zero between (two roots in one step). None where nothing can cross.
 /// @param depth  steps that this one is part of: one that bends is halved a few times to make sure
-[[nodiscard]] std::optional<double> where_to_look(const StepEnd &a, const StepEnd &b, int depth);
+[[nodiscard]] std::optional<double> next_probe(const StepEnd &a, const StepEnd &b, int depth);
 
 } // namespace whirl::tracking

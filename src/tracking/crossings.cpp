@@ -4,9 +4,9 @@
 #include "results/campbell.h"
 #include "results/damping.h"
 #include "results/formulation.h"
+#include "tracking/bands/locked_bands.h"
 #include "tracking/bands/locked_intervals.h"
 #include "tracking/bands/locked_whirl.h"
-#include "tracking/bands/riding_bands.h"
 #include "tracking/crossing_nodes.h"
 #include "tracking/crossing_search.h"
 #include "tracking/crossing_step.h"
@@ -44,14 +44,14 @@ bool overlap_of(const Locked &interval, double a, double b) {
     return interval.from <= b && interval.to >= a;
 }
 
-/// The steps of the sweep, looked into where a line may cross.
+/// The steps of the sweep, searched where a line may cross.
 class Sweep {
   public:
     explicit Sweep(const SweepNodes &nodes) : _nodes(nodes) {}
 
     void run(double multiple, Crossings &out) const {
         CrossingSearch search(_nodes.solver(), multiple, out);
-        const std::vector<Locked> rides = rides_on(multiple, out.found);
+        const std::vector<Locked> on_multiple = intervals_on(multiple, out.found);
         const bool bands = multiple == 1 && _nodes.count() > 1 &&
                            results::in_rotating_axes(_nodes.solver().form());
         const int wanted = bands ? wanted_for_bands() : 0;
@@ -64,16 +64,16 @@ class Sweep {
             if (any_on(k, multiple))
                 search.visit(_nodes.bare(k));
             if (k + 1 < _nodes.count())
-                look_into(search, k, multiple, rides, plain);
+                search_step(search, k, multiple, on_multiple, plain);
         }
-        drop_on_rides(rides, multiple, hill(), out.found);
-        out.locked.insert(out.locked.end(), rides.begin(), rides.end());
+        drop_inside(on_multiple, multiple, hill(), out.found);
+        out.locked.insert(out.locked.end(), on_multiple.begin(), on_multiple.end());
         if (bands) {
-            const std::vector<Locked> standing =
-                standing_intervals(_nodes, search.band_ends(), wanted);
-            for (const Locked &band : standing)
-                drop_ride_in_place_of(band, out);
-            out.locked.insert(out.locked.end(), standing.begin(), standing.end());
+            const std::vector<Locked> to_rotor =
+                intervals_locked_to_rotor(_nodes, search.band_ends(), wanted);
+            for (const Locked &band : to_rotor)
+                drop_replaced_by(band, out);
+            out.locked.insert(out.locked.end(), to_rotor.begin(), to_rotor.end());
         }
     }
 
@@ -84,14 +84,14 @@ class Sweep {
 
     /// Intervals on the multiple; of bands of periodic equations their ends inside the range are
     /// crossings.
-    [[nodiscard]] std::vector<Locked> rides_on(double multiple,
-                                               std::vector<results::Crossing> &found) const {
+    [[nodiscard]] std::vector<Locked> intervals_on(double multiple,
+                                                   std::vector<results::Crossing> &found) const {
         if (!hill())
-            return riding_intervals(_nodes, multiple);
-        std::vector<Locked> rides;
-        for (const RidingBand &band : riding_bands(_nodes, multiple)) {
+            return intervals_on_multiple(_nodes, multiple);
+        std::vector<Locked> on_multiple;
+        for (const LockedBand &band : locked_bands(_nodes, multiple)) {
             const Locked &interval = band.interval;
-            rides.push_back(interval);
+            on_multiple.push_back(interval);
             for (const auto &[speed, real] :
                  {std::pair(interval.from, band.real_from), std::pair(interval.to, band.real_to)})
                 if (speed > _nodes.speed(0) && speed < _nodes.speed(_nodes.count() - 1)) {
@@ -100,48 +100,49 @@ class Sweep {
                                      results::damping_of({real, frequency})});
                 }
         }
-        return rides;
+        return on_multiple;
     }
 
-    /// What a search found on lines that stay on the multiple: the speeds at which it looked. In
-    /// bands of periodic equations lines begin and end, and only the ends count.
+    /// What a search found on lines that stay on the multiple: the speeds that it tried. In bands
+    /// of periodic equations lines begin and end, and only the ends count.
     /// @param bands  the intervals are such bands
-    static void drop_on_rides(const std::vector<Locked> &rides, double multiple, bool bands,
-                              std::vector<results::Crossing> &found) {
+    static void drop_inside(const std::vector<Locked> &on_multiple, double multiple, bool bands,
+                            std::vector<results::Crossing> &found) {
         std::erase_if(found, [&](const results::Crossing &c) {
-            return c.multiple == multiple && std::ranges::any_of(rides, [&](const Locked &ride) {
-                       if (bands && (c.speed == ride.from || c.speed == ride.to))
+            return c.multiple == multiple &&
+                   std::ranges::any_of(on_multiple, [&](const Locked &interval) {
+                       if (bands && (c.speed == interval.from || c.speed == interval.to))
                            return false;
                        const double margin = 1e3 * resolved * std::abs(c.speed);
-                       return (bands || ride.mode == c.mode) && c.speed >= ride.from - margin &&
-                              c.speed <= ride.to + margin;
+                       return (bands || interval.mode == c.mode) &&
+                              c.speed >= interval.from - margin && c.speed <= interval.to + margin;
                    });
         });
     }
 
     /// A band that opens and closes within a step may have been met in both ways.
-    static void drop_ride_in_place_of(const Locked &band, Crossings &out) {
-        const auto ride = std::ranges::find_if(out.locked, [&](const Locked &other) {
+    static void drop_replaced_by(const Locked &band, Crossings &out) {
+        const auto interval = std::ranges::find_if(out.locked, [&](const Locked &other) {
             return other.multiple == band.multiple && same_band(other, band);
         });
-        if (ride == out.locked.end())
+        if (interval == out.locked.end())
             return;
-        for (const auto &[of_ride, end] :
-             {std::pair(ride->from, band.from), std::pair(ride->to, band.to)}) {
+        for (const auto &[old_end, end] :
+             {std::pair(interval->from, band.from), std::pair(interval->to, band.to)}) {
             const auto at = [&](double speed) {
                 return std::ranges::find_if(out.found, [&](const auto &c) {
                     return c.multiple == band.multiple && c.speed == speed;
                 });
             };
-            const auto crossing = at(of_ride);
-            if (crossing == out.found.end() || of_ride == end)
+            const auto crossing = at(old_end);
+            if (crossing == out.found.end() || old_end == end)
                 continue;
             if (at(end) == out.found.end())
                 crossing->speed = end;
             else
                 out.found.erase(crossing);
         }
-        out.locked.erase(ride);
+        out.locked.erase(interval);
     }
 
     /// The line goes through a band of periodic equations in this step, or begins or ends in it.
@@ -154,17 +155,17 @@ class Sweep {
         return side(k, link.from) * side(k + 1, link.to) <= 0;
     }
 
-    void look_into(CrossingSearch &search, std::size_t k, double multiple,
-                   const std::vector<Locked> &rides,
-                   const std::vector<FollowedCrossing> &known) const {
+    void search_step(CrossingSearch &search, std::size_t k, double multiple,
+                     const std::vector<Locked> &on_multiple,
+                     const std::vector<FollowedCrossing> &known) const {
         const std::vector<double> rows =
             kinks(_nodes.solver().discretization().rotor(), _nodes.speed(k), _nodes.speed(k + 1));
         std::vector<Link> links = _nodes.links(k);
         std::erase_if(links, [&](const Link &link) {
-            return std::ranges::any_of(rides, [&](const Locked &ride) {
-                return (ride.mode == link.line &&
-                        inside(ride, _nodes.speed(k), _nodes.speed(k + 1))) ||
-                       (hill() && passes(ride, link, k));
+            return std::ranges::any_of(on_multiple, [&](const Locked &interval) {
+                return (interval.mode == link.line &&
+                        inside(interval, _nodes.speed(k), _nodes.speed(k + 1))) ||
+                       (hill() && passes(interval, link, k));
             });
         });
         std::erase_if(links, [&](const Link &link) {
@@ -173,7 +174,7 @@ class Sweep {
             });
         });
         emerge(search, k, multiple);
-        if (!rows.empty() || any_look(k, links, multiple))
+        if (!rows.empty() || may_cross(k, links, multiple))
             step(search, k, rows, links);
     }
 
@@ -239,17 +240,17 @@ class Sweep {
         return false;
     }
 
-    [[nodiscard]] bool any_look(std::size_t k, const std::vector<Link> &links,
-                                double multiple) const {
+    [[nodiscard]] bool may_cross(std::size_t k, const std::vector<Link> &links,
+                                 double multiple) const {
         const modes::Spectrum &first = _nodes.spectrum(k);
         const modes::Spectrum &second = _nodes.spectrum(k + 1);
         return std::ranges::any_of(links, [&](const Link &link) {
             const results::Form form = _nodes.solver().form();
             const StepEnd here = end_of(first, _nodes.rates(k).above, link.from, multiple);
             const StepEnd there = end_of(second, _nodes.rates(k + 1).below, link.to, multiple);
-            return stands(form, first.modes[link.from], first.speed, multiple) !=
-                       stands(form, second.modes[link.to], second.speed, multiple) ||
-                   where_to_look(here, there, 0).has_value();
+            return locked_to_rotor(form, first.modes[link.from], first.speed, multiple) !=
+                       locked_to_rotor(form, second.modes[link.to], second.speed, multiple) ||
+                   next_probe(here, there, 0).has_value();
         });
     }
 

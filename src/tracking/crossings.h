@@ -13,8 +13,8 @@ struct Crossings {
     /// Steps in which a frequency changed sides of a multiple of the spin speed without a root
     /// that could be verified.
     std::vector<Gap> unsettled;
-    /// Speeds of crossings and of ends of intervals that are those of a rotor on few shapes, not
-    /// found with all unknowns, rad/s.
+    /// Speeds of crossings and of ends of intervals that are those of a reduced rotor, not found
+    /// with all unknowns, rad/s.
     std::vector<double> unconfirmed{};
 };
 

@@ -113,7 +113,7 @@ std::vector<double> residuals(const mesh_error::ShapeResidual &residual, const L
     return out;
 }
 
-/// The line has a mode there that is one of this mesh, not of a rotor on few shapes alone.
+/// The line has a mode there that is one of this mesh, not of a reduced rotor alone.
 bool confirmed(const Line &line, const modes::Spectrum &spectrum, std::size_t k) {
     return line.place[k] != Line::absent &&
            spectrum.modes[static_cast<std::size_t>(line.place[k])].confirmed;
@@ -153,7 +153,7 @@ std::vector<double> refined_errors(const mesh_error::FinerModel &finer,
     return all;
 }
 
-/// Motions of Hill's series so slow that those of a finer mesh are far away beside the copies of
+/// Motions of Hill's series so slow that those of a finer mesh are far away beside the aliases of
 /// others, and take long to find.
 bool many_terms(const modes::SpectrumSolver &solver, const modes::Spectrum &spectrum) {
     constexpr Eigen::Index many = 25;

@@ -159,7 +159,7 @@ bool nearly_alike(const modes::ModeBasis &a, const modes::ModeBasis &b, Eigen::I
 std::optional<Matching> continued(const Snapshot &a, const Snapshot &b) {
     const std::size_t count = a.spectrum.modes.size();
     if (count == 0 || count != b.spectrum.modes.size() || !a.basis.is_complex() ||
-        !a.basis.copies.empty() || is_zero(a.spectrum, 0) || is_zero(b.spectrum, 0))
+        !a.basis.aliases.empty() || is_zero(a.spectrum, 0) || is_zero(b.spectrum, 0))
         return std::nullopt;
     Matching out = nothing_matched(a, b);
     for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(count); ++i) {

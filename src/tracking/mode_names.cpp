@@ -148,7 +148,7 @@ names_of_critical(const ModeNames &names,
     for (const auto &[value, whirl] : critical)
         out.push_back(next(
             value, [sense = whirl](const modes::WhirlMode &mode) { return mode.whirl == sense; }));
-    // Of nearly equal eigenvalues, and of orbits that are hardly open, neither list tells the
+    // Of nearly equal eigenvalues, and of orbits that are hardly open, neither list gives the
     // whirl.
     for (std::size_t i = 0; i < critical.size(); ++i) {
         if (!out[i].empty())

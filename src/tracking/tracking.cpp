@@ -115,7 +115,8 @@ class ModeFollower {
   public:
     /// @param important  that many of the lowest modes must be followed
     /// @param budget     speeds that may be solved beside those given, in all
-    /// @param finest     steps that are no longer are not halved to tell crossings from veerings
+    /// @param finest     steps that are no longer are not halved to distinguish crossings from
+    ///          veerings
     /// @param out        where gaps are noted, and that the budget did not suffice
     ModeFollower(const modes::SpectrumSolver &solver, int important, int budget, double finest,
                  Tracking &out)
@@ -369,7 +370,8 @@ std::complex<double> slope_between(const std::vector<modes::Spectrum> &spectra, 
     return (behind * secant(k - 1) + before * secant(k)) / (before + behind);
 }
 
-/// Rates that no eigenvector tells (form hill, drowned motions: modes::SpectrumSolver::basis).
+/// Rates that no eigenvector gives (form hill, motions hidden by rounding:
+/// modes::SpectrumSolver::basis).
 void add_slopes(const std::vector<modes::Spectrum> &spectra, Tracking &out) {
     for (std::size_t k = 0; k < spectra.size(); ++k)
         for (const Line &line : out.lines)

@@ -212,14 +212,14 @@ model::Rotor anisotropic_rotor() {
     return rotor;
 }
 
-TEST(TurningSupports, WithTheConstantPartAreTheBearingsTurnedBackwards) {
+TEST(PeriodicSupports, WithTheConstantPartAreTheBearingsTurnedBackwards) {
     const model::Rotor rotor = anisotropic_rotor();
     const assembly::Discretization d(rotor, rotor.shaft.order);
     const balancers::Arrangement balls = balancers::arrangement_at_balance(rotor);
     const assembly::RotatingSystem rotating =
         assembly::assemble_rotating(d, 0, balancers::balancer_elements(rotor, balls));
     const int n = rotating.M.size();
-    const assembly::TurningSupports turning = assembly::turning_supports(d, 0, n);
+    const assembly::PeriodicSupports turning = assembly::periodic_supports(d, 0, n);
     const double speed = 310;
     const tests::PeriodicSystem periodic(d, speed, balls);
     const auto [columns, rows] = means(periodic, {3, 2});
@@ -247,7 +247,8 @@ TEST(HillSystem, IsTheHarmonicsOfTheResidual) {
     const assembly::RotatingSystem system = assembly::assemble_rotating(
         d, 0, balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor)));
     const Eigen::Index n = system.M.size();
-    const assembly::TurningSupports turning = assembly::turning_supports(d, 0, static_cast<int>(n));
+    const assembly::PeriodicSupports turning =
+        assembly::periodic_supports(d, 0, static_cast<int>(n));
     const double speed = 270;
     constexpr int harmonics = 3;
     const assembly::SystemAtSpeed hill = assembly::hill_system(system, turning, speed, harmonics);
@@ -295,7 +296,7 @@ TEST(HillSystem, WithEqualBearingsRepeatsTheRotatingEigenvalues) {
         d, 0, balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor)));
     const double speed = 270;
     const assembly::SystemAtSpeed hill =
-        assembly::hill_system(system, assembly::turning_supports(d, 0, system.M.size()), speed, 1);
+        assembly::hill_system(system, assembly::periodic_supports(d, 0, system.M.size()), speed, 1);
     const auto alone = tests::dense_eigenvalues(system, speed);
     const auto series = tests::dense_eigenvalues(dense(hill.M), dense(hill.D), dense(hill.K));
     std::vector<std::complex<double>> expected;

@@ -21,11 +21,11 @@ namespace {
 using namespace whirl;
 using Function = std::function<double(double)>;
 
-/// All speeds at which `where_to_look` finds a root of f by looking again and again.
+/// All speeds at which `next_probe` finds a root of f by looking again and again.
 void look(const Function &f, const Function &slope, double a, double b, int depth,
           std::vector<double> &roots) {
     const auto end = [&](double x) { return tracking::StepEnd{x, f(x), slope(x), 1e-12}; };
-    const auto c = tracking::where_to_look(end(a), end(b), depth);
+    const auto c = tracking::next_probe(end(a), end(b), depth);
     if (!c || depth > 60)
         return;
     ASSERT_GT(*c, a);

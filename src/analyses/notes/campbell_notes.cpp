@@ -194,9 +194,9 @@ void note_gaps(results::ModelSummary &model, const std::vector<tracking::Gap> &g
 
 /// Whirl modes of a rotor whose equations stay periodic in time that are not confirmed
 /// (modes::WhirlMode), next to rest.
-/// @param few_shapes  they are those of the rotor on few shapes, else of a series cut off
+/// @param reduction_basis  they are those of the reduced rotor, else of a series cut off
 void note_unconfirmed(results::ModelSummary &model, const std::vector<modes::Spectrum> &spectra,
-                      bool few_shapes) {
+                      bool reduction_basis) {
     std::vector<double> speeds;
     for (const modes::Spectrum &spectrum : spectra)
         if (std::ranges::any_of(spectrum.modes,
@@ -209,8 +209,8 @@ void note_unconfirmed(results::ModelSummary &model, const std::vector<modes::Spe
         "spin speed within a turn: whirl speeds without an error bar there are those of {} and may "
         "be wrong; modes may be missing at these speeds, with faster ones in their place",
         speeds.size(), spectra.size(), as::speed(*std::ranges::max_element(speeds)),
-        few_shapes ? "the reduced rotor, not confirmed on the full model"
-                   : "a series with too few harmonics");
+        reduction_basis ? "the reduced rotor, not confirmed on the full model"
+                        : "a series with too few harmonics");
 }
 
 /// Crossings and intervals that are listed at some of these speeds (Crossings::unconfirmed).

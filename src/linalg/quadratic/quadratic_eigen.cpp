@@ -130,7 +130,7 @@ double blur_of_zeros(const std::vector<ComplexPair> &pairs, int zeros) {
 }
 
 /// How near to the shift each eigenvalue of the dense route can be, resolved or not: by the error
-/// that its residual tells, or by that of its inverse distance. This is a multiple of rounding for
+/// that its residual shows, or by that of its inverse distance. This is a multiple of rounding for
 /// simple eigenvalues and of its root for the double ones at infinity of parts without mass.
 std::vector<double> nearest_places(const std::vector<ComplexPair> &pairs, double shift) {
     constexpr double of_inverse = 1e-6;

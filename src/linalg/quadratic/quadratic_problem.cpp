@@ -70,7 +70,7 @@ void QuadraticProblem::assess(std::vector<ComplexPair> &pairs) const {
     for (Eigen::Index i = 0; i < count; ++i) {
         ComplexPair &pair = pairs[static_cast<std::size_t>(i)];
         const bool beside_zero = std::abs(pair.value) < blurred * std::abs(_shift);
-        of_left.push_back(beside_zero ? polish_beside_zero(pair) : 0);
+        of_left.push_back(beside_zero ? polish_near_zero(pair) : 0);
         Eigen::Index largest = 0;
         pair.vector.cwiseAbs2().maxCoeff(&largest);
         pair.vector /= pair.vector(largest);
@@ -109,8 +109,8 @@ void QuadraticProblem::assess(std::vector<ComplexPair> &pairs) const {
 
 namespace {
 
-/// Beside the eigenvalue by so much: of those that are nearer together, which rounding tells apart
-/// by chance alone, one inverse iteration takes all parts alike, and hardly any of others.
+/// Distance from the eigenvalue: of those that are nearer together, which rounding distinguishes by
+/// chance alone, one inverse iteration takes all parts alike, and hardly any of others.
 constexpr double beside = 1e-8;
 /// What may be lost by pivots that are not the largest, of the matrix: a hundred times its
 /// rounding.
@@ -133,7 +133,7 @@ Eigen::VectorXcd QuadraticProblem::left_vector(std::complex<double> l, Eigen::Ve
 }
 
 /// Products and left vectors of at most four pairs, without exchanges of rows.
-void QuadraticProblem::look_beside(std::span<ComplexPair *const> pairs) {
+void QuadraticProblem::measure_condition(std::span<ComplexPair *const> pairs) {
     if (!_on_pattern) {
         _on_pattern.emplace(_M, _D, _K);
         _four.factors.emplace(_on_pattern->pattern());
@@ -164,7 +164,7 @@ void QuadraticProblem::look_beside(std::span<ComplexPair *const> pairs) {
     _on_pattern->multiply_transposed(_four.Q, _four.left, _four.lost);
 }
 
-/// By what look_beside() left in a lane.
+/// By what measure_condition() left in a lane.
 void QuadraticProblem::take_condition(ComplexPair &pair, int lane) {
     // An entry is a sum of some four terms, rounded by half an epsilon each and in its product.
     constexpr double unit = std::numeric_limits<double>::epsilon();
@@ -197,13 +197,13 @@ void QuadraticProblem::assess_condition(std::vector<ComplexPair> &pairs) {
     for (std::size_t i = 0; i < asked.size(); i += lanes) {
         const std::span four =
             std::span(asked).subspan(i, std::min<std::size_t>(lanes, asked.size() - i));
-        look_beside(four);
+        measure_condition(four);
         for (std::size_t k = 0; k < four.size(); ++k)
             take_condition(*four[k], static_cast<int>(k));
     }
 }
 
-double QuadraticProblem::polish_beside_zero(ComplexPair &pair) const {
+double QuadraticProblem::polish_near_zero(ComplexPair &pair) const {
     using SparseComplex = Eigen::SparseMatrix<std::complex<double>>;
     constexpr double unknown = 1;
     const auto at = [this](std::complex<double> l) {

@@ -61,7 +61,7 @@ class QuadraticProblem {
     std::optional<QuadraticPattern> _on_pattern;                 ///< likewise
     std::array<std::optional<std::vector<ComplexPair>>, 2> _all; ///< of dense(), by its argument
 
-    void look_beside(std::span<ComplexPair *const> pairs);
+    void measure_condition(std::span<ComplexPair *const> pairs);
     void take_condition(ComplexPair &pair, int lane);
     /// By two steps of inverse iteration with the transposed problem, of length 1; empty where it
     /// cannot be found.
@@ -71,7 +71,7 @@ class QuadraticProblem {
     /// An eigenvalue next to zero is known to a part of the shift: a Newton step with both vectors.
     /// @returns its rounding by the left vector too: 1, nothing known of it, for a zero that is
     ///          blurred, a double one above all, and looks like a small eigenvalue of its own
-    [[nodiscard]] double polish_beside_zero(ComplexPair &pair) const;
+    [[nodiscard]] double polish_near_zero(ComplexPair &pair) const;
 };
 
 } // namespace whirl::linalg

@@ -27,7 +27,7 @@ constexpr std::array shares{1.0, 0.04, 0.5, 0.25, 0.75, 0.12};
 /// Of the speed or the eigenvalue. Narrow bands need the first; where some motions die out far
 /// within half a turn a spectrum costs more, the more the more shapes there are.
 constexpr double agreement = 1e-6;
-constexpr double agreement_if_drowned = 1e-5;
+constexpr double agreement_if_lost = 1e-5;
 /// For the number of harmonics of the series that modes are written in: vectors are not asked for.
 constexpr int few_harmonics = 1;
 
@@ -78,7 +78,7 @@ class Search {
     std::vector<Wanted> _met;
     double _near = agreement;
 
-    /// Of slow speeds those that are not far slower than all motions: nearer to rest these ride on
+    /// Of slow speeds those that are not far slower than all motions: nearer to rest these add to
     /// the same shapes, and it takes long to follow them there.
     void choose_speeds() {
         constexpr double slowest = 0.25;
@@ -90,8 +90,8 @@ class Search {
             const double speed = std::copysign(std::max(share * std::abs(_top), slow), _top);
             if (std::find(_speeds.begin(), _speeds.end(), speed) == _speeds.end())
                 _speeds.push_back(speed);
-            if (spectrum.drowns(speed, _wanted))
-                _near = agreement_if_drowned;
+            if (spectrum.loses_to_rounding(speed, _wanted))
+                _near = agreement_if_lost;
         }
     }
 

@@ -17,7 +17,7 @@ namespace {
 
 /// Motions that lose more than exp(-20) of themselves in half a turn beside those that lose least
 /// are lost in the rounding of the monodromy matrix.
-constexpr double drowned = 20;
+constexpr double largest_spread = 20;
 /// With more steps in time Hill's series costs less.
 constexpr int most_steps = 800;
 /// For as many terms as are followed.
@@ -86,7 +86,7 @@ std::optional<FloquetSpectrum::Steps> FloquetSpectrum::steps_for(double speed, d
 
 std::optional<std::vector<periodic::FloquetSeries>>
 FloquetSpectrum::motions(double speed, const Steps &steps, double fastest) const {
-    if (steps.spread > drowned)
+    if (steps.spread > largest_spread)
         return periodic::damped_series(system(speed), speed, steps.count, steps.spread,
                                        steps.matter, fastest);
     return periodic::floquet_series(system(speed), speed, steps.count, fastest);
@@ -238,13 +238,13 @@ double FloquetSpectrum::slowest(double speed, int wanted) const {
     return last == 0 ? 0 : moduli[last - 1];
 }
 
-bool FloquetSpectrum::drowns(double speed, int wanted) const {
+bool FloquetSpectrum::loses_to_rounding(double speed, int wanted) const {
     const auto steps =
         speed != 0 ? steps_for(speed, slowest(speed, wanted) + std::abs(speed)) : std::nullopt;
-    return steps && steps->spread > drowned;
+    return steps && steps->spread > largest_spread;
 }
 
-bool FloquetSpectrum::tells(double speed, int wanted) const {
+bool FloquetSpectrum::resolves(double speed, int wanted) const {
     return speed != 0 && steps_for(speed, slowest(speed, wanted) + std::abs(speed)).has_value();
 }
 

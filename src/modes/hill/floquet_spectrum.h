@@ -17,10 +17,10 @@
 namespace whirl::modes {
 
 /// Whirl modes of a rotor whose equations stay periodic in time (form hill) by its monodromy matrix
-/// (periodic/): all motions of a speed at once, each shown by the copy that Hill's series would
+/// (periodic/): all motions of a speed at once, each shown by the alias that Hill's series would
 /// show (series_pair.h). At speeds far below all frequencies, where half a turn takes long, they
-/// are followed down from where the matrix tells them (periodic/slow_motions.h). Where some die out
-/// far within half a turn it is taken in triangular factors (periodic/triangular_turn.h). Where
+/// are followed down from where the matrix resolves them (periodic/slow_motions.h). Where some die
+/// out far within half a turn it is taken in triangular factors (periodic/triangular_turn.h). Where
 /// half a turn takes too long and motions cannot be followed, as at rest, modes are those of Hill's
 /// series.
 class FloquetSpectrum {
@@ -37,14 +37,14 @@ class FloquetSpectrum {
     /// @throws linalg::SolverError
     [[nodiscard]] Spectrum modes(double speed, int wanted) const;
 
-    /// Whether half a turn tells that many modes at a speed: not next to rest, where it takes too
-    /// many steps. Hill's series has so many copies of each
-    /// motion there that it is slow, or does not find all.
-    [[nodiscard]] bool tells(double speed, int wanted) const;
+    /// Whether the monodromy matrix resolves that many modes at a speed: not near standstill, where
+    /// half a turn takes too many steps. Hill's series has so many aliases of each motion there
+    /// that it is slow, or does not find all.
+    [[nodiscard]] bool resolves(double speed, int wanted) const;
 
-    /// Whether some motions are drowned in the matrix, so that a spectrum is found by the
+    /// Whether rounding of the matrix hides some motions, so that a spectrum is found by the
     /// triangular factors of half a turn, which cost more.
-    [[nodiscard]] bool drowns(double speed, int wanted) const;
+    [[nodiscard]] bool loses_to_rounding(double speed, int wanted) const;
 
     /// At speeds up to this one all motions are at least five times as fast, rad/s; 0: nowhere.
     [[nodiscard]] double slow() const;

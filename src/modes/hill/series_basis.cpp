@@ -98,10 +98,10 @@ ModeBasis series_basis(const Eigen::SparseMatrix<double> &mass, Eigen::Index par
     for (const WhirlMode &mode : spectrum.modes)
         scale += std::abs(mode.eigenvalue) / static_cast<double>(count);
     // The mode itself, moved one way and the other, conjugate, and that moved.
-    constexpr Eigen::Index copies = 6;
+    constexpr Eigen::Index aliases = 6;
     const State state(M, scale, 2 * spectrum.speed);
-    Eigen::MatrixXcd right(size, copies * count);
-    Eigen::MatrixXcd weighted(size, copies * count);
+    Eigen::MatrixXcd right(size, aliases * count);
+    Eigen::MatrixXcd weighted(size, aliases * count);
     for (Eigen::Index i = 0; i < count; ++i) {
         const WhirlMode &mode = spectrum.modes[static_cast<std::size_t>(i)];
         SeriesTerms motion{mode.rotating_value,
@@ -112,9 +112,9 @@ ModeBasis series_basis(const Eigen::SparseMatrix<double> &mass, Eigen::Index par
         if (spectrum.speed == 0)
             terms = at_rest(std::move(terms), parts);
         Eigen::Index column = i;
-        const auto put = [&](const Series &copy, Complex value, int places) {
+        const auto put = [&](const Series &alias, Complex value, int places) {
             const Complex moved_value = value + i_unit * (2 * places * spectrum.speed);
-            state.put(assembly::moved_terms(copy, places), moved_value, right.col(column),
+            state.put(assembly::moved_terms(alias, places), moved_value, right.col(column),
                       weighted.col(column));
             column += count;
         };
@@ -127,9 +127,9 @@ ModeBasis series_basis(const Eigen::SparseMatrix<double> &mass, Eigen::Index par
     ModeBasis out;
     out.complex_left = dual(right, weighted, count);
     out.complex_right = right.leftCols(count);
-    for (Eigen::Index copy = 1; copy < copies; ++copy)
-        out.copies.emplace_back(right.middleCols(copy * count, count));
-    // Back from where a copy was moved to; a conjugate copy is its own way back.
+    for (Eigen::Index alias = 1; alias < aliases; ++alias)
+        out.aliases.emplace_back(right.middleCols(alias * count, count));
+    // Back from where an alias was moved to; a conjugate alias is its own way back.
     out.ways_back = {1, 0, 2, 3, 4};
     const double unknown = std::numeric_limits<double>::quiet_NaN();
     out.rate_below = Eigen::VectorXcd::Constant(count, unknown);

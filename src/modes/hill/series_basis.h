@@ -7,11 +7,11 @@ namespace whirl::modes {
 
 /// Basis of the modes of a Hill series (form hill), for overlaps with those at other speeds: states
 /// over the terms exp(2 i k speed t) of each motion. A motion is the same one with its terms moved
-/// by one place and its eigenvalue by 2 i speed, or with all conjugate: those are its copies, and
+/// by one place and its eigenvalue by 2 i speed, or with all conjugate: those are its aliases, and
 /// which of them `modes` hold may change from speed to speed.
 ///
-/// The left vectors of a series cut off are not to be had for all copies: left is the dual basis of
-/// the states and their copies among themselves, in the kinetic energy. Rates are unknown
+/// The left vectors of a series cut off are not to be had for all aliases: left is the dual basis
+/// of the states and their aliases among themselves, in the kinetic energy. Rates are unknown
 /// (rates_between).
 ///
 /// @param mass   of the rotor in rotating axes

@@ -11,7 +11,7 @@ namespace whirl::modes {
 /// Modes of a rotor of form hill near guesses, one for each, by Hill's series with as many
 /// harmonics as each needs (periodic/whole_root.h). A motion that stands still in the rotor, or
 /// stays on a whole multiple of the spin speed, stays there.
-/// @param rotor    the same, for what a motion looks like from the fixed frame
+/// @param rotor    the same, for the motion in the fixed frame
 /// @param speed    rad/s
 /// @param guesses  of which the eigenvalue in rotating axes and its vector (over the unknowns of
 ///                 this rotor, of any number of harmonics; or none) and the sense of whirl count
@@ -22,9 +22,10 @@ namespace whirl::modes {
                                                        double speed,
                                                        const std::vector<WhirlMode> &guesses);
 
-/// A mode of a rotor of form hill on few shapes: its vector in rotating axes over all unknowns.
+/// A mode of a rotor of form hill on the reduced rotor: its vector in rotating axes over all
+/// unknowns.
 /// @param shapes    N x r planar shapes; none: it is
-/// @param unknowns  of the rotor on few shapes
+/// @param unknowns  of the reduced rotor
 [[nodiscard]] WhirlMode over_all_unknowns(WhirlMode mode, const Eigen::MatrixXd *shapes,
                                           int unknowns);
 

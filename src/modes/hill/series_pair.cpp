@@ -1,6 +1,6 @@
 #include "modes/hill/series_pair.h"
 
-#include "modes/hill/seen_whirl.h"
+#include "modes/hill/fixed_frame_whirl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +73,7 @@ std::vector<Eigen::Index> shown_places(const RotatingSpectrum &rotor, std::compl
         return largest;
     std::vector<double> turns;
     for (const Eigen::Index k : largest)
-        turns.push_back(seen_whirl(rotor.stations(), terms, k, frequency(k), speed).turn);
+        turns.push_back(fixed_frame_whirl(rotor.stations(), terms, k, frequency(k), speed).turn);
     const auto alike = [&](double a, double b) {
         return std::abs(a - b) <= 1e-9 * std::abs(speed);
     };

@@ -25,7 +25,7 @@ struct Root {
     Eigen::VectorXcd right, left; ///< Q(l) right = 0, left^H Q(l) = 0
     std::complex<double> slope;   ///< left^H Q'(l) right
 
-    /// 1 grows, -1 dies out, 0: not to be told from neither.
+    /// 1 grows, -1 dies out, 0: neither within rounding.
     [[nodiscard]] int sign() const {
         return value.real() > noise ? 1 : value.real() < -noise ? -1 : 0;
     }

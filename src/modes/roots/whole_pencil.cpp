@@ -19,7 +19,7 @@ using Vector = Eigen::VectorXcd;
 /// An entry is a sum of some four terms, each rounded by half an epsilon, and scaled.
 constexpr double of_entries = 2 * std::numeric_limits<double>::epsilon();
 
-// Products of complex numbers without a look at infinities.
+// Products of complex numbers without the checks for infinities.
 void add_product(double a, Complex b, Complex &sum) {
     sum = {sum.real() + a * b.real(), sum.imag() + a * b.imag()};
 }
@@ -130,7 +130,8 @@ double WholePencil<Scalar>::entries_between(const Vector &y, double size, const 
 template <class Scalar>
 std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
     /// Beside the quotient by so much: of eigenvalues that are nearer together, which rounding
-    /// tells apart by chance alone, one iteration takes all parts alike, and hardly any of others.
+    /// distinguishes by chance alone, one iteration takes all parts alike, and hardly any of
+    /// others.
     constexpr double beside = 1e-8;
     constexpr double enough = 1e-13; // of the value: of the order of its rounding
     constexpr int most_shifts = 8;

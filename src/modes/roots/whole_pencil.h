@@ -78,7 +78,7 @@ struct Circle {
 
 /// Whether all eigenvalues inside a circle are among those known: the argument of the determinant
 /// around it, with the eigenvalues known, inside and outside, divided out. Nothing where it is not
-/// to be told: one lies on the circle.
+/// decided: one lies on the circle.
 /// @param known  of a real problem both conjugates; outside the circle they need be near alone
 template <class Scalar>
 [[nodiscard]] std::optional<bool> complete_within(WholePencil<Scalar> &pencil, const Circle &circle,

@@ -8,11 +8,11 @@
 #include "modes/hill/floquet_spectrum.h"
 #include "modes/orbits.h"
 #include "modes/refined_spectrum.h"
+#include "modes/rotating/rotating_pencil.h"
+#include "modes/rotating/rotating_reduced_rotor.h"
 #include "modes/rotating_spectrum.h"
 #include "modes/spectrum.h"
 #include "modes/symmetric_spectrum.h"
-#include "modes/turning/few_turning.h"
-#include "modes/turning/turning_pencil.h"
 #include "modes/zero_modes.h"
 #include "results/formulation.h"
 
@@ -33,21 +33,21 @@ struct SpectrumSolver::Data {
     std::unique_ptr<GeneralSpectrum> general;
     std::vector<balancers::BalancerElement> balancers;
     std::unique_ptr<RotatingSpectrum> rotating;
-    std::optional<FewTurning::Range> turning_range; ///< asked for
-    std::unique_ptr<FewTurning> turning;            ///< form rotating; none: the whole rotor
-    std::unique_ptr<TurningPencil> pencil;          ///< form rotating
-    std::unique_ptr<SpectrumSolver> on_few;         ///< the rotor on those shapes
-    std::shared_ptr<const Eigen::MatrixXd> shapes;  ///< this rotor is one on these
-    std::unique_ptr<FloquetSpectrum> floquet;       ///< form hill; none: by Hill's series
-    std::unique_ptr<periodic::WholeRotor> series;   ///< form hill: single motions
-    std::map<double, Spectrum> beside;              ///< with floquet: next to some speeds
+    std::optional<RotatingReducedRotor::Range> reduced_range; ///< asked for
+    std::unique_ptr<RotatingReducedRotor> reduced_rotor; ///< form rotating; none: the whole rotor
+    std::unique_ptr<RotatingPencil> pencil;              ///< form rotating
+    std::unique_ptr<SpectrumSolver> reduced_solver;      ///< the rotor on those shapes
+    std::shared_ptr<const Eigen::MatrixXd> shapes;       ///< this rotor is one on these
+    std::unique_ptr<FloquetSpectrum> floquet;            ///< form hill; none: by Hill's series
+    std::unique_ptr<periodic::WholeRotor> series;        ///< form hill: single motions
+    std::map<double, Spectrum> beside;                   ///< with floquet: next to some speeds
     int refinement;
     bool all_unknowns = false; ///< damped forms of the fixed frame: no shapes
 
     Data(const model::Rotor &rotor, results::Form which, int order, int parts, int harmonics,
-         std::shared_ptr<const Eigen::MatrixXd> few_shapes = nullptr)
+         std::shared_ptr<const Eigen::MatrixXd> reduction_basis = nullptr)
         : d(rotor, order, parts), form(which), tables(rotor.bearings_depend_on_speed()),
-          stations(Stations::for_orbits(d)), shapes(std::move(few_shapes)), refinement(parts) {
+          stations(Stations::for_orbits(d)), shapes(std::move(reduction_basis)), refinement(parts) {
         if (results::in_rotating_axes(form)) {
             balancers =
                 balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor));
@@ -88,18 +88,18 @@ struct SpectrumSolver::Data {
         return *_zero_modes;
     }
 
-    /// Form rotating: from now on by few shapes, where they do.
-    void take_turning(FewTurning::Range range) {
+    /// Form rotating: from now on by a reduced rotor, where one suffices.
+    void use_reduced_rotor(RotatingReducedRotor::Range range) {
         if (form != results::Form::rotating || tables ||
-            (turning_range && turning_range->covers(range)))
+            (reduced_range && reduced_range->covers(range)))
             return;
-        if (turning_range)
-            range = {std::min(range.from, turning_range->from),
-                     std::max(range.to, turning_range->to),
-                     std::max(range.wanted, turning_range->wanted)};
-        turning_range = range;
-        on_few.reset();
-        turning = FewTurning::of(d, balancers, *rotating, range);
+        if (reduced_range)
+            range = {std::min(range.from, reduced_range->from),
+                     std::max(range.to, reduced_range->to),
+                     std::max(range.wanted, reduced_range->wanted)};
+        reduced_range = range;
+        reduced_solver.reset();
+        reduced_rotor = RotatingReducedRotor::of(d, balancers, *rotating, range);
     }
 
     const FormMatrices &matrices() {

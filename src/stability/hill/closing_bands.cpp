@@ -11,7 +11,7 @@ namespace whirl::stability {
 
 namespace {
 
-/// Bands as the motions of the rotor on few shapes tell what grows in them.
+/// Bands, with what grows in them by the motions of the reduced rotor.
 std::vector<periodic::OpenBand> open_bands(const PeriodicMotions &motions,
                                            const std::vector<results::Interval> &bands) {
     std::vector<periodic::OpenBand> out;

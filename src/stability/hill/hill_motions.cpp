@@ -16,11 +16,11 @@ using Complex = std::complex<double>;
 using Pairs = std::vector<linalg::ComplexPair>;
 
 constexpr double settled = 1e-8; ///< of the spin speed
-constexpr int fewest_copies = 8;
+constexpr int fewest_aliases = 8;
 /// Motions up to this multiple of the spin speed are looked at in any flexible rotor: pairs of them
 /// resonate at twice and four times the spin speed.
 constexpr double slow_motions = 4;
-/// Copies next to zero have |Im l| up to the spin speed, and a little more.
+/// Aliases next to zero have |Im l| up to the spin speed, and a little more.
 constexpr double strip = 1.05;
 
 /// What rounding leaves open of an eigenvalue, much where two of them meet, 1/s.
@@ -46,7 +46,7 @@ double largest_distance(const modes::RotatingSpectrum &spectrum, const Pairs &so
 } // namespace
 
 double apart(Complex a, Complex b, double repeats) {
-    return std::min(copies_apart(a, b, repeats), copies_apart(a, std::conj(b), repeats));
+    return std::min(alias_distance(a, b, repeats), alias_distance(a, std::conj(b), repeats));
 }
 
 HillMotions::HillMotions(const assembly::Discretization &discretization,
@@ -98,18 +98,18 @@ HillMotions::Reach HillMotions::reach(double signed_speed) const {
 
 HillMotions::Found HillMotions::at(double signed_speed) const {
     if (signed_speed == 0) // at rest the terms of the series do not see each other
-        return {spectrum(0, 1).copies(0, 0, _fewest).pairs, 1};
+        return {spectrum(0, 1).aliases(0, 0, _fewest).pairs, 1};
     const double speed = std::abs(signed_speed);
     const Reach wanted = reach(signed_speed);
-    const auto copies = [&](int N) {
-        return spectrum(signed_speed, N).copies(signed_speed, wanted.radius, fewest_copies).pairs;
+    const auto aliases = [&](int N) {
+        return spectrum(signed_speed, N).aliases(signed_speed, wanted.radius, fewest_aliases).pairs;
     };
     double worst = 1;
     Pairs before;
     for (int N = std::max(_last, wanted.terms + 1); N < _limit; ++N) {
         if (before.empty())
-            before = copies(N);
-        Pairs after = copies(N + 1);
+            before = aliases(N);
+        Pairs after = aliases(N + 1);
         const modes::RotatingSpectrum &coarse = spectrum(signed_speed, N);
         const modes::RotatingSpectrum &fine = spectrum(signed_speed, N + 1);
         worst = std::max(largest_distance(coarse, before, after, speed, wanted.terms),

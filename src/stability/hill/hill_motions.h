@@ -17,13 +17,13 @@ class NotSettled : public model::AnalysisFailure {
 };
 
 /// Distance of two eigenvalues, each of which stands for its conjugate too and, in Hill's series,
-/// for all its copies i times `repeats` apart (0: there are none), 1/s.
+/// for all its aliases i times `repeats` apart (0: there are none), 1/s.
 [[nodiscard]] double apart(std::complex<double> a, std::complex<double> b, double repeats);
 
 /// Free motions by Hill's series with as many harmonics as each speed needs.
 ///
-/// Every motion has copies 2 i speed apart; the series is cut where the motions that count, at the
-/// copy next to zero, do not change any more: with one harmonic more each of the old ones has its
+/// Every motion has aliases 2 i speed apart; the series is cut where the motions that count, at the
+/// alias next to zero, do not change any more: with one harmonic more each of the old ones has its
 /// partner and each of the new ones too, to 1e-8 of the spin speed. A motion whose largest term has
 /// the number k is seen next to zero with more than k harmonics only, so that the fast ones that
 /// bearings drive set a least number.
@@ -57,7 +57,7 @@ class HillMotions {
     mutable double _spectra_speed = 0; ///< with tables: whose bearings they have
 
     struct Reach {
-        double radius = 0; ///< modulus up to which copies are looked for, 1/s
+        double radius = 0; ///< modulus up to which aliases are looked for, 1/s
         int terms = 1;     ///< largest number of the largest term of a motion that counts
     };
     [[nodiscard]] Reach reach(double signed_speed) const;

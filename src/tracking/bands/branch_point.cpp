@@ -40,7 +40,7 @@ class BranchSearch {
   private:
     const SquareAt &_square;
     double _inside, _outside, _relative;
-    std::optional<Outside> _last, _before; ///< the two looked at last outside
+    std::optional<Outside> _last, _before; ///< the two evaluated last outside
     std::optional<double> _root;           ///< where the line led last
     double _miss = 0.02;                   ///< of it, over the way left
 

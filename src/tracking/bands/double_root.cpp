@@ -15,7 +15,7 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// [Q b; c^T 0], factorised; of a rotor on few shapes, whose matrices are full, as such.
+/// [Q b; c^T 0], factorised; of a reduced rotor, whose matrices are full, as such.
 class Bordered {
   public:
     Bordered(const Sparse &Q, const Eigen::VectorXd &b, const Eigen::VectorXd &c) : _n(Q.rows()) {

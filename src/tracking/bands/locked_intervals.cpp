@@ -17,7 +17,7 @@ using results::Locked;
 bool overlap(const Locked &a, const Locked &b) { return a.from < b.to && b.from < a.to; }
 
 /// Lines that stand still at a node.
-std::vector<int> standing_lines(const Node &node) {
+std::vector<int> locked_lines(const Node &node) {
     std::vector<int> out;
     for (std::size_t i = 0; i < node.lines.size(); ++i)
         if (node.lines[i] != no_line && locked(mode_at(node, i), node.snapshot.spectrum.speed))
@@ -26,8 +26,8 @@ std::vector<int> standing_lines(const Node &node) {
 }
 
 /// Intervals of one sense of the spin, opened and closed by the ends of bands in ascending order.
-/// Motions that stand still are not told apart: the band that opened last is closed first, so that
-/// nothing depends on the grid of the lines.
+/// Motions that stand still are not distinguished: the band that opened last is closed first, so
+/// that nothing depends on the grid of the lines.
 class OpenIntervals {
   public:
     /// @param already  motions that stand still from the beginning
@@ -69,7 +69,7 @@ void name_by_lines(const SweepNodes &sweep, std::vector<Locked> &intervals) {
         std::map<int, int> votes;
         for (std::size_t k = 0; k < sweep.count(); ++k)
             if (sweep.speed(k) >= interval.from && sweep.speed(k) <= interval.to)
-                for (const int line : standing_lines(sweep.bare(k)))
+                for (const int line : locked_lines(sweep.bare(k)))
                     ++votes[line];
         std::map<int, int> free = votes;
         for (const Locked &other : intervals)
@@ -87,8 +87,8 @@ void name_by_lines(const SweepNodes &sweep, std::vector<Locked> &intervals) {
 
 /// Motions that stand still from the beginning of a range on: from how many do in the middle of the
 /// widest stretch between two ends. (Close to rest rounding decides whether balls stand.)
-std::ptrdiff_t standing_from(const modes::SpectrumSolver &solver, int wanted,
-                             const std::vector<BandEnd> &ends, double low, double high) {
+std::ptrdiff_t locked_from(const modes::SpectrumSolver &solver, int wanted,
+                           const std::vector<BandEnd> &ends, double low, double high) {
     std::ptrdiff_t entered = 0; // up to the widest stretch
     std::ptrdiff_t net = 0;
     double middle = low;
@@ -116,7 +116,7 @@ std::vector<Locked> of_one_sense(const SweepNodes &sweep, const std::vector<Band
     std::vector<BandEnd> inside;
     std::ranges::copy_if(ends, std::back_inserter(inside),
                          [&](const BandEnd &end) { return end.speed > low && end.speed < high; });
-    OpenIntervals intervals(low, standing_from(sweep.solver(), wanted, inside, low, high));
+    OpenIntervals intervals(low, locked_from(sweep.solver(), wanted, inside, low, high));
     for (const BandEnd &end : inside)
         intervals.pass(end);
     return intervals.closed_at(high);
@@ -125,13 +125,14 @@ std::vector<Locked> of_one_sense(const SweepNodes &sweep, const std::vector<Band
 bool on_multiple(const modes::SpectrumSolver &solver, const modes::WhirlMode &mode, double speed,
                  double multiple) {
     // At rest a motion without a frequency is on every multiple; nothing else is known of it.
-    return !stands(solver.form(), mode, speed, multiple) && side_of(mode, speed, multiple) == 0;
+    return !locked_to_rotor(solver.form(), mode, speed, multiple) &&
+           side_of(mode, speed, multiple) == 0;
 }
 
 /// Follows one line over its speeds on a multiple.
-class Ride {
+class LineOnMultiple {
   public:
-    Ride(const SweepNodes &sweep, double multiple, int line)
+    LineOnMultiple(const SweepNodes &sweep, double multiple, int line)
         : _sweep(sweep), _multiple(multiple), _line(line) {}
 
     void find(std::vector<Locked> &out) const {
@@ -191,8 +192,8 @@ class Ride {
 
 } // namespace
 
-std::vector<Locked> standing_intervals(const SweepNodes &sweep, std::vector<BandEnd> ends,
-                                       int wanted) {
+std::vector<Locked> intervals_locked_to_rotor(const SweepNodes &sweep, std::vector<BandEnd> ends,
+                                              int wanted) {
     std::ranges::sort(ends, {}, &BandEnd::speed);
     const double low = sweep.speed(0);
     const double high = sweep.speed(sweep.count() - 1);
@@ -208,10 +209,10 @@ std::vector<Locked> standing_intervals(const SweepNodes &sweep, std::vector<Band
     return out;
 }
 
-std::vector<Locked> riding_intervals(const SweepNodes &sweep, double multiple) {
+std::vector<Locked> intervals_on_multiple(const SweepNodes &sweep, double multiple) {
     std::vector<Locked> out;
     for (std::size_t line = 0; line < sweep.lines().size(); ++line)
-        Ride(sweep, multiple, static_cast<int>(line)).find(out);
+        LineOnMultiple(sweep, multiple, static_cast<int>(line)).find(out);
     return out;
 }
 

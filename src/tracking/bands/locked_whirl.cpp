@@ -118,7 +118,7 @@ std::vector<LockEnd> ends_among(const modes::SpectrumSolver &solver,
 /// Speeds near which something stands still in the rotor: with l = 0 the equations in rotating axes
 /// are (K + s Ks + s^2 Kss) x = 0, whose roots s are real without damping and have the middle of a
 /// band as their real part with little of it. Empty where they cannot be had.
-std::vector<double> standing_speeds(const modes::SpectrumSolver &solver, int wanted) {
+std::vector<double> synchronous_speeds(const modes::SpectrumSolver &solver, int wanted) {
     const assembly::Discretization &d = solver.discretization();
     const model::Rotor &rotor = d.rotor();
     if (solver.form() != results::Form::rotating || rotor.bearings_depend_on_speed())
@@ -147,7 +147,7 @@ std::vector<LockEnd> ends_over(const modes::SpectrumSolver &solver, double low, 
     constexpr int parts = 200;
     constexpr double closely = 1e-7;
     const double margin = 1e-3 * (high - low) / parts;
-    const std::vector<double> standing = standing_speeds(solver, wanted);
+    const std::vector<double> synchronous = synchronous_speeds(solver, wanted);
     std::vector<LockEnd> all;
     for (const auto &[a, b] :
          {std::pair(low, std::min(high, -margin)), std::pair(std::max(low, margin), high)}) {
@@ -165,7 +165,7 @@ std::vector<LockEnd> ends_over(const modes::SpectrumSolver &solver, double low, 
             speeds.insert(b <= 0 ? b - from_rest : a + from_rest);
         }
         // On both sides: without damping it is an end itself.
-        for (const double s : standing)
+        for (const double s : synchronous)
             for (const double side : {-1.0, 1.0})
                 if (const double speed = std::copysign(s * (1 + side * closely), b <= 0 ? -1 : 1);
                     speed > a && speed < b)
@@ -177,16 +177,16 @@ std::vector<LockEnd> ends_over(const modes::SpectrumSolver &solver, double low, 
     return all;
 }
 
-/// Ends of a rotor on few shapes as the whole one has them; nothing where one of them is none.
+/// Ends of a reduced rotor as the whole one has them; nothing where one of them is none.
 std::optional<std::vector<LockEnd>> of_whole(const modes::SpectrumSolver &whole,
-                                             const modes::SpectrumSolver &few,
+                                             const modes::SpectrumSolver &reduced,
                                              const std::vector<LockEnd> &ends) {
     constexpr double near = 1e-4; // of the speed
     const auto problem_at = [&whole](double speed) { return whole.problem_at(speed); };
     std::vector<LockEnd> out;
     for (const LockEnd &end : ends) {
         const auto root = double_root(problem_at, end.speed, end.real,
-                                      reduction::Projection(*few.shapes())
+                                      reduction::Projection(*reduced.shapes())
                                           .lifted(end.shape.cast<std::complex<double>>())
                                           .real(),
                                       near * std::abs(end.speed));
@@ -197,14 +197,14 @@ std::optional<std::vector<LockEnd>> of_whole(const modes::SpectrumSolver &whole,
     return out;
 }
 
-/// What a search finds on the rotor on few shapes, made ends of the whole one; that of the whole
-/// one where there are no such shapes.
+/// What a search finds on the reduced rotor, made ends of the whole one; that of the whole one
+/// where there are no such shapes.
 template <class Search>
-std::vector<LockEnd> by_few_shapes(const modes::SpectrumSolver &solver, double from, double to,
-                                   int wanted, const Search &search) {
-    if (const modes::SpectrumSolver *few = solver.on_few_shapes(from, to, wanted)) {
+std::vector<LockEnd> by_reduced_rotor(const modes::SpectrumSolver &solver, double from, double to,
+                                      int wanted, const Search &search) {
+    if (const modes::SpectrumSolver *reduced = solver.reduced_for(from, to, wanted)) {
         try {
-            if (auto ends = of_whole(solver, *few, search(*few)))
+            if (auto ends = of_whole(solver, *reduced, search(*reduced)))
                 return *std::move(ends);
         } catch (const model::AnalysisFailure &) { // the whole rotor decides
             return search(solver);
@@ -216,9 +216,9 @@ std::vector<LockEnd> by_few_shapes(const modes::SpectrumSolver &solver, double f
 } // namespace
 
 double turn_in_rotor(const modes::WhirlMode &mode, double speed, results::Form form) {
-    const bool copies = form == results::Form::hill && speed != 0;
-    return std::abs(copies ? std::remainder(mode.frequency_rotating, 2 * speed)
-                           : mode.frequency_rotating);
+    const bool aliases = form == results::Form::hill && speed != 0;
+    return std::abs(aliases ? std::remainder(mode.frequency_rotating, 2 * speed)
+                            : mode.frequency_rotating);
 }
 
 bool locked(const modes::WhirlMode &mode, double speed) {
@@ -251,14 +251,14 @@ Count count_at(const modes::SpectrumSolver &solver, double speed, int wanted) {
 
 std::vector<LockEnd> lock_ends(const modes::SpectrumSolver &solver, double from, double to,
                                int wanted) {
-    return by_few_shapes(solver, from, to, wanted, [=](const modes::SpectrumSolver &rotor) {
+    return by_reduced_rotor(solver, from, to, wanted, [=](const modes::SpectrumSolver &rotor) {
         return ends_among(rotor, {from, to}, wanted);
     });
 }
 
 std::vector<LockEnd> lock_ends_over(const modes::SpectrumSolver &solver, double from, double to,
                                     int wanted) {
-    return by_few_shapes(solver, from, to, wanted, [=](const modes::SpectrumSolver &rotor) {
+    return by_reduced_rotor(solver, from, to, wanted, [=](const modes::SpectrumSolver &rotor) {
         return ends_over(rotor, from, to, wanted);
     });
 }

@@ -29,7 +29,7 @@ struct Count {
 [[nodiscard]] Count count_at(const modes::SpectrumSolver &solver, double speed, int wanted);
 
 /// How fast a motion turns as seen from the rotor, rad/s; of a Hill series, where every motion has
-/// copies 2 speed apart, the slowest of them.
+/// aliases 2 speed apart, the slowest of them.
 [[nodiscard]] double turn_in_rotor(const modes::WhirlMode &mode, double speed, results::Form form);
 
 /// An end of a band of speeds over which a motion is locked.

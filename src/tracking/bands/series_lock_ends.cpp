@@ -50,7 +50,7 @@ double slowest(const Count &count) {
 }
 
 /// Some motion turns less and less towards a speed that far away, so that it may stand before it.
-/// Motions on higher multiples than these stand in the rotor as copies that hardly deflect: they
+/// Motions on higher multiples than these stand in the rotor as aliases that hardly deflect: they
 /// are not of the bands of 1x, and fast ones pass such multiples at every few speeds.
 bool slows_down(const modes::SpectrumSolver &solver, const Count &from, double way) {
     constexpr double farther = 1.5; // than its slope leads
@@ -109,8 +109,8 @@ int modes_in_play(const Count &a, const Count &b) {
     return static_cast<int>(out) + more;
 }
 
-/// All ends in a part, for a Hill series: others than one that was found are on its two sides,
-/// where the numbers of motions tell, or how slow the others are.
+/// All ends in a part, for a Hill series: others than one that was found are on its two sides, by
+/// the numbers of locked motions, or how slow the others are.
 void add_series_ends(const modes::SpectrumSolver &solver, const Count &a, const Count &b,
                      int wanted, int halves, std::vector<LockEnd> &ends) {
     constexpr int most = 8;

@@ -3,7 +3,7 @@
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "process/processes.h"
-#include "tracking/hill/of_whole_rotor.h"
+#include "tracking/hill/whole_and_reduced.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,21 +36,21 @@ Speeds evenly_spread(const Speeds &all) {
     return out;
 }
 
-/// With others, evenly spread over the range, so closely that few bands open and close between two
-/// of them. There are none where no motion comes near a multiple on which bands are so wide, or
-/// near one of those asked for, nor where the matrix does not tell the modes.
-Speeds with_search_speeds(const Speeds &own, const modes::SpectrumSolver &few, int wanted,
+/// With others, evenly spread over the range, so closely that reduced bands open and close between
+/// two of them. There are none where no motion comes near a multiple on which bands are so wide, or
+/// near one of those asked for, nor where the matrix does not resolve the modes.
+Speeds with_search_speeds(const Speeds &own, const modes::SpectrumSolver &reduced, int wanted,
                           const Speeds &multiples) {
     constexpr double slow_multiple = 4; // at slow speeds all motions are above that
     const double largest = multiples.empty() ? 0 : *std::ranges::max_element(multiples);
-    const double slow = largest <= slow_multiple ? few.slow() : 0;
+    const double slow = largest <= slow_multiple ? reduced.slow() : 0;
     const double width = (own.back() - own.front()) / parts;
     Speeds out;
     for (int i = 0; width > 0 && i <= parts; ++i) {
         const double speed = own.front() + width * i;
         const auto above = std::lower_bound(own.begin(), own.end(), speed - same * width);
         if ((above == own.end() || *above > speed + same * width) && std::abs(speed) > slow &&
-            few.by_matrix(speed, wanted))
+            reduced.by_matrix(speed, wanted))
             out.push_back(speed);
     }
     return with(own, out);
@@ -58,12 +58,13 @@ Speeds with_search_speeds(const Speeds &own, const modes::SpectrumSolver &few, i
 
 /// On process 0. @returns nothing where a mode of the whole rotor is not found
 std::optional<Crossings> completed(const modes::SpectrumSolver &solver,
-                                   const modes::SpectrumSolver &few, const Speeds &speeds,
+                                   const modes::SpectrumSolver &reduced, const Speeds &speeds,
                                    int modes, const Speeds &multiples, FollowedLines &found) try {
-    const WholeAndFew rotors{solver, few, modes_to_follow(solver.discretization().rotor(), modes)};
+    const WholeAndReduced rotors{solver, reduced,
+                                 modes_to_follow(solver.discretization().rotor(), modes)};
     const double low = found.spectra.front().speed;
     const double high = found.spectra.back().speed;
-    Crossings crossed = crossings(few, found.tracking, found.spectra, multiples);
+    Crossings crossed = crossings(reduced, found.tracking, found.spectra, multiples);
     rotors.improve(crossed, low, high);
     const std::vector<char> drawn_lines =
         lines_drawn(found.tracking.lines, found.spectra, modes, crossed);
@@ -75,8 +76,8 @@ std::optional<Crossings> completed(const modes::SpectrumSolver &solver,
             if (const int place = found.tracking.lines[i].place[k];
                 place != Line::absent && drawn_lines[i] != 0)
                 drawn.push_back(place);
-        const bool slow = std::abs(found.spectra[k].speed) <= few.slow();
-        // Near rest copies of all motions lie so close that the one meant may not be found.
+        const bool slow = std::abs(found.spectra[k].speed) <= reduced.slow();
+        // Near rest aliases of all motions lie so close that the one meant may not be found.
         if (!rotors.improve(found.spectra[k], drawn, !slow) && !slow)
             return std::nullopt;
     }
@@ -92,14 +93,14 @@ std::optional<PeriodicDiagram> periodic_diagram(const modes::SpectrumSolver &sol
                                                 int modes, const Speeds &multiples) try {
     const Speeds own = with(speeds, naming);
     const int wanted = modes_to_follow(solver.discretization().rotor(), modes);
-    const std::unique_ptr<modes::SpectrumSolver> few =
+    const std::unique_ptr<modes::SpectrumSolver> reduced =
         solver.by_monodromy(own.front(), own.back(), wanted);
-    const Speeds all = with_search_speeds(own, *few, wanted, multiples);
-    PeriodicDiagram out{followed_lines(*few, all, modes, false, evenly_spread(all)), {}};
+    const Speeds all = with_search_speeds(own, *reduced, wanted, multiples);
+    PeriodicDiagram out{followed_lines(*reduced, all, modes, false, evenly_spread(all)), {}};
     std::vector<char> good(1, 1);
     if (process::process_rank() == 0) {
         std::optional<Crossings> crossed =
-            completed(solver, *few, speeds, modes, multiples, out.found);
+            completed(solver, *reduced, speeds, modes, multiples, out.found);
         good[0] = crossed ? 1 : 0;
         if (crossed)
             out.crossed = *std::move(crossed);

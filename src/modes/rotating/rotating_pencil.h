@@ -16,11 +16,11 @@ namespace whirl::modes {
 
 /// Q(l) = l^2 M + l D + K of a rotor in rotating axes, at all speeds on one pattern of entries: the
 /// order of elimination is found once.
-class TurningPencil {
+class RotatingPencil {
   public:
     /// @param matrices  form rotating
     /// @param slow      of the order of the motions on the supports, 1/s
-    TurningPencil(FormMatrices matrices, double slow)
+    RotatingPencil(FormMatrices matrices, double slow)
         : _matrices(std::move(matrices)), _stiffness(_matrices.at(0).K.diagonal()), _slow(slow) {}
 
     /// @returns false where the matrix at the shift that residuals are measured from is singular

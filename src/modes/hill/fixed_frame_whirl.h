@@ -10,14 +10,14 @@
 
 namespace whirl::modes {
 
-/// What a motion exp(l t) sum_k q_k exp(2 i k speed t) in axes that turn with the rotor looks like
-/// from the fixed frame, shown by one of its terms.
+/// Whirl in the fixed frame of a motion exp(l t) sum_k q_k exp(2 i k speed t) in rotating axes, by
+/// one of its terms.
 ///
 /// With nu = Im l + 2 k speed term k whirls there at speed + nu, and against that at nu - speed. So
 /// does one of its neighbours: the whirl at w of a term and the one at -w of the next are one
 /// orbit, an ellipse in the fixed frame. Where they are as large, be it by rounding, it is a
 /// straight line.
-struct SeenWhirl {
+struct FixedFrameWhirl {
     double turn = 0;         ///< of the larger whirl of the term, positive with x towards y, rad/s
     double other = 0;        ///< of the smaller one
     double size = 0;         ///< of the larger one: energy of deflections
@@ -39,18 +39,20 @@ inline constexpr double equal_share = 1 - 1e-6;
 /// @param place      the column of the term
 /// @param frequency  nu, rad/s
 /// @param speed      not zero, rad/s
-[[nodiscard]] SeenWhirl seen_whirl(const Stations &stations, const Eigen::MatrixXcd &terms,
-                                   Eigen::Index place, double frequency, double speed);
+[[nodiscard]] FixedFrameWhirl fixed_frame_whirl(const Stations &stations,
+                                                const Eigen::MatrixXcd &terms, Eigen::Index place,
+                                                double frequency, double speed);
 
 /// Of an eigenpair of Hill's series, or of a rotor without turning supports, by its constant term.
 /// @param size  unknowns of a term
-[[nodiscard]] SeenWhirl seen_whirl(const Stations &stations, const linalg::ComplexPair &pair,
-                                   Eigen::Index size, double speed);
+[[nodiscard]] FixedFrameWhirl fixed_frame_whirl(const Stations &stations,
+                                                const linalg::ComplexPair &pair, Eigen::Index size,
+                                                double speed);
 
-/// A motion on straight lines is as large in the copy that turns with the spin as in the one that
+/// A motion on straight lines is as large in the alias that turns with the spin as in the one that
 /// turns against it. The second stands for both: in the first the motion would come to stand where
 /// its frequency is the spin speed. @param all  eigenpairs of Hill's series
-void drop_copies_of_straight(const Stations &stations, Eigen::Index size, double speed,
-                             std::vector<linalg::ComplexPair> &all);
+void drop_alias_of_straight(const Stations &stations, Eigen::Index size, double speed,
+                            std::vector<linalg::ComplexPair> &all);
 
 } // namespace whirl::modes

@@ -2,8 +2,8 @@
 
 #include "assembly/discretization.h"
 #include "balancers/linear_element.h"
+#include "modes/rotating/rotating_pencil.h"
 #include "modes/rotating_spectrum.h"
-#include "modes/turning/turning_pencil.h"
 
 #include <Eigen/Core>
 
@@ -16,7 +16,7 @@ namespace whirl::modes {
 /// A rotor in rotating axes on the few planar shapes that its slow motions have over a range of
 /// speeds: all eigenvalues of a speed from one small dense problem, each then made one of the whole
 /// rotor.
-class FewTurning {
+class RotatingReducedRotor {
   public:
     /// A range of speeds, rad/s, and how many of the lowest modes are to be had there.
     struct Range {
@@ -33,7 +33,7 @@ class FewTurning {
     /// @param whole  with bearings the same at all speeds and from all sides
     /// @returns nothing where hardly fewer shapes than unknowns do, or where the whole rotor's
     ///          motions cannot be resolved
-    [[nodiscard]] static std::unique_ptr<FewTurning>
+    [[nodiscard]] static std::unique_ptr<RotatingReducedRotor>
     of(const assembly::Discretization &discretization,
        const std::vector<balancers::BalancerElement> &balancers, const RotatingSpectrum &whole,
        const Range &range);
@@ -41,27 +41,27 @@ class FewTurning {
     [[nodiscard]] const Eigen::MatrixXd &shapes() const { return _shapes; } ///< N x r
 
     /// As of the whole rotor, with left vectors, at a speed of the range other than 0; nothing
-    /// where one of them cannot be had from those of the few shapes.
+    /// where one of them cannot be had from those of the reduced rotor.
     [[nodiscard]] std::optional<Spectrum> modes(double speed, int wanted);
 
   private:
-    FewTurning(const assembly::Discretization &discretization,
-               const std::vector<balancers::BalancerElement> &balancers,
-               const RotatingSpectrum &whole, Eigen::MatrixXd shapes, int wanted);
+    RotatingReducedRotor(const assembly::Discretization &discretization,
+                         const std::vector<balancers::BalancerElement> &balancers,
+                         const RotatingSpectrum &whole, Eigen::MatrixXd shapes, int wanted);
 
     const RotatingSpectrum &_whole;
     int _wanted;
     Eigen::MatrixXd _shapes;
-    RotatingSpectrum _few;
-    TurningPencil _pencil;
+    RotatingSpectrum _reduced;
+    RotatingPencil _pencil;
 
     [[nodiscard]] bool meets(const RotatingSpectrum::Lowest &whole, double speed) const;
 };
 
 /// Modes of a rotor in rotating axes near guesses, one for each; none where they cannot be found
 /// from these: two lead to one, or one to a motion of the other whirl.
-[[nodiscard]] std::vector<WhirlMode> turning_modes_near(const RotatingSpectrum &rotor,
-                                                        TurningPencil &pencil, double speed,
-                                                        const std::vector<WhirlMode> &guesses);
+[[nodiscard]] std::vector<WhirlMode> rotating_modes_near(const RotatingSpectrum &rotor,
+                                                         RotatingPencil &pencil, double speed,
+                                                         const std::vector<WhirlMode> &guesses);
 
 } // namespace whirl::modes

@@ -7,11 +7,11 @@
 
 namespace whirl::tracking {
 
-/// What was found with a rotor on few shapes (few), as the rotor with all unknowns (whole) has it;
+/// What was found with a reduced rotor (reduced), as the rotor with all unknowns (whole) has it;
 /// both of form hill.
-struct WholeAndFew {
+struct WholeAndReduced {
     const modes::SpectrumSolver &whole;
-    const modes::SpectrumSolver &few;
+    const modes::SpectrumSolver &reduced;
     int wanted; ///< modes that are had at each speed
 
     /// Some of the modes of a spectrum become those of the whole rotor, each that is found; the

@@ -1,4 +1,4 @@
-#include "modes/hill/seen_whirl.h"
+#include "modes/hill/fixed_frame_whirl.h"
 
 #include "assembly/hill_system.h"
 #include "assembly/planes.h"
@@ -26,7 +26,7 @@ struct Whirls {
 
 } // namespace
 
-Eigen::VectorXcd SeenWhirl::shape() const {
+Eigen::VectorXcd FixedFrameWhirl::shape() const {
     // x = Re(w exp(i turn t)), y = Im: for a turn against the positive sense
     // x = Re(conj(w) exp(i |turn| t)), y = Re(i conj(w) exp(...)).
     const bool positive = turn >= 0;
@@ -41,13 +41,13 @@ Eigen::VectorXcd SeenWhirl::shape() const {
     return out;
 }
 
-SeenWhirl seen_whirl(const Stations &stations, const Eigen::MatrixXcd &terms, Eigen::Index place,
-                     double frequency, double speed) {
+FixedFrameWhirl fixed_frame_whirl(const Stations &stations, const Eigen::MatrixXcd &terms,
+                                  Eigen::Index place, double frequency, double speed) {
     const Whirls whirls(terms.col(place));
     const double with = stations.deflection_energy(whirls.with);
     const double against = stations.deflection_energy(whirls.against);
     const bool first = with >= equal_share * against;
-    SeenWhirl out;
+    FixedFrameWhirl out;
     out.turn = speed + (first ? frequency : -frequency);
     out.other = speed - (first ? frequency : -frequency);
     out.size = first ? with : against;
@@ -63,20 +63,20 @@ SeenWhirl seen_whirl(const Stations &stations, const Eigen::MatrixXcd &terms, Ei
     return out;
 }
 
-SeenWhirl seen_whirl(const Stations &stations, const linalg::ComplexPair &pair, Eigen::Index size,
-                     double speed) {
+FixedFrameWhirl fixed_frame_whirl(const Stations &stations, const linalg::ComplexPair &pair,
+                                  Eigen::Index size, double speed) {
     const Eigen::Index near = std::min(3 * size, pair.vector.size());
     const Eigen::MatrixXcd terms = assembly::hill_terms(pair.vector.head(near), size);
-    return seen_whirl(stations, terms, terms.cols() / 2, pair.value.imag(), speed);
+    return fixed_frame_whirl(stations, terms, terms.cols() / 2, pair.value.imag(), speed);
 }
 
-void drop_copies_of_straight(const Stations &stations, Eigen::Index size, double speed,
-                             std::vector<linalg::ComplexPair> &all) {
+void drop_alias_of_straight(const Stations &stations, Eigen::Index size, double speed,
+                            std::vector<linalg::ComplexPair> &all) {
     using Complex = std::complex<double>; // real part, frequency in the fixed frame
     std::vector<Complex> kept;
     std::vector<std::optional<Complex>> other;
     for (const linalg::ComplexPair &pair : all) {
-        const SeenWhirl whirl = seen_whirl(stations, pair, size, speed);
+        const FixedFrameWhirl whirl = fixed_frame_whirl(stations, pair, size, speed);
         const Complex value(pair.value.real(), std::abs(whirl.turn));
         const bool against_spin = whirl.turn * speed < 0;
         other.push_back(whirl.straight && !against_spin ? std::optional(value) : std::nullopt);

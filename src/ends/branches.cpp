@@ -1,4 +1,4 @@
-#include "ends/strands.h"
+#include "ends/branches.h"
 
 #include "ends/clusters.h"
 #include "ends/coupling.h"
@@ -40,16 +40,16 @@ Complex cubic(double t, Complex rise, Complex d0, Complex d1) {
 }
 
 /// How far the value is from a parabola, whose rates are linear.
-Complex off_parabola(const Strand &strand) {
-    return strand.to->value - strand.from->value -
-           strand.step * (strand.from->rate + strand.to->rate) / 2.0;
+Complex off_parabola(const Branch &branch) {
+    return branch.to->value - branch.from->value -
+           branch.step * (branch.from->rate + branch.to->rate) / 2.0;
 }
 
 /// What does not fit where one root would have become another: the mean of the rates does not lead
 /// there, or they differ.
-double misfit(const Strand &strand) {
-    return size_of(off_parabola(strand)) +
-           0.25 * std::abs(strand.step) * size_of(strand.to->rate - strand.from->rate);
+double misfit(const Branch &branch) {
+    return size_of(off_parabola(branch)) +
+           0.25 * std::abs(branch.step) * size_of(branch.to->rate - branch.from->rate);
 }
 
 /// The number of the conjugate of each root, a neighbour in the list; itself of a real one.
@@ -68,9 +68,9 @@ std::vector<int> conjugates(const Spectrum &spectrum) {
     return out;
 }
 
-/// Motions that cannot be told apart, none of which comes to the axis: growing ones as growing
+/// Motions that cannot be distinguished, none of which comes to the axis: growing ones as growing
 /// ones, in order of their frequencies, so that each stands where one of them is.
-void add_as_one(Cluster a, Cluster b, double step, Strands &out) {
+void add_as_one(Cluster a, Cluster b, double step, Branches &out) {
     const auto before = [](const Root *x, const Root *y) {
         return std::pair(x->sign(), x->value.imag()) < std::pair(y->sign(), y->value.imag());
     };
@@ -78,21 +78,21 @@ void add_as_one(Cluster a, Cluster b, double step, Strands &out) {
     std::ranges::sort(b, before);
     ++out.clusters;
     for (std::size_t k = 0; k < a.size(); ++k)
-        out.strands.push_back({a[k], b[k], step, out.clusters});
+        out.branches.push_back({a[k], b[k], step, out.clusters});
 }
 
-bool passes_safely(const Strand &strand) {
-    const int a = strand.from->sign();
-    const int b = strand.to->sign();
+bool passes_safely(const Branch &branch) {
+    const int a = branch.from->sign();
+    const int b = branch.to->sign();
     if (a == 0 || b == 0)
-        return true; // nothing more can be told here
-    // The part of the real part that another look in between could disprove.
-    const double bend = std::abs(off_parabola(strand).real());
+        return true; // nothing more can be decided here
+    // The part of the real part that a speed in between could disprove.
+    const double bend = std::abs(off_parabola(branch).real());
     int changes = 0;
     double least = HUGE_VAL;
-    double before = strand.from->value.real();
+    double before = branch.from->value.real();
     for (int k = 1; k <= samples; ++k) {
-        const double real = strand.at(static_cast<double>(k) / samples).real();
+        const double real = branch.at(static_cast<double>(k) / samples).real();
         changes += (real > 0) != (before > 0) ? 1 : 0;
         least = std::min({least, std::abs(real), std::abs(before)});
         before = real;
@@ -100,24 +100,24 @@ bool passes_safely(const Strand &strand) {
     if (a == b)
         return changes == 0 && least > 0.5 * bend;
     return changes == 1 &&
-           bend < 0.3 * std::abs(strand.to->value.real() - strand.from->value.real());
+           bend < 0.3 * std::abs(branch.to->value.real() - branch.from->value.real());
 }
 
 constexpr int parts = 8;
-using Course = std::array<double, parts + 1>; ///< frequencies along a strand
+using Course = std::array<double, parts + 1>; ///< frequencies along a branch
 
-Course course_of(const Strand &strand) {
+Course course_of(const Branch &branch) {
     Course out{};
-    out.front() = strand.from->value.imag();
+    out.front() = branch.from->value.imag();
     for (int k = 1; k < parts; ++k)
-        out[static_cast<std::size_t>(k)] = strand.at(static_cast<double>(k) / parts).imag();
-    out.back() = strand.to->value.imag();
+        out[static_cast<std::size_t>(k)] = branch.at(static_cast<double>(k) / parts).imag();
+    out.back() = branch.to->value.imag();
     return out;
 }
 
-/// Where the frequencies of two strands are equal, if they pass each other inside the step and this
-/// place has not been looked at.
-std::optional<double> passing(const Strand &a, const Strand &b, const Course &of_a,
+/// Where the frequencies of two branches are equal, if they pass each other inside the step and
+/// that speed is not an end of the step.
+std::optional<double> passing(const Branch &a, const Branch &b, const Course &of_a,
                               const Course &of_b, double scale) {
     const auto gap = [&](double t) { return (a.at(t) - b.at(t)).imag(); };
     const double first = a.from->value.imag() - b.from->value.imag();
@@ -232,19 +232,19 @@ class Groups {
 
 } // namespace
 
-Complex Strand::at(double t) const {
+Complex Branch::at(double t) const {
     return from->value + cubic(t, to->value - from->value, step * from->rate, step * to->rate);
 }
 
-Strands followed(const Spectrum &from, const Spectrum &to) {
+Branches followed(const Spectrum &from, const Spectrum &to) {
     const double step = to.speed - from.speed;
     const auto between = [&](int i, int j) {
-        return Strand{&from.roots[static_cast<std::size_t>(i)],
+        return Branch{&from.roots[static_cast<std::size_t>(i)],
                       &to.roots[static_cast<std::size_t>(j)], step};
     };
     const auto rows = static_cast<Eigen::Index>(from.roots.size());
     const auto columns = static_cast<Eigen::Index>(to.roots.size());
-    Strands out;
+    Branches out;
     out.middle = middle_of(from.speed, to.speed);
     if (rows < 2 || columns < 2)
         return out;
@@ -260,14 +260,14 @@ Strands followed(const Spectrum &from, const Spectrum &to) {
     const ClusterStep of_step{from.speed, to.speed, is_long(from.speed, to.speed)};
     for (const auto &[of_from, of_to] : Groups(std::move(off)).all()) {
         if (of_from.size() == 1 && of_to.size() == 1) {
-            out.strands.push_back(between(of_from.front(), of_to.front()));
+            out.branches.push_back(between(of_from.front(), of_to.front()));
             continue;
         }
         const Cluster a = cluster(from, of_from);
         const Cluster b = cluster(to, of_to);
         if (all_alike(a, b, step))
             continue;
-        if ((of_step.is_long && drowned(a, b)) || off_the_axis(a, b, of_step)) {
+        if ((of_step.is_long && zero_but_for_rounding(a, b)) || off_the_axis(a, b, of_step)) {
             add_as_one(a, b, step, out);
         } else {
             out.clear = false;
@@ -276,24 +276,24 @@ Strands followed(const Spectrum &from, const Spectrum &to) {
     return out;
 }
 
-std::optional<double> look_at(const Strands &all, const Spectrum &from, const Spectrum &to,
-                              double scale) {
+std::optional<double> where_to_refine(const Branches &all, const Spectrum &from, const Spectrum &to,
+                                      double scale) {
     if (!all.clear)
         return all.middle;
-    for (const Strand &strand : all.strands)
-        if (strand.cluster == 0 && !passes_safely(strand))
+    for (const Branch &branch : all.branches)
+        if (branch.cluster == 0 && !passes_safely(branch))
             return all.middle;
     std::vector<Course> courses;
-    for (const Strand &strand : all.strands)
-        courses.push_back(course_of(strand));
-    for (std::size_t i = 0; i < all.strands.size(); ++i)
-        for (std::size_t k = i + 1; k < all.strands.size(); ++k) {
-            const int cluster = all.strands[i].cluster;
-            if (cluster != 0 && cluster == all.strands[k].cluster)
+    for (const Branch &branch : all.branches)
+        courses.push_back(course_of(branch));
+    for (std::size_t i = 0; i < all.branches.size(); ++i)
+        for (std::size_t k = i + 1; k < all.branches.size(); ++k) {
+            const int cluster = all.branches[i].cluster;
+            if (cluster != 0 && cluster == all.branches[k].cluster)
                 continue;
             if (const auto t =
-                    passing(all.strands[i], all.strands[k], courses[i], courses[k], scale);
-                t && !weakly_coupled(all.strands[i], all.strands[k], *t, from, to))
+                    passing(all.branches[i], all.branches[k], courses[i], courses[k], scale);
+                t && !weakly_coupled(all.branches[i], all.branches[k], *t, from, to))
                 return t;
         }
     return std::nullopt;

@@ -8,7 +8,7 @@
 namespace whirl::tracking {
 
 /// A band of speeds over which motions of periodic equations stay on a multiple of the spin speed.
-struct RidingBand {
+struct LockedBand {
     results::Locked interval;
     double real_from = 0; ///< 1/s, of the two motions that meet at either end
     double real_to = 0;
@@ -19,8 +19,8 @@ struct RidingBand {
 /// (theory.md, Following modes). Such bands are looked for where a frequency changes sides of the
 /// multiple between two speeds of the sweep, and from speeds inside one; ends inside the range are
 /// to 1e-11 (branch_point.h). Other than motions that stand still in the rotor, which
-/// standing_intervals finds.
+/// intervals_locked_to_rotor finds.
 /// @param multiple  of the spin speed, any: only integers have bands
-[[nodiscard]] std::vector<RidingBand> riding_bands(const SweepNodes &sweep, double multiple);
+[[nodiscard]] std::vector<LockedBand> locked_bands(const SweepNodes &sweep, double multiple);
 
 } // namespace whirl::tracking

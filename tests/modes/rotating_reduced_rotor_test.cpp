@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace few_turning {
+namespace rotating_reduced_rotor {
 
 using namespace whirl;
 
@@ -37,7 +37,7 @@ model::Rotor random_rotor(tests::Random &random) {
     return rotor;
 }
 
-TEST(FewTurning, ModesAreThoseOfTheWholeRotor) {
+TEST(RotatingReducedRotor, ModesAreThoseOfTheWholeRotor) {
     tests::Random random(5);
     int with_left = 0;
     for (int scene = 0; scene < 8; ++scene) {
@@ -72,7 +72,7 @@ TEST(FewTurning, ModesAreThoseOfTheWholeRotor) {
     EXPECT_GT(with_left, 200); // of 320: else the shapes were no use
 }
 
-TEST(FewTurning, EndsOfLockedBandsAreThoseOfTheWholeRotor) {
+TEST(RotatingReducedRotor, EndsOfLockedBandsAreThoseOfTheWholeRotor) {
     tests::Random random(6);
     int found = 0;
     for (int scene = 0; scene < 4; ++scene) {
@@ -83,7 +83,7 @@ TEST(FewTurning, EndsOfLockedBandsAreThoseOfTheWholeRotor) {
         for (int k = 0; k <= 10; ++k)
             speeds.push_back(10 + 90.0 * k);
         few.follow(speeds, 8);
-        ASSERT_NE(few.on_few_shapes(10, 910, 8), nullptr);
+        ASSERT_NE(few.reduced_for(10, 910, 8), nullptr);
         const auto a = tracking::lock_ends_over(few, 10, 910, 8);
         const auto b = tracking::lock_ends_over(whole, 10, 910, 8);
         ASSERT_EQ(a.size(), b.size()) << scene;
@@ -94,4 +94,4 @@ TEST(FewTurning, EndsOfLockedBandsAreThoseOfTheWholeRotor) {
     EXPECT_GT(found, 4);
 }
 
-} // namespace few_turning
+} // namespace rotating_reduced_rotor

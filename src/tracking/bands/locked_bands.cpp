@@ -1,4 +1,4 @@
-#include "tracking/bands/riding_bands.h"
+#include "tracking/bands/locked_bands.h"
 
 #include "tracking/bands/branch_point.h"
 #include "tracking/crossing_search.h"
@@ -12,12 +12,12 @@ namespace whirl::tracking {
 
 namespace {
 
-/// What the motions at a speed are to a multiple of it.
+/// Numbers of modes below, on and above mΩ at a speed.
 struct Sides {
     double speed = 0;
     std::ptrdiff_t below = 0;
-    std::ptrdiff_t on = 0; ///< other than by standing still in the rotor
-    std::ptrdiff_t standing = 0;
+    std::ptrdiff_t on = 0;          ///< without those that stand still in rotating axes
+    std::ptrdiff_t synchronous = 0; ///< standing still in rotating axes
     /// Of the nearest other one, rad/s and 1/s.
     double distance = std::numeric_limits<double>::infinity();
     double real = 0;
@@ -32,9 +32,9 @@ class BandSearch {
         }
     }
 
-    [[nodiscard]] std::vector<RidingBand> find() {
+    [[nodiscard]] std::vector<LockedBand> find() {
         for (std::size_t k = 0; k < _nodes.size(); ++k) {
-            if (rides(_nodes[k], _nodes[k].standing))
+            if (is_locked(_nodes[k], _nodes[k].synchronous))
                 take(k, k, _nodes[k]);
             if (k + 1 < _nodes.size())
                 if (const std::optional<Sides> inside = between(_nodes[k], _nodes[k + 1]))
@@ -48,16 +48,16 @@ class BandSearch {
     double _multiple;
     int _wanted = 0;
     std::vector<Sides> _nodes;
-    std::vector<RidingBand> _bands;
+    std::vector<LockedBand> _bands;
 
-    [[nodiscard]] bool stands(const modes::WhirlMode &mode, double speed) const {
-        return tracking::stands(results::Form::hill, mode, speed, _multiple);
+    [[nodiscard]] bool locked_to_rotor(const modes::WhirlMode &mode, double speed) const {
+        return tracking::locked_to_rotor(results::Form::hill, mode, speed, _multiple);
     }
     [[nodiscard]] Sides sides(const modes::Spectrum &spectrum) const {
         Sides out{spectrum.speed};
         for (const modes::WhirlMode &mode : spectrum.modes) {
-            if (stands(mode, spectrum.speed)) {
-                ++out.standing;
+            if (locked_to_rotor(mode, spectrum.speed)) {
+                ++out.synchronous;
                 continue;
             }
             const int side = side_of(mode, spectrum.speed, _multiple);
@@ -76,24 +76,24 @@ class BandSearch {
         return sides(_sweep.solver().at(speed, _wanted, modes::Errors::of_right_vectors));
     }
     /// Among others that stand still there.
-    [[nodiscard]] static bool is_on(const Sides &here, std::ptrdiff_t standing) {
-        return here.on > 0 || here.standing > standing;
+    [[nodiscard]] static bool is_on(const Sides &here, std::ptrdiff_t synchronous) {
+        return here.on > 0 || here.synchronous > synchronous;
     }
     /// On the multiple to both sides too: no mere crossing.
-    [[nodiscard]] bool rides(const Sides &here, std::ptrdiff_t standing) const {
+    [[nodiscard]] bool is_locked(const Sides &here, std::ptrdiff_t synchronous) const {
         constexpr double beside = 1e-8;
-        return here.speed != 0 && is_on(here, standing) &&
-               (is_on(at(here.speed * (1 + beside)), standing) ||
-                is_on(at(here.speed * (1 - beside)), standing));
+        return here.speed != 0 && is_on(here, synchronous) &&
+               (is_on(at(here.speed * (1 + beside)), synchronous) ||
+                is_on(at(here.speed * (1 - beside)), synchronous));
     }
 
     /// A speed inside a band between two others where numbers below the multiple differ. (Where
     /// numbers of those that stand differ too, one begins or ends to, which is found apart.)
     [[nodiscard]] std::optional<Sides> between(Sides a, Sides b) const {
-        if (a.on > 0 || b.on > 0 || a.below == b.below || a.standing != b.standing ||
+        if (a.on > 0 || b.on > 0 || a.below == b.below || a.synchronous != b.synchronous ||
             a.speed * b.speed <= 0)
             return std::nullopt;
-        const std::ptrdiff_t standing = b.standing;
+        const std::ptrdiff_t synchronous = b.synchronous;
         const auto may_hold_band = [&] {
             const double width = std::abs(b.speed - a.speed);
             const double least = std::min(a.distance, b.distance);
@@ -105,8 +105,8 @@ class BandSearch {
         while (may_hold_band()) {
             const double part = leads ? passed_at(a.distance, b.distance) : 0.5;
             const Sides middle = at(a.speed + part * (b.speed - a.speed));
-            if (is_on(middle, standing))
-                return rides(middle, standing) ? std::optional(middle) : std::nullopt;
+            if (is_on(middle, synchronous))
+                return is_locked(middle, synchronous) ? std::optional(middle) : std::nullopt;
             const double least = std::min(a.distance, b.distance);
             const double width = std::abs(b.speed - a.speed);
             (middle.below == a.below ? a : b) = middle;
@@ -137,7 +137,7 @@ class BandSearch {
         const BranchPoint found =
             band_end(inside, outside.speed, resolved, [&](double speed) -> std::optional<double> {
                 const Sides here = at(speed);
-                if (is_on(here, outside.standing))
+                if (is_on(here, outside.synchronous))
                     return std::nullopt;
                 real = here.real;
                 return here.distance * here.distance;
@@ -159,7 +159,7 @@ class BandSearch {
 
     /// From a speed inside, between the speeds k and l of the sweep, to the ends of the band.
     void take(std::size_t k, std::size_t l, const Sides &inside) {
-        const auto covers = [&inside](const RidingBand &band) {
+        const auto covers = [&inside](const LockedBand &band) {
             return band.interval.from <= inside.speed && inside.speed <= band.interval.to;
         };
         if (std::ranges::any_of(_bands, covers))
@@ -181,7 +181,7 @@ class BandSearch {
         for (std::size_t i = 0; i < node.lines.size(); ++i) {
             const modes::WhirlMode &mode = mode_at(node, i);
             const double distance = std::abs(mode.eigenvalue.imag() - _multiple * std::abs(speed));
-            if (node.lines[i] == no_line || stands(mode, speed) ||
+            if (node.lines[i] == no_line || locked_to_rotor(mode, speed) ||
                 (line != no_line && distance >= least))
                 continue;
             line = node.lines[i];
@@ -193,7 +193,7 @@ class BandSearch {
 
 } // namespace
 
-std::vector<RidingBand> riding_bands(const SweepNodes &sweep, double multiple) {
+std::vector<LockedBand> locked_bands(const SweepNodes &sweep, double multiple) {
     if (multiple != std::round(multiple))
         return {};
     return BandSearch(sweep, multiple).find();

@@ -1,4 +1,4 @@
-#include "modes/turning/turning_pencil.h"
+#include "modes/rotating/rotating_pencil.h"
 
 #include "linalg/sparse_sum.h"
 #include "linalg/unit_scales.h"
@@ -12,9 +12,9 @@ namespace whirl::modes {
 
 namespace {
 
-/// Of a pair that is handed on: by how much its vector makes the eigenvalue uncertain, to the
-/// first order; with both vectors the eigenvalue is known to the square of it. Next to zero it is
-/// known to a part of the shift; rounding may leave more, and steps no longer make it less.
+/// Of an accepted pair: by how much its vector makes the eigenvalue uncertain, to the first order;
+/// with both vectors the eigenvalue is known to the square of it. Next to zero it is known to a
+/// part of the shift; rounding may leave more, and steps no longer make it less.
 constexpr double settled = 1e-11;
 constexpr double acceptable = 1e-6;
 
@@ -26,7 +26,7 @@ void normalize(Eigen::VectorXcd &x) { x /= std::sqrt(x.cwiseAbs2().maxCoeff()); 
 
 } // namespace
 
-bool TurningPencil::set_speed(double speed) {
+bool RotatingPencil::set_speed(double speed) {
     const QuadraticAt problem = _matrices.at(speed);
     _speed = speed;
     _shift = 0.31 * std::max(std::abs(speed), _slow);
@@ -38,20 +38,20 @@ bool TurningPencil::set_speed(double speed) {
     return _shifted.factorize(linalg::sum(_shift * _shift, _M, _shift, _D, 1, _K));
 }
 
-TurningPencil::Products TurningPencil::times(Complex l, const Eigen::VectorXcd &x) const {
+RotatingPencil::Products RotatingPencil::times(Complex l, const Eigen::VectorXcd &x) const {
     const Eigen::VectorXcd heavy = l * (_M * x);
     const Eigen::VectorXcd damped = _D * x;
     return {2.0 * heavy + damped, l * (heavy + damped) + _K * x};
 }
 
-bool TurningPencil::factorize(Complex l) {
+bool RotatingPencil::factorize(Complex l) {
     if (l.imag() != 0)
         return _complex.factorize(_values->at(l));
     const double real = l.real();
     return _real.factorize(linalg::sum(real * real, _M, real, _D, 1, _K));
 }
 
-void TurningPencil::solve(bool real, bool transposed, Eigen::VectorXcd &b) const {
+void RotatingPencil::solve(bool real, bool transposed, Eigen::VectorXcd &b) const {
     if (!real) {
         transposed ? _complex.solve_transposed(b) : _complex.solve(b);
         return;
@@ -62,7 +62,7 @@ void TurningPencil::solve(bool real, bool transposed, Eigen::VectorXcd &b) const
 }
 
 /// A step of inverse iteration of both vectors; of a left one that is none yet two.
-bool TurningPencil::iterate(Complex l, bool first, linalg::ComplexPair &pair) {
+bool RotatingPencil::iterate(Complex l, bool first, linalg::ComplexPair &pair) {
     if (!factorize(l) && !factorize(l * (1 + 1e-14)))
         return false;
     const bool real = l.imag() == 0;
@@ -82,15 +82,15 @@ bool TurningPencil::iterate(Complex l, bool first, linalg::ComplexPair &pair) {
     return pair.vector.allFinite() && pair.left.allFinite();
 }
 
-double TurningPencil::shifted_norm(const Eigen::VectorXcd &b) const {
+double RotatingPencil::shifted_norm(const Eigen::VectorXcd &b) const {
     Eigen::MatrixXd columns(b.size(), 2);
     columns << b.real(), b.imag();
     _shifted.solve(columns);
     return columns.norm();
 }
 
-std::optional<linalg::ComplexPair> TurningPencil::refined(const linalg::ComplexPair &guess,
-                                                          double farthest) {
+std::optional<linalg::ComplexPair> RotatingPencil::refined(const linalg::ComplexPair &guess,
+                                                           double farthest) {
     if (std::optional<linalg::ComplexPair> found = iterated(guess, farthest))
         return found;
     _complex.forget_pivots(); // those of another matrix may not have been good for this one
@@ -98,8 +98,8 @@ std::optional<linalg::ComplexPair> TurningPencil::refined(const linalg::ComplexP
     return iterated(guess, farthest);
 }
 
-std::optional<linalg::ComplexPair> TurningPencil::iterated(const linalg::ComplexPair &guess,
-                                                           double farthest) {
+std::optional<linalg::ComplexPair> RotatingPencil::iterated(const linalg::ComplexPair &guess,
+                                                            double farthest) {
     constexpr int most_steps = 6;
     const bool real = guess.value.imag() == 0;
     linalg::ComplexPair pair = guess;

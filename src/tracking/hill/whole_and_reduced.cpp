@@ -1,4 +1,4 @@
-#include "tracking/hill/of_whole_rotor.h"
+#include "tracking/hill/whole_and_reduced.h"
 
 #include "modes/hill/series_modes_near.h"
 #include "results/damping.h"
@@ -14,7 +14,7 @@ namespace whirl::tracking {
 
 namespace {
 
-/// Of what a rotor on few shapes has wrong, over the speed or the eigenvalue.
+/// Of what a reduced rotor has wrong, over the speed or the eigenvalue.
 constexpr double farthest = 1e-4;
 
 bool near(std::complex<double> a, std::complex<double> b, double speed) {
@@ -35,18 +35,19 @@ struct Next {
     modes::WhirlMode mode;
 };
 
-/// A mode of the rotor on few shapes as the whole one has it, if it is found next to it.
-std::optional<modes::WhirlMode> of_whole(const WholeAndFew &rotors, double speed,
+/// A mode of the reduced rotor as the whole one has it, if it is found next to it.
+std::optional<modes::WhirlMode> of_whole(const WholeAndReduced &rotors, double speed,
                                          const modes::WhirlMode &mode) {
     const std::vector<modes::WhirlMode> found = rotors.whole.near(
-        speed, {modes::over_all_unknowns(mode, rotors.few.shapes(), rotors.few.unknowns())});
+        speed,
+        {modes::over_all_unknowns(mode, rotors.reduced.shapes(), rotors.reduced.unknowns())});
     return !found.empty() && near(found[0].eigenvalue, mode.eigenvalue, speed)
                ? std::optional(found[0])
                : std::nullopt;
 }
 
 /// One by one: those next to their guesses, none of them met from two guesses.
-Modes at_speed(const WholeAndFew &rotors, double speed,
+Modes at_speed(const WholeAndReduced &rotors, double speed,
                const std::vector<modes::WhirlMode> &guesses, bool all) {
     Modes found(guesses.size());
     for (std::size_t i = 0; i < guesses.size(); ++i) {
@@ -65,7 +66,7 @@ Modes at_speed(const WholeAndFew &rotors, double speed,
 }
 
 /// Of the whole rotor's modes at rest, found at once, the nearest to each of the guesses.
-Modes at_rest(const WholeAndFew &rotors, const std::vector<modes::WhirlMode> &guesses) {
+Modes at_rest(const WholeAndReduced &rotors, const std::vector<modes::WhirlMode> &guesses) {
     constexpr std::size_t more = 4;
     std::vector<modes::WhirlMode> all =
         rotors.whole.at(0, static_cast<int>(guesses.size() + more)).modes;
@@ -84,17 +85,18 @@ Modes at_rest(const WholeAndFew &rotors, const std::vector<modes::WhirlMode> &gu
     return out;
 }
 
-/// Of the rotor on few shapes those that do not stand still, the nearest ones first.
-std::vector<Next> next_to(const WholeAndFew &rotors, double multiple, double speed) {
+/// Of the reduced rotor those that do not stand still, the nearest ones first.
+std::vector<Next> next_to(const WholeAndReduced &rotors, double multiple, double speed) {
     constexpr std::size_t enough = 8;
     const double target = multiple * std::abs(speed);
     std::vector<Next> out;
     for (int wanted = rotors.wanted;; wanted *= 2) {
-        const modes::Spectrum few = rotors.few.at(speed, wanted, modes::Errors::of_right_vectors);
-        if (static_cast<int>(few.modes.size()) == wanted &&
-            few.modes.back().eigenvalue.imag() < 1.5 * target)
+        const modes::Spectrum reduced =
+            rotors.reduced.at(speed, wanted, modes::Errors::of_right_vectors);
+        if (static_cast<int>(reduced.modes.size()) == wanted &&
+            reduced.modes.back().eigenvalue.imag() < 1.5 * target)
             continue;
-        for (const modes::WhirlMode &mode : few.modes)
+        for (const modes::WhirlMode &mode : reduced.modes)
             if (!(multiple == 1 && locked(mode, speed)))
                 out.push_back({speed, mode.eigenvalue.imag() - target, mode});
         break;
@@ -106,7 +108,7 @@ std::vector<Next> next_to(const WholeAndFew &rotors, double multiple, double spe
 
 /// Just outside the end of a band, at one and at four times the distance, the mode that leaves it
 /// there.
-std::optional<std::pair<Next, Next>> leaving(const WholeAndFew &rotors, double multiple,
+std::optional<std::pair<Next, Next>> leaving(const WholeAndReduced &rotors, double multiple,
                                              double speed, double near, double far) {
     constexpr double most = 0.2; // of twice the distance, and of the speed
     std::optional<std::pair<Next, Next>> out;
@@ -125,17 +127,18 @@ std::optional<std::pair<Next, Next>> leaving(const WholeAndFew &rotors, double m
     return out;
 }
 
-std::optional<Next> of_whole(const WholeAndFew &rotors, double multiple, const Next &few) {
-    const auto whole = of_whole(rotors, few.speed, few.mode);
+std::optional<Next> of_whole(const WholeAndReduced &rotors, double multiple, const Next &reduced) {
+    const auto whole = of_whole(rotors, reduced.speed, reduced.mode);
     if (!whole)
         return std::nullopt;
-    return Next{few.speed, whole->eigenvalue.imag() - multiple * std::abs(few.speed), *whole};
+    return Next{reduced.speed, whole->eigenvalue.imag() - multiple * std::abs(reduced.speed),
+                *whole};
 }
 
-/// The few shapes' root with what the whole rotor's distance is there, and its slope.
+/// The reduced rotor's root with what the whole rotor's distance is there, and its slope.
 /// @param at  where distances are taken, and so far beyond, rad/s
-std::optional<Place> crossing(const WholeAndFew &rotors, double multiple, double speed, double at,
-                              double step) {
+std::optional<Place> crossing(const WholeAndReduced &rotors, double multiple, double speed,
+                              double at, double step) {
     const std::vector<Next> here = next_to(rotors, multiple, at);
     if (here.empty())
         return std::nullopt;
@@ -156,7 +159,7 @@ std::optional<Place> crossing(const WholeAndFew &rotors, double multiple, double
 
 /// The same at the speed, or just beside: a motion on the multiple itself is taken for one that
 /// stays there.
-std::optional<Place> crossing(const WholeAndFew &rotors, double multiple, double speed) {
+std::optional<Place> crossing(const WholeAndReduced &rotors, double multiple, double speed) {
     constexpr double beside = 1e-6;
     const double step = beside * std::abs(speed);
     std::optional<Place> out = crossing(rotors, multiple, speed, speed, step);
@@ -165,22 +168,22 @@ std::optional<Place> crossing(const WholeAndFew &rotors, double multiple, double
 
 /// Outside a band the square of the distance is smooth up to its end and beyond, and so is what
 /// both rotors differ by: the end of the whole one's is where the sum of both is zero.
-std::optional<Place> end_of_band(const WholeAndFew &rotors, double multiple, double speed,
+std::optional<Place> end_of_band(const WholeAndReduced &rotors, double multiple, double speed,
                                  double outwards) {
-    const auto few = leaving(rotors, multiple, speed, outwards / 4, outwards);
-    if (!few)
+    const auto reduced = leaving(rotors, multiple, speed, outwards / 4, outwards);
+    if (!reduced)
         return std::nullopt;
-    const auto near = of_whole(rotors, multiple, few->first);
-    const auto far = of_whole(rotors, multiple, few->second);
+    const auto near = of_whole(rotors, multiple, reduced->first);
+    const auto far = of_whole(rotors, multiple, reduced->second);
     if (!near || !far)
         return std::nullopt;
     const auto square = [](const Next &a) { return a.distance * a.distance; };
     const auto at_end = [](double a, double b) { return (4 * a - b) / 3; }; // a line's at 0
-    const double off_near = square(*near) - square(few->first);
-    const double off_far = square(*far) - square(few->second);
+    const double off_near = square(*near) - square(reduced->first);
+    const double off_far = square(*far) - square(reduced->second);
     const double difference = at_end(off_near, off_far);
-    const double steep_near = square(few->first) / (outwards / 4);
-    const double steep_far = square(few->second) / outwards;
+    const double steep_near = square(reduced->first) / (outwards / 4);
+    const double steep_far = square(reduced->second) / outwards;
     const double slope = at_end(steep_near, steep_far) + (off_far - off_near) / (0.75 * outwards);
     const double bend = (steep_far - steep_near) / (0.75 * outwards);
     double change = 0; // difference + slope change + bend change^2 = 0, of its roots the small one
@@ -193,8 +196,8 @@ std::optional<Place> end_of_band(const WholeAndFew &rotors, double multiple, dou
 
 } // namespace
 
-bool WholeAndFew::improve(modes::Spectrum &spectrum, const std::vector<int> &places,
-                          bool all) const {
+bool WholeAndReduced::improve(modes::Spectrum &spectrum, const std::vector<int> &places,
+                              bool all) const {
     std::vector<modes::WhirlMode> guesses;
     for (const int place : places)
         guesses.push_back(spectrum.modes[static_cast<std::size_t>(place)]);
@@ -211,7 +214,7 @@ bool WholeAndFew::improve(modes::Spectrum &spectrum, const std::vector<int> &pla
     return each;
 }
 
-void WholeAndFew::improve(Crossings &crossed, double low, double high) const {
+void WholeAndReduced::improve(Crossings &crossed, double low, double high) const {
     constexpr double least_part = 0.02; // of the way to the next end of any band
     constexpr double most = 1e-3;       // of the speed
     std::map<std::pair<double, double>, std::optional<Place>> ends; // by multiple and speed

@@ -1,4 +1,4 @@
-#include "modes/turning/few_turning.h"
+#include "modes/rotating/rotating_reduced_rotor.h"
 
 #include "assembly/frequency_scales.h"
 #include "assembly/planar_part.h"
@@ -24,8 +24,8 @@ using Pairs = std::vector<linalg::ComplexPair>;
 /// it each time that it does not do: eigenvalues are off by its square.
 constexpr double least_part = 1e-4;
 
-/// At speeds that no shapes were taken from, eigenvalues of the few shapes are those of the whole
-/// rotor to this part of themselves or of the speed.
+/// At speeds that no shapes were taken from, eigenvalues of the reduced rotor are those of the
+/// whole rotor to this part of themselves or of the speed.
 constexpr double agreeing = 1e-7;
 
 /// Of planar unknowns: with more shapes nothing is gained.
@@ -71,7 +71,7 @@ class Samples {
 };
 
 /// Speeds to begin with, and those between them, each level between all before it.
-std::vector<std::vector<double>> levels_of(const FewTurning::Range &range) {
+std::vector<std::vector<double>> levels_of(const RotatingReducedRotor::Range &range) {
     const auto at = [&range](double t) { return range.from + t * (range.to - range.from); };
     std::vector<std::vector<double>> levels{{at(0), at(0.125), at(0.25), at(0.5), at(0.75), at(1)}};
     for (int parts = 8; parts <= 32; parts *= 2) {
@@ -83,7 +83,7 @@ std::vector<std::vector<double>> levels_of(const FewTurning::Range &range) {
     return levels;
 }
 
-bool is_rest(double speed, const FewTurning::Range &range) {
+bool is_rest(double speed, const RotatingReducedRotor::Range &range) {
     return std::abs(speed) <= 1e-6 * std::max(std::abs(range.from), std::abs(range.to));
 }
 
@@ -112,21 +112,23 @@ void keep_near(RotatingSpectrum::Eigenvalues &found, int wanted, double radius) 
 
 } // namespace
 
-FewTurning::FewTurning(const assembly::Discretization &d,
-                       const std::vector<balancers::BalancerElement> &balancers,
-                       const RotatingSpectrum &whole, Eigen::MatrixXd shapes, int wanted)
+RotatingReducedRotor::RotatingReducedRotor(const assembly::Discretization &d,
+                                           const std::vector<balancers::BalancerElement> &balancers,
+                                           const RotatingSpectrum &whole, Eigen::MatrixXd shapes,
+                                           int wanted)
     : _whole(whole), _wanted(wanted), _shapes(std::move(shapes)),
-      _few(RotatingSpectrum::rough(d, balancers, _shapes)),
+      _reduced(RotatingSpectrum::rough(d, balancers, _shapes)),
       _pencil(FormMatrices(d, whole.system()), assembly::support_scale(d)) {}
 
-std::unique_ptr<FewTurning> FewTurning::of(const assembly::Discretization &d,
-                                           const std::vector<balancers::BalancerElement> &balancers,
-                                           const RotatingSpectrum &whole, const Range &range) try {
+std::unique_ptr<RotatingReducedRotor>
+RotatingReducedRotor::of(const assembly::Discretization &d,
+                         const std::vector<balancers::BalancerElement> &balancers,
+                         const RotatingSpectrum &whole, const Range &range) try {
     if (d.rigid())
         return nullptr;
     const double top = 2 * std::max(std::abs(range.from), std::abs(range.to));
     Samples samples(d, top);
-    std::unique_ptr<FewTurning> out;
+    std::unique_ptr<RotatingReducedRotor> out;
     double least = least_part;
     for (const std::vector<double> &level : levels_of(range)) {
         bool met = out != nullptr;
@@ -147,16 +149,16 @@ std::unique_ptr<FewTurning> FewTurning::of(const assembly::Discretization &d,
         least /= 10;
         if (static_cast<double>(shapes.cols()) > large_share * d.planar_size())
             return nullptr;
-        out.reset(new FewTurning(d, balancers, whole, std::move(shapes), range.wanted));
+        out.reset(new RotatingReducedRotor(d, balancers, whole, std::move(shapes), range.wanted));
     }
     return nullptr;
 } catch (const linalg::SolverError &) {
     return nullptr;
 }
 
-/// Each mode of the whole rotor is one of the few shapes', and there are no more.
-bool FewTurning::meets(const RotatingSpectrum::Lowest &whole, double speed) const {
-    const RotatingSpectrum::Lowest few = _few.lowest(speed, _wanted);
+/// Each mode of the whole rotor is one of the reduced rotor's, and there are no more.
+bool RotatingReducedRotor::meets(const RotatingSpectrum::Lowest &whole, double speed) const {
+    const RotatingSpectrum::Lowest reduced = _reduced.lowest(speed, _wanted);
     const auto in_reach = [&](const RotatingSpectrum &rotor, const Pairs &pairs, double reach) {
         std::vector<std::complex<double>> values;
         for (const linalg::ComplexPair &pair : pairs)
@@ -173,15 +175,15 @@ bool FewTurning::meets(const RotatingSpectrum::Lowest &whole, double speed) cons
         });
     };
     const double beyond = 1 + 1e-6;
-    return few.enough &&
+    return reduced.enough &&
            all_in(in_reach(_whole, whole.found.pairs, whole.highest),
-                  in_reach(_few, few.found.pairs, beyond * whole.highest)) &&
-           all_in(in_reach(_few, few.found.pairs, whole.highest / beyond),
+                  in_reach(_reduced, reduced.found.pairs, beyond * whole.highest)) &&
+           all_in(in_reach(_reduced, reduced.found.pairs, whole.highest / beyond),
                   in_reach(_whole, whole.found.pairs, whole.highest));
 }
 
-std::optional<Spectrum> FewTurning::modes(double speed, int wanted) try {
-    RotatingSpectrum::Lowest lowest = _few.lowest(speed, wanted);
+std::optional<Spectrum> RotatingReducedRotor::modes(double speed, int wanted) try {
+    RotatingSpectrum::Lowest lowest = _reduced.lowest(speed, wanted);
     if (!lowest.enough || !_pencil.set_speed(speed))
         return std::nullopt;
     keep_near(lowest.found, wanted, lowest.highest + std::abs(speed));
@@ -191,7 +193,8 @@ std::optional<Spectrum> FewTurning::modes(double speed, int wanted) try {
     Pairs others;
     const reduction::Projection projection(_shapes);
     for (linalg::ComplexPair &pair : lowest.found.pairs) {
-        const bool asked = !_few.held(pair.vector) && _few.asked_for(pair, speed, lowest.highest);
+        const bool asked =
+            !_reduced.held(pair.vector) && _reduced.asked_for(pair, speed, lowest.highest);
         pair.vector = projection.lifted(pair.vector);
         if (!asked) {
             others.push_back(std::move(pair));
@@ -213,8 +216,8 @@ std::optional<Spectrum> FewTurning::modes(double speed, int wanted) try {
     return std::nullopt;
 }
 
-std::vector<WhirlMode> turning_modes_near(const RotatingSpectrum &rotor, TurningPencil &pencil,
-                                          double speed, const std::vector<WhirlMode> &guesses) {
+std::vector<WhirlMode> rotating_modes_near(const RotatingSpectrum &rotor, RotatingPencil &pencil,
+                                           double speed, const std::vector<WhirlMode> &guesses) {
     if (!pencil.set_speed(speed))
         return {};
     std::vector<std::complex<double>> before;
