@@ -54,6 +54,7 @@ std::vector<Mode> modes_at_rest(const PlaneAtRest &plane, std::size_t wanted) {
         1e-6 * plane.K.diagonal().cwiseAbs().maxCoeff() / plane.M.diagonal().cwiseAbs().maxCoeff();
     const linalg::DefinitePair pair(linalg::Matrix::from_sparse(plane.K + shift * plane.M),
                                     linalg::Matrix::from_sparse(plane.M));
+    // Of a plane: bouncing and tilting of a free rotor, which have no frequency.
     constexpr int rigid_motions = 2;
     std::vector<Mode> out;
     for (const linalg::RealPair &found : pair.smallest(static_cast<int>(wanted) + rigid_motions)) {

@@ -165,6 +165,7 @@ struct Judged {
 /// How far rounding can move an end: what it makes of the criterion beside it, over the slope there
 /// (of a root as of a pole: near both the ratio is that of the end itself), rad/s.
 double blur_of(double end, const Judged &criterion) {
+    // Of the speed: outside the rounding of an end, near enough for one slope.
     constexpr double beside = 1e-5;
     double blur = 0;
     for (const double side : {-beside, beside}) {
@@ -205,8 +206,8 @@ void judge(const BalanceScene &scene, const std::string &which, const Judged &cr
             return 0.0;
         const auto error = error_of(end, upper, of.bands, criterion, finer);
         if (!error)
-            notes.emplace_back("{}: the end of a band at {} does not exist on a finer mesh: its "
-                               "error is not known",
+            notes.emplace_back("{}: the band end at {} has no counterpart on a finer mesh, so "
+                               "its error is not known",
                                which, as::speed(end));
         return error;
     };
@@ -246,10 +247,9 @@ void judge_band_ends(const BalanceScene &scene, BalanceForm &form, results::Bala
         const std::size_t there =
             sharp_bands(fine, points.critical, points.pinned[i], scene.from, scene.to).size();
         if (there != each[i]->bands.size())
-            notes.emplace_back(
-                "{}: {} bands here, {} on a finer model: some are narrower than the error of the "
-                "mesh",
-                name(i), each[i]->bands.size(), there);
+            notes.emplace_back("{}: {} bands on this mesh, {} on a finer one: some are "
+                               "narrower than the error of the mesh",
+                               name(i), each[i]->bands.size(), there);
     }
 }
 

@@ -132,7 +132,7 @@ void fill_planar(const PlanarEquivalent &planar, results::PendulumBalance &out) 
 results::PendulumCurve efficiency_curve(const PendulumRotor &rotor,
                                         const model::PendulumDesign &design, double from,
                                         double to) {
-    constexpr int points = 240;
+    constexpr int points = 240; // of a curve in a figure: smooth on a page
     results::PendulumCurve curve;
     curve.arm = design.arm;
     curve.pivot = design.pivot;

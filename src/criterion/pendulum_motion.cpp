@@ -189,6 +189,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 /// Modes at rest of least frequency and static deflections under unit forces, orthonormal with M.
 Eigen::MatrixXd basis_of(const assembly::PlanarSystem &system, const Eigen::MatrixXd &forces,
                          int modes) {
+    // Of a shape's length: what is left is rounding of the shapes before.
     constexpr double newness = 1e-6;
     const Sparse M = system.M.view();
     Eigen::MatrixXd V(M.rows(), 0);

@@ -13,8 +13,8 @@ namespace whirl::criterion {
 
 namespace {
 
-constexpr int stations = 81;
-constexpr int fewest_speeds = 81;
+constexpr int stations = 81;      ///< along the shaft, for a figure
+constexpr int fewest_speeds = 81; ///< of the range, for a figure
 
 /// Deflection anywhere on the shaft.
 assembly::Combination deflection_anywhere(const assembly::Discretization &d, double z) {

@@ -60,14 +60,14 @@ bool bearings_push_back(const model::Rotor &rotor) {
 /// resonance, which more terms move a little, it changes by more, and the errors of band ends say
 /// how much.
 int settled_harmonics(const BalanceScene &scene) {
-    constexpr double settled = 1e-10;
-    constexpr int looks = 17;
-    constexpr int most = 32;
+    constexpr double settled = 1e-10; // of the criterion: far below what its ends are known to
+    constexpr int probed = 17;        // speeds of the range
+    constexpr int most = 32;          // harmonics: beyond, the series is said not to settle
     const assembly::Discretization d(scene.rotor, scene.order);
     const std::vector<assembly::Combination> places = deflections_at(d, scene.planes);
     std::vector<double> speeds{scene.to};
     if (scene.has_range())
-        speeds = model::SpeedRange{scene.from, scene.to, looks}.values();
+        speeds = model::SpeedRange{scene.from, scene.to, probed}.values();
     const auto forms = [&](int harmonics) {
         synchronous::ForwardReceptance receptance(d, results::Form::hill, places, harmonics);
         std::vector<Eigen::MatrixXcd> out;
@@ -87,9 +87,9 @@ int settled_harmonics(const BalanceScene &scene) {
             return harmonics;
         before = std::move(with);
     }
-    throw model::AnalysisFailure("the series in twice the spin speed by which a rotor that is not "
-                                 "axisymmetric moves on bearings that differ between their "
-                                 "directions does not settle at these speeds; raise speeds.from");
+    throw model::AnalysisFailure("the Hill series of a rotor that is not axisymmetric on "
+                                 "anisotropic bearings does not settle at these speeds; raise "
+                                 "speeds.from");
 }
 
 /// Of a rotor that is not axisymmetric that of the motions in rotating axes, on bearings that

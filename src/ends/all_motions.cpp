@@ -49,6 +49,7 @@ bool is_lost(const Root &root, double shift, double fast) {
 
 /// A motion of the whole rotor that was found from another root is this one.
 bool is_that(const WholeMotion &found, const Root &root) {
+    // An angle of 1.4e-3, above the rounding of vectors of one root.
     constexpr double parallel = 1 - 1e-6;
     return std::abs(found.value - root.value) <= found.noise + root.noise &&
            std::abs(found.right.dot(root.right)) >
@@ -90,6 +91,7 @@ double AllMotions::least_reach() const { return 2.1 * std::max(std::abs(_from), 
 double AllMotions::reach() const {
     if (_reach)
         return *_reach;
+    // Speeds over the range: the reach lies in a wide gap of all their moduli.
     constexpr int samples = 5;
     std::vector<std::vector<double>> sizes(samples);
     for (int k = 0; k < samples; ++k) {
@@ -238,6 +240,7 @@ FastestGrowing AllMotions::fastest_growing(double speed, double above, double up
         neutral = neutral || (root.sign() == 0 && known && within_reach(size));
         if (root.value.imag() < 0 || root.sign() == 0 || !(root.sign() > 0 || tells_decay(size)))
             continue; // a zero that rounding blurs must not hide one that grows
+        // Of its real part: how far the reduced rotor may be off for a motion as fast.
         constexpr double roughly = 0.5;
         if (best && root.value.real() + roughly * std::abs(root.value.real()) < best->real())
             break;

@@ -16,7 +16,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int samples = 16;
+constexpr int samples = 16; ///< of a cubic, to see two passages of zero in a step
 
 /// From this ratio of speeds on a step is long enough for powers of the speed to show.
 constexpr double long_step = 1.3;
@@ -103,6 +103,7 @@ bool passes_safely(const Branch &branch) {
            bend < 0.3 * std::abs(branch.to->value.real() - branch.from->value.real());
 }
 
+/// Of a cubic, to bracket an equal frequency: two of them pass at most three times.
 constexpr int parts = 8;
 using Course = std::array<double, parts + 1>; ///< frequencies along a branch
 
@@ -124,6 +125,7 @@ std::optional<double> passing(const Branch &a, const Branch &b, const Course &of
     const double last = a.to->value.imag() - b.to->value.imag();
     const double reals_from = std::abs(a.from->value.real()) + std::abs(b.from->value.real());
     const double reals_to = std::abs(a.to->value.real()) + std::abs(b.to->value.real());
+    // Of the speed: the root of rounding doubled, what double roots are known to.
     constexpr double equal = 3e-8;
     constexpr double share = 0.25; // of what coupling must overcome
     if (std::abs(first) <= std::max(share * reals_from, equal * scale) ||

@@ -90,7 +90,9 @@ bool move_roots(const Coefficients &polynomial, std::vector<Value> &roots) {
         size = std::max(size, std::abs(root));
     for (std::size_t k = 0; k < roots.size(); ++k)
         roots[k] += std::polar(0.01 * size, 1 + 2.4 * static_cast<double>(k));
+    // A guard: from 1 % off simple roots take some ten steps, multiple ones converge linearly.
     constexpr int most = 150;
+    // Of the largest root: far below distances from the axis that count.
     constexpr double settled = 1e-9;
     for (int step = 0; step < most; ++step) {
         double largest = 0;
@@ -151,6 +153,7 @@ bool stays_off(const Cluster &a, const Cluster &b, const ClusterStep &step, bool
     std::vector<Value> roots;
     for (const Place &place : first)
         roots.push_back(place.at);
+    // Twice as dense as for single roots: powers of up to the cluster's size.
     constexpr int samples_of_step = 32;
     Coefficients before = from.value;
     for (int k = 1; k <= samples_of_step; ++k) {
@@ -213,6 +216,7 @@ bool off_the_axis(const Cluster &a, const Cluster &b, const ClusterStep &step) {
 
 bool zero_but_for_rounding(const Cluster &a, const Cluster &b) {
     const auto in_noise = [](const Cluster &roots) {
+        // Noise is that of one part of a value; the modulus has two.
         constexpr double both_parts = 3;
         return std::ranges::all_of(
             roots, [](const Root *r) { return std::abs(r->value) <= both_parts * r->noise; });

@@ -61,6 +61,7 @@ class Couplings {
 
 bool weakly_coupled(const Branch &a, const Branch &b, double t, const Spectrum &from,
                     const Spectrum &to) {
+    // At 1 growth is possible to first order; a twentieth leaves room for higher orders.
     constexpr double far_below = 0.05;
     const double allowed = far_below * std::abs(a.at(t).real() * b.at(t).real());
     for (const Eigen::MatrixXd *K_rate : {&from.problem.K_rate, &to.problem.K_rate}) {

@@ -45,7 +45,7 @@ Eigen::VectorXcd FinerEnds::embedded(const Eigen::VectorXcd &vector) const {
 }
 
 std::optional<double> FinerEnds::error(const WholeMotion &own, double inward, double reach) const {
-    constexpr double alike = 0.5;
+    constexpr double alike = 0.5; // of 1: above a half no other motion can be as much alike
     WholeMotion guess = own;
     guess.right = embedded(own.right);
     guess.left = embedded(own.left);

@@ -15,6 +15,7 @@ using Complex = std::complex<double>;
 using Sparse = Eigen::SparseMatrix<double>;
 using ComplexSparse = Eigen::SparseMatrix<Complex>;
 
+/// Relative change of speed and frequency: some hundred units of rounding.
 constexpr double converged = 1e-13;
 
 /// Steps have become nothing, or as small as rounding leaves them, or the next one will: errors are
@@ -54,6 +55,8 @@ double size(const Eigen::VectorXcd &y, const Sparse &A, const Eigen::VectorXcd &
 
 /// Rounding of matrix entries as the eigenvalue feels it.
 double noise_of(const modes::QuadraticAt &p, const WholeMotion &m, Complex by_root) {
+    // Units of rounding of all entries' moduli together: chosen large, as ends are errors'
+    // bounds.
     constexpr double allowance = 30;
     const double l = std::abs(m.value);
     const double entries = l * l * size(m.left, p.M, m.right) + l * size(m.left, p.D, m.right) +
@@ -105,7 +108,7 @@ bool iterate(const modes::QuadraticAt &p, Complex l, bool at_zero, WholeMotion &
 /// Newton's method, with better vectors at each step.
 std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole, const WholeMotion &guess,
                                        bool at_zero) {
-    constexpr int most_steps = 25;
+    constexpr int most_steps = 25; // a guard: quadratic, linear at double roots
     WholeMotion m = guess;
     m.value = {0, at_zero ? 0 : guess.value.imag()};
     const double scale = std::max(std::abs(guess.speed), std::abs(m.value));

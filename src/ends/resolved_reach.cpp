@@ -39,7 +39,7 @@ Eigen::VectorXd frequencies(const assembly::Discretization &d, const Eigen::Matr
 
 double resolved_up_to(const assembly::Discretization &discretization, const Eigen::MatrixXd *shapes,
                       double bearing_speed) {
-    constexpr double resolved = 0.01;
+    constexpr double resolved = 0.01; // 1 %, as the note to users says (analyses/notes)
     if (discretization.rigid())
         return std::numeric_limits<double>::infinity();
     const assembly::Discretization finer(discretization.rotor(),

@@ -138,6 +138,7 @@ class EndSearch {
     [[nodiscard]] std::pair<double, Root> at_the_axis(const Change &change, int piece) const {
         double speed = change.speed;
         std::complex<double> value = change.value;
+        // Steps of Newton on the reduced rotor: quadratic, from the cubic's root.
         constexpr int most = 4;
         constexpr double enough = 1e-4; // of the speed
         for (int step = 1;; ++step) {
@@ -244,7 +245,8 @@ class EndSearch {
     }
 
     [[nodiscard]] static bool same_root(const WholeMotion &a, const WholeMotion &b) {
-        constexpr double same = 1e-9;
+        constexpr double same = 1e-9; // of the speed: ten thousand times what refinement leaves
+        // An angle of 1.4e-3, above the rounding of vectors of one root.
         constexpr double parallel = 1 - 1e-6;
         return std::abs(a.speed - b.speed) <= same * std::abs(b.speed) &&
                std::abs(a.value - b.value) <= same * std::abs(b.speed) &&
@@ -284,7 +286,7 @@ class EndSearch {
     /// @param counted  as many of them grow
     [[nodiscard]] std::vector<int> growing_between(const std::vector<Found> &found,
                                                    int Count::*counted) {
-        constexpr int none = -1;
+        constexpr int none = -1; // not counted yet
         std::vector<int> out(found.size() + 1, none);
         std::size_t passed = 0;
         const auto apart = [&](std::size_t k, double speed) {

@@ -26,6 +26,7 @@ Eigen::MatrixXcd block_of(const ShapeTerms &terms, const Eigen::Matrix2cd &block
 } // namespace
 
 std::vector<double> rows_of_straight_pieces(const model::Rotor &rotor) {
+    // Of the coefficients over a row left out: the basis is chosen by it, motions are exact.
     constexpr double straight = 0.01;
     const std::vector<double> rows = synchronous::table_speeds(rotor);
     const std::vector<double> bends = rotor.table_bends();
@@ -152,7 +153,7 @@ bool BentSupports::in_sight(Complex pole) const {
 }
 
 std::optional<Complex> BentSupports::pole(const QuadraticTerms &lines, Complex guess) const {
-    constexpr int most = 20;
+    constexpr int most = 20; // a guard: quadratic
     Complex s = guess;
     // No direction that a pole's vector could be at right angles to.
     Eigen::VectorXcd x(lines.P0.rows());

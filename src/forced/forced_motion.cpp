@@ -268,8 +268,8 @@ results::Formulation response_formulation(const model::Case &scene) {
         const results::Formulation formulation = modes::choose_formulation(without);
         if (formulation.form == results::Form::hill)
             throw model::AnalysisFailure(
-                "the motion of an asymmetric rotor on bearings that differ between their "
-                "directions has many frequencies: `response` computes it, nothing else does");
+                "an asymmetric rotor on anisotropic bearings responds at many "
+                "frequencies, which only `response` computes");
         return formulation;
     }
     const bool torque = scene.rotor.shaft.axial_torque != 0;

@@ -37,8 +37,8 @@ struct WhirlParts {
 
 /// What is looked at: a deflection, or the force that a bearing has from this stretch of it.
 struct Quantity {
-    static constexpr int deflection = -1;
-    assembly::Combination stretch; ///< of planar unknowns
+    static constexpr int deflection = -1; ///< no bearing has this number
+    assembly::Combination stretch;        ///< of planar unknowns
     int bearing = deflection;
     /// Direction in which a probe looks, from x towards y, rad; none: in all, the whole orbit.
     std::optional<double> angle{};

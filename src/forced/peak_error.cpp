@@ -111,6 +111,7 @@ PeakErrors PeakError::of(const Peak &peak, double middle, double width, ReducedM
             const double shift = centre - middle + (*top - *coarse_top) * width;
             return {share(a - b, std::max(a, b)), share(shift, std::abs(peak.speed))};
         }
+        // Half widths in one step: farther away the curve of the pole says nothing.
         constexpr double farthest = 1000;
         centre += std::clamp(fine.pole(), -farthest, farthest) * width;
     }

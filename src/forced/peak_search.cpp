@@ -142,6 +142,7 @@ void PeakSearch::find(std::size_t q) {
 }
 
 bool PeakSearch::stands_out(std::size_t left, std::size_t quantity) const {
+    // Of the top: a dip as small is rounding or a flat curve, not a valley between peaks.
     constexpr double shallow = 1e-6;
     constexpr double allowance = 1000; // over the rounding of one solution
     const Sample &a = _samples[left];
@@ -213,6 +214,7 @@ double PeakSearch::corrected(double speed, std::size_t quantity) const {
     const double curvature =
         (slope(speed + apart, quantity) - slope(speed - apart, quantity)) / (2 * apart);
     const double step = -exact / curvature;
+    // Of the speed: a smaller step changes no digit that is stated.
     constexpr double rounding = 1e-12;
     const bool usable = std::abs(step) > rounding * std::abs(speed) && std::abs(step) < apart;
     return usable ? speed + step : speed;

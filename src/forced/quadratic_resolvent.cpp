@@ -29,9 +29,9 @@ void solve_shifted_triangle(const Eigen::MatrixXcd &T, std::complex<double> m,
 /// few of its columns together.
 Eigen::MatrixXcd krylov_basis(const Eigen::MatrixXcd &C, const Eigen::MatrixXcd &start,
                               const std::vector<std::complex<double>> &places) {
-    constexpr Eigen::Index between_checks = 8;
-    constexpr double nothing_new = 1e-14; // of the length: rounding
-    constexpr double exact = 1e-15;       // of C and m times the solution, as in a Schur form
+    constexpr Eigen::Index between_checks = 8; // columns: a check costs about as much as these
+    constexpr double nothing_new = 1e-14;      // of the length: rounding
+    constexpr double exact = 1e-15;            // of C and m times the solution, as in a Schur form
     const Eigen::Index n = C.rows();
     Eigen::MatrixXcd Q(n, n);
     Eigen::MatrixXcd images(n, n);

@@ -10,7 +10,7 @@ namespace whirl::forced {
 
 namespace {
 
-constexpr int highest_order = 30;
+constexpr int highest_order = 30; ///< one above the highest order of the case, 29
 
 double share(double difference, double size) {
     return difference == 0 ? 0 : mesh_error::estimate_safety * difference / size;

@@ -75,8 +75,10 @@ class Weighed {
     /// A resonance that the weight does not drive, or very short elements: a little beside it the
     /// rotor moves in the same way, where a driven one would be smaller by orders of magnitude.
     bool same_beside(double speed) {
+        // Of the speed: out of an undamped resonance that is driven, whose motion is then
+        // 1e8 times the static one at most.
         constexpr double little = 1e-8;
-        constexpr double same = 1e-4;
+        constexpr double same = 1e-4; // relative: a motion that is not resonant changes by 1e-8
         const std::vector<std::complex<double>> here = deflections();
         _motion.solve(speed * (1 + little));
         const std::vector<std::complex<double>> there = deflections();
@@ -185,8 +187,8 @@ void add_gravity_response(results::ResponseResult &result, const assembly::Discr
                   {drive, true, scene.reduction});
     else
         result.model.notes.emplace_back(
-            "the shaft is equally stiff in all directions: under its weight the rotor turns about "
-            "a bent axis that stands still, and no part of its motion is at twice the spin speed");
+            "the shaft is equally stiff in all directions: its weight "
+            "causes a static sag and no response at twice the spin speed");
 }
 
 } // namespace whirl::forced

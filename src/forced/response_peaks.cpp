@@ -69,7 +69,7 @@ std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, dou
         if (speed > from && speed < to)
             speeds.push_back(speed);
     };
-    constexpr int evenly = 6;
+    constexpr int evenly = 6; // parts of the range, for speeds between the resonances
     for (int k = 1; beside && k < evenly; ++k)
         add(from + (to - from) * k / evenly);
     for (const Resonance &r : resonances) {
@@ -204,7 +204,7 @@ std::vector<double> compared_speeds(std::vector<Peak> peaks) {
 CertifiedPeaks response_peaks(const assembly::Discretization &discretization, results::Form form,
                               const std::vector<Quantity> &quantities, double from, double to,
                               const PeakOptions &options) {
-    constexpr int most_rounds = 6;
+    constexpr int most_rounds = 6; // a guard: each adds the motions at the worst speeds
     ReducedMotion reduced(discretization, form, std::max(std::abs(from), std::abs(to)), quantities,
                           options.drive, options.reduction);
     Comparison whole(discretization, form, quantities, options.drive);

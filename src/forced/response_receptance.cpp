@@ -213,8 +213,8 @@ void add_receptances(results::ResponseResult &result, const assembly::Discretiza
     infinite.erase(std::unique(infinite.begin(), infinite.end()), infinite.end());
     if (!infinite.empty())
         result.model.notes.emplace_back(
-            "receptances have no limit at {}: a resonance without damping, or a rotor that is free "
-            "to move",
+            "receptances are unbounded at {}: a resonance without damping, "
+            "or a rotor that is free to move",
             results::as::frequency.list(infinite));
 }
 

@@ -242,6 +242,8 @@ std::vector<RealPair> DefinitePencil::iterate(double s, int wanted) const {
 }
 
 bool DefinitePencil::confirmed(double s, std::vector<RealPair> &pairs, int wanted) const {
+    // Relative: bounds of the inertia count lie this far from all pairs found, above their
+    // errors.
     constexpr double room = 1e-7;
     return keep_confirmed(pairs, wanted, room, [&](double bound) { return count_below(s, bound); });
 }

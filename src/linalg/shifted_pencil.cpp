@@ -197,7 +197,7 @@ std::vector<RealPair> dense(const Shifted &problem) {
 
 std::vector<RealPair> solve_shifted(const Matrix &K, const Matrix &M, const Matrix &S,
                                     const ShiftedOptions &options) {
-    constexpr double room = 1e-6;
+    constexpr double room = 1e-6; // relative, as in definite_pencil.cpp; the shift costs a digit
     const Shifted problem(K, M, S, options);
     const auto all = static_cast<int>(2 * problem.size());
     if (all <= 60 || 3 * options.wanted > all) {

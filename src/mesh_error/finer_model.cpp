@@ -36,7 +36,9 @@ std::vector<std::complex<double>> of_sense(const modes::Spectrum &spectrum, bool
 /// the farthest counts: where shapes do not identify the counterpart, the larger error is stated.
 double error_among(std::complex<double> value,
                    std::vector<std::pair<double, std::complex<double>>> candidates) {
+    // Of the next one's distance: a mode converges with the mesh, the distance of others stays.
     constexpr double far_nearer = 0.02;
+    // Of the best likeness: modes that are not orthogonal resemble each other.
     constexpr double not_much_less = 0.7;
     const auto distance_of = [value](const auto &candidate) {
         return std::abs(candidate.second - value);
@@ -115,6 +117,7 @@ std::vector<double> FinerModel::errors_by_shape(const modes::Spectrum &coarse) c
     if (_coarse.refines() || results::in_rotating_axes(_coarse.form()))
         if (std::vector<double> errors = errors_by_refinement(coarse); !errors.empty())
             return errors;
+    // Of the largest likeness: two modes that mix share it in halves at worst.
     constexpr double nearly = 0.5;
     const modes::Spectrum fine = _fine->at(
         coarse.speed, static_cast<int>(coarse.modes.size() + coarse.modes.size() / 4 + 2));

@@ -106,6 +106,7 @@ Stations::Stations(const assembly::Discretization &d, int per_span) {
 }
 
 Stations Stations::for_drawing(const assembly::Discretization &d) {
+    // Stations along the shaft: a mode shape drawn with as many points is smooth.
     constexpr int wanted = 120;
     const auto spans = static_cast<int>(d.shaft_mesh().spans.size());
     return {d, std::max(0, (wanted + spans - 1) / spans - 1)};

@@ -36,7 +36,9 @@ constexpr int largest_whole = 60;
 
 /// Two that were found from different guesses are the same motion.
 template <class Found> bool same_root(const Found &a, const Found &b) {
+    // Relative: far above what refinement leaves (1e-13); nearer ones differ by their vectors.
     constexpr double near = 1e-7;
+    // An angle of 1.4e-3, above the rounding of vectors of one motion.
     constexpr double parallel = 1 - 1e-6;
     return std::abs(a.value - b.value) <= near * std::abs(a.value) &&
            std::abs(a.right.dot(b.right)) > parallel * a.right.norm() * b.right.norm();
@@ -62,6 +64,7 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
           _supports(assembly::support_scale(d)), _elastic(assembly::elastic_scale(d)) {}
 
     void expect(const std::vector<double> &speeds, int wanted) override {
+        // Solved in full at five speeds of the range; at others from their motions.
         constexpr int steps = 4;
         Range range{std::ranges::min(speeds), std::ranges::max(speeds), wanted};
         if (_counted && _counted->covers(range))
@@ -394,6 +397,8 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
     /// are no farther than as many, or grow.
     [[nodiscard]] std::optional<Choice> choice(const std::vector<Root> &roots, double centre,
                                                double speed, int wanted, bool all) const {
+        // Room for heavily damped whirls: |l| is twice the frequency at a damping ratio of
+        // 0.87.
         constexpr double farther = 2;
         constexpr double clear = 1.2; // a gap wide enough
         constexpr int beyond = 12;    // roots to find one among

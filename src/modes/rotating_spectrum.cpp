@@ -394,7 +394,7 @@ Spectrum RotatingSpectrum::modes(double speed, int wanted, Errors errors) const 
 
 /// Of a series whose last terms are something its eigenvalue is off by their square.
 bool RotatingSpectrum::cut_off(const Eigen::VectorXcd &series) const {
-    constexpr double hardly = 1e-4;
+    constexpr double hardly = 1e-4; // of the series: the eigenvalue is off by the square, 1e-8
     return series.tail(2 * _system.M.size()).norm() > hardly * series.norm();
 }
 

@@ -203,8 +203,9 @@ Spectrum SpectrumSolver::at(double speed, int wanted, Errors errors) const {
         return spectrum;
     } catch (const linalg::SolverError &) {
         throw model::AnalysisFailure(model::Sentence(
-            "the eigenvalues at {} could not be found:  the eigensolver did not converge "
-            "or missed some ({} unknowns, {} modes asked for, {} form)",
+            "the eigenvalues at {} could not be found: the eigensolver did "
+            "not converge or missed some ({} unknowns, {} modes asked for, "
+            "{} form)",
             model::as::speed(speed), unknowns(), wanted, results::form_name(_data->form)));
     }
 }

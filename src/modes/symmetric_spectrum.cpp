@@ -35,10 +35,11 @@ SymmetricSpectrum::SymmetricSpectrum(const assembly::Discretization &discretizat
     try {
         _pencil = std::make_unique<linalg::DefinitePencil>(_K, _M, _S);
     } catch (const linalg::SolverError &) {
-        throw model::AnalysisFailure(
-            "the stiffness matrix is not positive definite: the shaft buckles under its axial "
-            "force, a bearing pushes it away, or its stiffnesses differ by more than double "
-            "precision holds; formulation = \"general\" looks at all eigenvalues");
+        throw model::AnalysisFailure("the stiffness matrix is not positive definite: the shaft "
+                                     "buckles under its axial force, a bearing has negative "
+                                     "stiffness, or stiffnesses differ by more than double "
+                                     "precision holds; formulation = \"general\" finds all "
+                                     "eigenvalues");
     }
 }
 

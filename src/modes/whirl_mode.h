@@ -50,14 +50,14 @@ struct Relaxation {
     /// -2/tau. (A whirl that crosses the spin speed, and is real in the rotor for that moment, dies
     /// out far less fast.)
     [[nodiscard]] bool relaxes(std::complex<double> l) const {
-        constexpr double beyond = 0.5;
+        constexpr double beyond = 0.5; // half the rate, as said above
         return turning > 0 && -l.real() > beyond * rate;
     }
     /// It does not whirl as seen from there: the damping ratio is above 0.995, it dies out by a
     /// factor of e^60 within one turn. (Among infinitely many such motions those that are hardly
     /// coupled to the supports have ratios of 0.9998 and more at any speed, the slowest not.)
     [[nodiscard]] bool stands(std::complex<double> l, double speed) const {
-        constexpr double hardly = 0.1;
+        constexpr double hardly = 0.1; // Im over modulus: a damping ratio of sqrt(1 - 0.01) = 0.995
         const std::complex<double> there = seen(l, speed);
         return relaxes(l) && there.imag() <= hardly * std::abs(there);
     }

@@ -149,6 +149,7 @@ class CoupledRotor {
     /// both ends of a step say which root continues which. Where two meet and neither does, either
     /// is as good.
     [[nodiscard]] Complex followed(double from, Complex value, double to, int halvings = 0) const {
+        // 1/16384 of the range: roots that meet in less are continued by the nearest.
         constexpr int most_halvings = 14;
         const ends::Spectrum before = _motions.at(_range.s(from));
         const ends::Spectrum after = _motions.at(_range.s(to));
@@ -205,8 +206,8 @@ class Answer {
     results::Level1 found() {
         const Complex without = rotor(0, least * _scale).least_damped(0);
         if (without.real() > 0) {
-            _notes.emplace_back("level1: a motion grows at the maximum continuous speed without "
-                                "any added cross coupling");
+            _notes.emplace_back("level1: the rotor is unstable at maximum continuous speed "
+                                "without any added cross coupling");
             add_without_threshold(without);
         } else if (const auto driven = without.real() == 0 ? grows_at_once() : std::nullopt) {
             _out.critical_cross_coupling = 0;
@@ -268,7 +269,8 @@ class Answer {
             add_end(coupled.range(), *first, found.roots);
             return true;
         }
-        _notes.emplace_back("level1: no added cross coupling up to {} makes a motion grow",
+        _notes.emplace_back("level1: stable up to the largest added cross coupling tried, "
+                            "{}",
                             results::as::stiffness(from, 3));
         return false;
     }
@@ -278,8 +280,9 @@ class Answer {
         const CouplingRange &range = coupled.range();
         for (const results::Interval &step : found.doubtful)
             if (step.to < end && coupled.least_damped(range.q(step.to)).real() > 0) {
-                _notes.emplace_back("level1: not all motions could be followed over the added "
-                                    "cross coupling, and one grows with {}",
+                _notes.emplace_back("level1: some modes could not be followed over the added cross "
+                                    "coupling, and one is unstable at {}: the threshold may be "
+                                    "lower than stated",
                                     results::as::stiffness(range.q(step.to)));
                 return;
             }
@@ -287,8 +290,8 @@ class Answer {
             return; // its fast motions are none of this mesh
         for (const results::StabilityEnd &faster : found.ends)
             if (faster.speed < end && !faster.resolved.motion) {
-                _notes.emplace_back("level1: a motion faster than {}, which these elements do not "
-                                    "resolve, grows with {}: it is not counted",
+                _notes.emplace_back("level1: a mode above {}, which this mesh does not resolve, "
+                                    "becomes unstable at {} and is not counted",
                                     results::as::frequency(_counted.up_to, 4),
                                     results::as::stiffness(range.q(faster.speed)));
                 return;
@@ -306,17 +309,20 @@ class Answer {
             _out.error = error_of(range, *root);
         }
         if (*_out.critical_frequency == 0)
-            _notes.emplace_back("level1: the motion that begins to grow does not swing");
+            _notes.emplace_back("level1: the mode that becomes unstable does not oscillate "
+                                "(real eigenvalue)");
         add_curve({q, {0, *_out.critical_frequency}}, _settings.to.value_or(1.5 * q));
     }
 
     /// Relative difference to that of finer elements.
     [[nodiscard]] double error_of(const CouplingRange &range, const ends::WholeMotion &root) const {
+        // Of the threshold: thousand times what its refinement leaves.
         constexpr double rounding = 1e-10;
         if (_d.rigid())
             return rounding;
         const ends::FinerEnds finer(
             _d, [&](const assembly::Discretization &d) { return range.matrices(d); });
+        // Of the threshold: farther off the finer elements' root is another motion.
         constexpr double nearby = 0.3;
         const auto error = finer.error(root, 1, nearby * root.speed);
         return error ? *error / root.speed + rounding : unknown;
@@ -378,7 +384,9 @@ results::Level1 level1(const model::Case &scene, int order, std::vector<results:
         return Answer(scene, order, notes).found();
     } catch (const linalg::SolverError &failure) {
         throw model::AnalysisFailure(
-            fmt::format("level1: no eigenvalues under cross coupling: {}", failure.what()));
+            fmt::format("level1: the eigenvalues with cross coupling could not be "
+                        "found: {}",
+                        failure.what()));
     }
 }
 

@@ -225,9 +225,12 @@ Sentence about(const ResponsePeak &peak) {
     const Sentence where("at {}{}", as::speed(peak.speed),
                          peak.name.empty() ? std::string() : " of " + peak.name);
     return counts(peak.amplification)
-               ? Sentence("the peak of the response next to it, {}, is that of another", where)
-               : Sentence("its peak of the response, {}, shows a factor of {}, below {}", where,
-                          as::number(*peak.amplification, 4), as::number(counted_from));
+               ? Sentence("the nearest response peak, {}, belongs to another critical "
+                          "speed",
+                          where)
+               : Sentence("its response peak, {}, has an amplification factor of {}, "
+                          "below {}",
+                          where, as::number(*peak.amplification, 4), as::number(counted_from));
 }
 
 /// Says of critical speeds with AF >= 2.5 by their damping, up to the highest speed that matters,
@@ -250,8 +253,8 @@ void note_unlisted(const model::Operation &operation,
         const Sentence factor = critical.damping.amplification
                                     ? Sentence("{}", as::number(*critical.damping.amplification, 4))
                                     : Sentence("without limit");
-        notes.emplace_back("margins: the {} critical speed {}, amplification factor {} by its "
-                           "damping, is not among them: {}",
+        notes.emplace_back("margins: none is stated for the {} critical speed {} "
+                           "(amplification factor {} by its damping): {}",
                            results::whirl_name(critical.whirl), as::speed(critical.speed), factor,
                            peak ? about(*peak)
                                 : Sentence("it has no peak of its own in the response"));
@@ -263,12 +266,11 @@ void note_growing(const std::vector<CriticalSpeed> &critical_speeds,
                   std::vector<results::Sentence> &notes) {
     for (const CriticalSpeed &critical : critical_speeds)
         if (critical.speed > 0 && grows(critical))
-            notes.emplace_back(
-                "margins: the {} motion grows at its critical speed {} (damping ratio {}): an "
-                "amplification factor has no meaning there, and it does not pass whatever its "
-                "margin; `stability` finds where it begins to grow",
-                results::whirl_name(critical.whirl), as::speed(critical.speed),
-                as::number(*critical.damping.ratio, 4));
+            notes.emplace_back("margins: the {} mode is unstable at its critical speed {} "
+                               "(damping ratio {}): it has no amplification factor and fails "
+                               "whatever its margin; `stability` finds the onset speed",
+                               results::whirl_name(critical.whirl), as::speed(critical.speed),
+                               as::number(*critical.damping.ratio, 4));
 }
 
 /// Names the probes whose peak at a critical speed with AF >= 2.5 has no factor of its own.
@@ -281,13 +283,12 @@ void note_without_factor(const std::vector<CriticalSpeed> &critical_speeds,
                 return critical.damping.known() && counts(critical.damping.amplification) &&
                        together(*peak, critical);
             }))
-            notes.emplace_back(
-                "margins: what the probe {} reads at its peak, {}, is not among them: the "
-                "curve does not come down to the half-power points on both sides (other sources of "
-                "vibration, or an end of [speeds] that is too near)",
-                peak->name.empty() ? Sentence("at z = {}", as::length(peak->z))
-                                   : Sentence("{}", peak->name),
-                as::speed(peak->speed));
+            notes.emplace_back("margins: none is stated for the peak of probe {}, {}: the "
+                               "curve does not fall to the half-power points on both sides "
+                               "(other excitation, or the end of [speeds] is too near)",
+                               peak->name.empty() ? Sentence("at z = {}", as::length(peak->z))
+                                                  : Sentence("{}", peak->name),
+                               as::speed(peak->speed));
 }
 
 /// Says so where the damping of critical speeds is not known (asymmetric damped rotors): margins
@@ -297,8 +298,8 @@ void note_unknown_damping(const std::vector<CriticalSpeed> &critical_speeds,
     if (std::ranges::any_of(critical_speeds, [](const CriticalSpeed &critical) {
             return !critical.damping.known();
         }))
-        notes.emplace_back("margins: of the peaks of the response alone, as the critical speeds of "
-                           "this rotor are those without its damping");
+        notes.emplace_back("margins: judged by response peaks alone, as the damping of "
+                           "the critical speeds of this rotor is not known");
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 
 namespace whirl::periodic {
 
-constexpr int stages = 8;
+constexpr int stages = 8; ///< even, for conjugate pairs of roots; order 15 needs few steps
 
 /// Collocation at the s = 8 right Radau points, order 15 (Radau IIA; E. Hairer, G. Wanner, Solving
 /// Ordinary Differential Equations II, 2nd ed., section IV.5): slow motions are as exact as of a

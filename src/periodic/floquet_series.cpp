@@ -113,7 +113,7 @@ std::vector<FloquetSeries> floquet_series(const System &system, double speed, in
         const double frequency = frequency_of(M, states[i]);
         if (frequency > fastest)
             continue;
-        constexpr int more = 6;
+        constexpr int more = 6;      // terms for the tail beyond the highest frequency
         constexpr double beyond = 3; // on average over the terms it is as fast as its frequency
         const int K =
             std::min(most, static_cast<int>(beyond * frequency / (2 * std::abs(speed))) + more);
@@ -127,8 +127,9 @@ std::vector<FloquetSeries> floquet_series(const System &system, double speed, in
 
 std::optional<FloquetSeries> centred_series(const System &system, double speed, int steps,
                                             const FloquetMotion &motion) {
-    constexpr double nothing = 1e-10;
-    constexpr Eigen::Index first = 12;
+    constexpr double nothing = 1e-10;  // of the largest term: the value is off by the square, 1e-20
+    constexpr Eigen::Index first = 12; // terms on either side, doubled until the ends are nothing
+    // Terms on either side at most, and no more than the steps in time resolve.
     constexpr Eigen::Index most = 400;
     const MatrixXcd states = over_period(system, speed, steps, motion);
     if (!states.allFinite())

@@ -133,7 +133,7 @@ ModalSeries::ModalSeries(const System &system, double speed) : _speed(speed) {
     const Index m = P.cols();
     _weights = weights_of(steady, speed);
     const Eigen::PartialPivLU<MatrixXd> mass(steady.M);
-    constexpr double massless = 1e-14;
+    constexpr double massless = 1e-14; // reciprocal condition of the mass matrix: no digit is left
     if (!(mass.rcond() > massless))
         throw linalg::SolverError("a rotor with massless unknowns has fewer modes");
     MatrixXd A = MatrixXd::Zero(2 * n, 2 * n);
@@ -205,8 +205,8 @@ struct ModalSeries::Settled {
 };
 
 std::optional<ModalSeries::Settled> ModalSeries::settled(MatrixXcd a, MatrixXcd b) const {
-    constexpr int steps = 8;
-    constexpr double same = 1e-12;
+    constexpr int steps = 8;       // a guard: cubic with both vectors
+    constexpr double same = 1e-12; // relative to value and speed: some thousand units of rounding
     Complex value = quotient(b, a);
     double before = std::numeric_limits<double>::infinity();
     for (int step = 0; step < steps; ++step) {
@@ -232,6 +232,7 @@ std::optional<ModalSeries::Settled> ModalSeries::settled(MatrixXcd a, MatrixXcd 
 /// With as few terms as it needs, the largest in the middle; nothing where there are too few.
 std::optional<SeriesMotion> ModalSeries::whole(const Settled &found) const {
     constexpr double nothing = 1e-9; // its square is what the value is off by
+    // Of the motion: a thousandth of `nothing`, so that the next speed needs no more again.
     constexpr double far_too_many = 1e-12;
     const MatrixXcd z = linalg::times(_R, found.a);
     const Index terms = z.cols();
@@ -255,7 +256,9 @@ std::optional<SeriesMotion> ModalSeries::whole(const Settled &found) const {
 }
 
 std::optional<SeriesMotion> ModalSeries::next_to(const SeriesMotion &guess) const {
+    // Terms: 80 harmonics of twice the speed reach motions 160 times as fast as it.
     constexpr Index most = 2 * 80 + 1;
+    // Overlap with the guess: above a half no other motion has as much.
     constexpr double mostly = 0.5;
     const auto weights = _weights.asDiagonal();
     const auto back = _weights.cwiseInverse().asDiagonal();

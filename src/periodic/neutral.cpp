@@ -82,8 +82,9 @@ class Curvature {
 
 /// @param start  the middle of the band
 std::optional<Closing> followed(const Family &family, const Point &start, const OpenBand &band) {
+    // Newton with secant slopes: some ten; a half of the number each is 1e-12 in forty.
     constexpr int most_steps = 40;
-    constexpr double enough = 1e-12;
+    constexpr double enough = 1e-12; // of the number, in units of growth
     const double first = start.number;
     const double width = band.width;
     std::optional<Point> at = start;
@@ -120,7 +121,7 @@ std::optional<Closing> followed(const Family &family, const Point &start, const 
 
 std::optional<Neutral> neutral_next_to(const WholeRotor &rotor, double speed, Complex guess,
                                        double frequency, double reach) {
-    constexpr int most_steps = 8;
+    constexpr int most_steps = 8; // quadratic: three or four from a neighbour
     const double first = speed;
     for (int step = 0; step < most_steps; ++step) {
         const auto root = rotor.next_to(speed, guess, frequency);

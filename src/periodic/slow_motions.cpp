@@ -18,6 +18,7 @@ using Eigen::MatrixXcd;
 /// Whether one motion is an alias of another: the exponents differ by a multiple of 2 i speed, and
 /// the terms are the same.
 bool aliases(const SeriesMotion &a, Complex b_value, const MatrixXcd &b, double speed) {
+    // Of value and speed: a thousand times what motions are settled to.
     constexpr double same = 1e-9;
     const double places = std::round((a.value - b_value).imag() / (2 * speed));
     const Complex rest = a.value - b_value - Complex(0, 2 * speed * places);
@@ -93,7 +94,8 @@ std::optional<SlowMotions::Motions> SlowMotions::stepped(const Motions &from, do
 
 /// By steps as long as motions keep their shape, and no longer than a fifth of the speed.
 const SlowMotions::Motions *SlowMotions::reached(double size) {
-    constexpr double longest = 1.2;
+    constexpr double longest = 1.2; // a fifth of the speed, as said above
+    // Ratio of speeds: motions that change their shape within less cannot be followed.
     constexpr double shortest = 1.002;
     const double sign = _from < 0 ? -1 : 1;
     double ratio = longest;
@@ -123,6 +125,7 @@ std::optional<std::vector<FloquetSeries>> SlowMotions::at(double speed) {
     const System &system = _system(speed);
     std::vector<FloquetSeries> out;
     for (const SeriesMotion &motion : *found) {
+        // Units of rounding for the sums over unknowns and terms.
         constexpr double rounding = 100 * std::numeric_limits<double>::epsilon();
         out.push_back(
             {motion.value, rounding * (std::abs(motion.value) + std::abs(speed)),

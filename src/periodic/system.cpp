@@ -98,6 +98,7 @@ System::Steady System::steady(double speed) const {
 }
 
 bool System::conserves(double speed) const {
+    // Relative, of sums of element matrices; a real asymmetry is an input, far larger.
     constexpr double rounding = 1e-12;
     const Steady at = steady(speed);
     const Eigen::MatrixXd turned = turning(speed, 1);

@@ -125,6 +125,8 @@ class TriangularTurn {
     /// Blocks end where nothing of the directions before turns into those behind or into dropped
     /// ones: what is set to zero is an error of one group's map of that size beside it.
     void take_blocks() {
+        // Of the length of a map: what eigenvalues are then off by beside the largest in
+        // the group.
         constexpr double nothing = 1e-10;
         const MatrixXd first = _Q.front();
         const MatrixXd outside = MatrixXd(_Q.back()) - linalg::times(first, _turned);
@@ -337,8 +339,8 @@ std::optional<std::vector<FloquetSeries>> series_by(const System &system, double
 std::optional<std::vector<FloquetSeries>> damped_series(const System &system, double speed,
                                                         int steps, double spread, int columns,
                                                         double fastest) {
-    constexpr int fewest = 24;
-    constexpr int most = 400;
+    constexpr int fewest = 24;        // parts of half a turn: enough for the windows' interpolation
+    constexpr int most = 400;         // parts: the cost grows with their number
     constexpr double in_a_group = 10; // of the spread: rounding is small beside exp(-10)
     const int groups = std::max(1, static_cast<int>(std::ceil(spread / in_a_group)));
     const int first = std::max(fewest, groups);

@@ -188,7 +188,7 @@ class WholeRotor::Iteration {
 
     /// The root, or nothing where it does not settle.
     std::optional<Root> settled() {
-        constexpr int factorisations = 5;
+        constexpr int factorisations = 5; // new shifts, each nearer to the root
         for (int k = 0; k < factorisations; ++k) {
             _jumped = false;
             if (settle_with_one())
@@ -212,6 +212,7 @@ class WholeRotor::Iteration {
             !_factor.factorize(_series.at(at + 1e-9 * _scale))) // at the root itself
             return false;
         const ComplexSparse slope = _series.slope(at);
+        // With one factorisation: linear in the ratio of distances to the shift.
         constexpr int solves = 6;
         for (int step = 0; step < solves; ++step) {
             _root.terms = _factor.solution(slope * _root.terms).normalized();
@@ -301,7 +302,7 @@ std::optional<WholeRotor::Driven> WholeRotor::driven(double speed, Complex expon
     problem.scale(d);
     const Eigen::Index n = d.size();
     constexpr double nothing = 1e-13; // of the motion: what the series is cut by
-    constexpr int fewest = 3;
+    constexpr int fewest = 3;         // harmonics to begin with, of which the last must be nothing
     for (int N = std::max(fewest, _driven_harmonics - 1); N <= usual; N += std::max(1, N / 6)) {
         const ComplexSparse A = Series(problem, N).at(exponent);
         Eigen::VectorXcd f = Eigen::VectorXcd::Zero(A.rows());
@@ -348,10 +349,11 @@ std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess,
     const Eigen::Index n = d.size();
     const bool guided = terms.size() > 0;
     const int most = guided ? 6 * usual : usual;
-    constexpr int margin = 2;
+    constexpr int margin = 2;        // terms behind the largest one
     constexpr double nothing = 1e-8; // its square is what the value is off by
+    // Of the motion: a thousandth of `nothing`, as in modal_series.cpp.
     constexpr double far_too_many = 1e-11;
-    constexpr double mostly = 0.3;
+    constexpr double mostly = 0.3; // overlap with the guess's terms: less is another motion
     const double near = guided ? 1e-2 * std::abs(speed) : std::numeric_limits<double>::infinity();
     const double turns = (frequency + std::abs(speed)) / (2 * std::abs(speed));
     auto known = static_cast<int>(terms.cols() / 2);

@@ -94,6 +94,7 @@ class Windows {
 
     /// Whether so many places resolve the maps.
     [[nodiscard]] bool told() const {
+        // Of the largest column: some ten units of rounding of the maps.
         constexpr double nothing = 3e-15;
         return _maps.allFinite() && combined(_maps, highest(_maps.cols())).norm() <=
                                         nothing * _maps.colwise().norm().maxCoeff();
@@ -170,7 +171,7 @@ class Windows {
 
 std::vector<Rows> turn_in_parts(const System &system, double speed, int steps, int parts) {
     int each = (steps + parts - 1) / parts;
-    constexpr int least_gain = 4;
+    constexpr int least_gain = 4; // times the places at first: fewer steps are cheaper one by one
     if (each * parts >= least_gain * first_places && each > 1) {
         each = 1 << static_cast<int>(std::ceil(std::log2(each)));
         Windows windows(system, speed, each * parts);
@@ -200,6 +201,7 @@ std::vector<Rows> turn_in_parts(const System &system, double speed, int steps, i
 }
 
 std::optional<MatrixXd> half_turn_by_windows(const System &system, double speed, int steps) {
+    // Times the places at first: with fewer steps nothing is halved often enough to gain.
     constexpr int least_gain = 8;
     if (steps < least_gain * first_places)
         return std::nullopt;

@@ -51,6 +51,7 @@ class PlanarShapes {
     void add_static(const std::vector<assembly::Combination> &loaded);
 
   private:
+    /// Two rigid motions of a plane and four of bending, whatever the range.
     static constexpr int fewest_modes = 6;
     Eigen::SparseMatrix<double> _H; ///< K + top^2 M
     Eigen::MatrixXd _shapes;

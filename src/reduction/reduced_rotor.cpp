@@ -235,8 +235,8 @@ void refuse_massless(const assembly::Discretization &d) {
     for (std::size_t i = 0; i < bearings.size(); ++i)
         if (bearings[i].pedestal && bearings[i].pedestal->mass.minCoeff() == 0)
             throw model::AnalysisFailure(
-                fmt::format("motion in time needs mass in all that moves: bearing[{}] stands on a "
-                            "pedestal without; give it a pedestal_mass",
+                fmt::format("motion in time needs mass at every moving point: give the "
+                            "pedestal of bearing[{}] a pedestal_mass",
                             i));
 }
 
@@ -328,6 +328,8 @@ class Decay {
     double _at_rest; ///< rad/s: double root 0 of a free rotor, known to the root of rounding
 
     [[nodiscard]] bool kept(const Eigen::VectorXcd &before, const Eigen::VectorXcd &after) const {
+        // Of its real part: slowing fast shapes may not change the decay of a slow motion
+        // by more.
         constexpr double share = 0.1;
         const double largest = before.cwiseAbs().maxCoeff();
         const double rounding = 1e-13 * largest; // of eigenvalues of matrices of that size
@@ -386,6 +388,7 @@ std::optional<ReducedRotor> slowest_good(ReducedRotor rotor, ReductionError &err
     if (auto trial = slowed_to(low))
         return trial;
     ReducedRotor out = rotor;
+    // Shapes slowed 10 % less cost 10 % more steps in time, less than further trials.
     constexpr double close = 1.1;
     while (high > close * low) {
         const double middle = std::sqrt(low * high);
@@ -470,11 +473,12 @@ ReducedRotor reduce(const assembly::Discretization &discretization, const Reduct
                 least_effort(with, error, source.modes(), goal, !discretization.rotor().damped()))
             return *best;
         throw model::AnalysisFailure(
-            fmt::format("{} modes of the shaft do not describe its response to {:.1e}; ask for "
-                        "less with simulate.reduction_tolerance",
+            fmt::format("{} modes of the shaft do not describe its response to {:.1e}; "
+                        "raise simulate.reduction_tolerance",
                         source.modes(), goal.tolerance));
     } catch (const linalg::SolverError &error) {
-        throw model::AnalysisFailure(std::string("the modes of the shaft: ") + error.what());
+        throw model::AnalysisFailure(std::string("the modes of the shaft could not be found: ") +
+                                     error.what());
     }
 }
 

@@ -12,8 +12,8 @@ namespace whirl::rigid {
 
 namespace {
 
-constexpr int speed_steps = 400;
-constexpr int polar_steps = 600;
+constexpr int speed_steps = 400; ///< of a figure's axis
+constexpr int polar_steps = 600; ///< of a figure's axis: smooth
 
 std::string reason_against(const model::Rotor &rotor, const Inertia &whole,
                            closed_form::ReducedSupports &supports) {

@@ -161,7 +161,7 @@ void add_point(results::CompositeCurves &curves, const closed_form::CompositeRot
 }
 
 void add_hodograph(results::CompositeCurves &curves, const closed_form::CompositeRotor &composite) {
-    constexpr int steps = 240;
+    constexpr int steps = 240; // points of a closed curve in a figure: smooth on a page
     const double mean = composite.mean_inertia();
     const closed_form::CompositeRotor paper = composite.with_unsigned_harmonic();
     for (int i = 0; i <= steps; ++i) {
@@ -176,7 +176,7 @@ void add_hodograph(results::CompositeCurves &curves, const closed_form::Composit
 /// times the case's own value or 0.2, and past that value, but short of a rotor of nothing else.
 results::CompositeCurves composite_curves(const Parts &parts, std::complex<double> D,
                                           const std::optional<results::Interval> &anisotropy) {
-    constexpr int steps = 100;
+    constexpr int steps = 100; // points of a curve in a figure
     const double ball_mass = parts.balls.count * parts.balls.mass;
     const double added = 1 + parts.imbalance.mass / ball_mass; // (n m + m0)/(n m)
     const auto composite = composite_rotor(parts.rest, parts.balls, parts.imbalance, D);
@@ -290,8 +290,8 @@ std::vector<results::BalancerNumbers> show_balancers(const model::Rotor &rotor,
     if (!why.empty())
         notes.emplace_back("no dimensionless stiffness and damping: {}", why);
     if (all.size() > 1)
-        notes.emplace_back("the dimensionless numbers of each balancer take the rest of the rotor, "
-                           "with the other balancers' masses, as the bare rotor");
+        notes.emplace_back("the dimensionless numbers of each balancer count the other "
+                           "balancers as masses of the bare rotor");
     return all;
 }
 

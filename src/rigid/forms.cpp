@@ -119,6 +119,7 @@ int place_of(double value, const std::vector<double> &ascending) {
 
 /// Ends of the unstable range of a rotor whose tilt does not move its centre of mass.
 void add_unstable(RigidForms &forms, const closed_form::RotatingCoefficients &c) {
+    // Relative, of what must cancel for tilt and translation to be apart.
     constexpr double rounding = 1e-9;
     if (!tilts_alone(c.supports, rounding)) {
         forms.notes.emplace_back("no closed form of the unstable range: the bearings are not "
@@ -199,7 +200,7 @@ model::Case rigid_limit_scene(const model::Case &scene, std::vector<results::Sen
                 i));
     }
     if (tables)
-        notes.emplace_back("bearing tables are read at zero speed, on both sides");
+        notes.emplace_back("bearing tables are read at zero speed in both models");
     return out;
 }
 
@@ -228,8 +229,7 @@ RigidForms rigid_forms(const model::Case &scene) {
         add_permissible(forms, scene);
     }
     if (rotor.damped())
-        forms.notes.emplace_back("critical and additional speeds are those without damping, on "
-                                 "both sides");
+        forms.notes.emplace_back("critical and additional speeds are undamped in both models");
     return forms;
 }
 

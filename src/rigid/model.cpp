@@ -123,6 +123,7 @@ double bisected(ZeroRootStiffness &stiffness, double stable, double unstable) {
 /// One end of the unstable range between two speeds: the outermost one on the side asked for.
 std::optional<double> unstable_end(ZeroRootStiffness &stiffness, double low, double high,
                                    bool lower) {
+    // Of the range: an unstable range narrower than one is not found, and the target says none.
     constexpr int steps = 128;
     const double start = lower ? low : high;
     const double step = (lower ? 1 : -1) * (high - low) / steps;
@@ -142,7 +143,7 @@ double permissible(ZeroRootStiffness &stiffness, const Combination &slope, doubl
         return speed > 0 ? 1 / (speed * speed * stiffness.receptance(speed, slope))
                          : std::numeric_limits<double>::infinity();
     };
-    constexpr int steps = 200;
+    constexpr int steps = 200; // of the range, to bracket the smallest value; then golden section
     std::vector<double> values;
     for (int i = 0; i <= steps; ++i)
         values.push_back(limit(from + (to - from) * i / steps));

@@ -219,8 +219,8 @@ Sentence judge(const Ending &ending, const Trends &trends, double tolerance,
             {"the swing of the balls dies out, by {}", as::rate(trends.balls.end_rate, 3)});
     if (ending.outcome == results::Outcome::balanced && result.linear_growth.value_or(0) > 0)
         return undecided(end + std::log(1 / tolerance) / *result.linear_growth,
-                         {"it looks balanced, but by its eigenvalues that position is unstable: "
-                          "small motions grow by {}",
+                         {"balanced so far, but that position is unstable by its "
+                          "eigenvalues: small motions grow by {}",
                           as::rate(*result.linear_growth, 3)});
     if (ending.outcome == results::Outcome::offset && trends.amplitude.decaying)
         return undecided(

@@ -6,7 +6,7 @@ namespace whirl::simulation {
 
 /// Coefficients of an explicit Runge-Kutta pair (Butcher's table).
 struct RungeKuttaPair {
-    static constexpr int stages = 13;
+    static constexpr int stages = 13;  ///< of Verner's method, cited above
     static constexpr int order = 8;    ///< of the solution that goes on
     static constexpr int embedded = 7; ///< of the one that it is compared with
     std::array<double, stages> c{};

@@ -11,10 +11,10 @@ namespace whirl::simulation {
 
 namespace {
 
-constexpr int windows = 12;
+constexpr int windows = 12; ///< enough maxima for a straight line and its standard error
 constexpr double change_that_counts = 0.1; ///< of log(size): what the eye sees in a picture
-constexpr double standard_errors = 3;
-constexpr double goes_on = 0.5; ///< of the rate over the whole that is left at its end
+constexpr double standard_errors = 3;      ///< 99.7 % of normal scatter
+constexpr double goes_on = 0.5;            ///< of the rate over the whole that is left at its end
 
 /// The largest size within each window of time, and when it was.
 struct Peaks {

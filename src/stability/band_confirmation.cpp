@@ -61,7 +61,7 @@ class Confirmation {
     /// the growth of an undamped rotor comes and goes with the rounding.
     [[nodiscard]] std::vector<results::Interval>
     without_slits(const std::vector<results::Interval> &bands) const {
-        constexpr double slit = 1e-7;
+        constexpr double slit = 1e-7; // of the speed: what rounding of an undamped end can open
         std::vector<results::Interval> out;
         for (const results::Interval &band : bands) {
             const bool close =
@@ -113,12 +113,12 @@ class Confirmation {
         const auto root = [this](auto... end) { return root_near(end...); };
         if (const auto found = between(band, last, next, root))
             return {{*found}};
-        constexpr double narrow = 1e-3;
+        constexpr double narrow = 1e-3; // of the speed: a narrower one may close on the whole rotor
         const auto [from, to] = band;
         if (to - from < narrow * std::max(std::abs(from), std::abs(to)))
             return of_narrow(band, last, next);
-        const auto by_looks = [this](auto... end) { return end_near(_at, end...); };
-        if (const auto found = between(band, last, next, by_looks))
+        const auto by_probes = [this](auto... end) { return end_near(_at, end...); };
+        if (const auto found = between(band, last, next, by_probes))
             return {{*found}};
         return std::nullopt;
     }

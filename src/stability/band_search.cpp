@@ -27,6 +27,7 @@ double vertex(double x0, double y0, double x1, double y1, double x2, double y2) 
     return y1 - slope * slope / (4 * curvature);
 }
 
+/// 0.618^24 is 1e-5 of the step: the top of a parabola is flat below.
 constexpr int golden_steps = 24;
 
 /// Which motion at the other end of a step one at this end is, or nowhere.
@@ -80,6 +81,7 @@ const Continuation &BandSearch::continuation(const Probe &a, const Probe &b) {
 /// @param first,second  their eigenvalues there
 void BandSearch::add_beyond(Coalescence &m, const Probe &end, std::array<int, 2> at,
                             std::complex<double> first, std::complex<double> second, bool upwards) {
+    // Two more points on either side make a cubic of mean and squared difference.
     constexpr int most = 2;
     const auto alias = [&m](const Probe &probe, int index) {
         const double repeats = probe.motions[static_cast<std::size_t>(index)].repeats;

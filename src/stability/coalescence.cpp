@@ -191,6 +191,7 @@ class Follower {
     /// Each has become a mixture of both: which of them is which then depends on how states are
     /// measured, and whether their frequencies cross with it.
     [[nodiscard]] bool mixed(int i, int j) const {
+        // Share of the other's state from which on a motion is a mixture.
         constexpr double traces = 0.02;
         return _share(i, _out.to[static_cast<std::size_t>(j)]) > traces ||
                _share(j, _out.to[static_cast<std::size_t>(i)]) > traces;
@@ -242,6 +243,7 @@ class Follower {
     /// Of a pair known as a pair: aliases that are farther from each other at both ends than they
     /// could have come.
     [[nodiscard]] static bool far_apart(const Coalescence &m, double moved) {
+        // Motions may come twice as far within the step as from end to end.
         constexpr double reserve = 2;
         const double before = (m.first_from - m.second_from).imag();
         const double after = (m.first_to - m.second_to).imag();

@@ -29,7 +29,7 @@ struct Coalescence {
 
 /// How motions go on from one spin speed to another.
 struct Continuation {
-    static constexpr int nowhere = -1;
+    static constexpr int nowhere = -1;     ///< no index
     std::vector<int> to;                   ///< index of each motion at the other speed, or nowhere
     std::vector<Coalescence> coalescences; ///< pairs that may open a band in between
     bool doubtful = false; ///< a motion that matters has no partner: the step is too long

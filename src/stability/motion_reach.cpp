@@ -7,7 +7,7 @@
 namespace whirl::stability {
 
 double motion_reach(std::vector<std::vector<double>> sizes, double least) {
-    constexpr std::size_t fewest = 8;
+    constexpr std::size_t fewest = 8; // slowest motions at a speed, which always count
     std::vector<double> all;
     for (std::vector<double> &here : sizes) {
         std::ranges::sort(here);

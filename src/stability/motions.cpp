@@ -106,10 +106,10 @@ auto found_or_said(double speed, int unknowns, results::Form form, const Find &f
     try {
         return find();
     } catch (const linalg::SolverError &) {
-        throw model::AnalysisFailure(model::Sentence(
-            "the eigenvalues at {} could not be found:  the eigensolver did not converge "
-            "({} unknowns, {} form)",
-            model::as::speed(speed), unknowns, results::form_name(form)));
+        throw model::AnalysisFailure(
+            model::Sentence("the eigenvalues at {} could not be found: the eigensolver did "
+                            "not converge ({} unknowns, {} form)",
+                            model::as::speed(speed), unknowns, results::form_name(form)));
     }
 }
 

@@ -61,11 +61,13 @@ class Neighbourhood {
 
     /// Nowhere in the step can the two grow.
     [[nodiscard]] bool decays() const {
+        // Points of a cubic: without one of them it is judged by what is left.
         constexpr std::size_t enough = 4;
         if (_points.size() < enough || _points.front().speed >= _low ||
             _points.back().speed <= _high)
             return false;
-        constexpr int steps = 100;
+        constexpr int steps = 100; // of the step of speeds, then of the two around the best
+        // Times a step to either side of the best one: each a factor of 50.
         constexpr int closer = 4;
         double low = _low;
         double high = _high;
@@ -105,7 +107,7 @@ class Neighbourhood {
         const double root = std::abs(std::sqrt(q).real());
         const double margin =
             margin_of(apart(&PairPoint::s, speed, s), apart(&PairPoint::q, speed, q), root);
-        constexpr double reserve = 2;
+        constexpr double reserve = 2; // times the difference that leaving a point out makes
         return s.real() + root + reserve * margin < 0 ? q.real() : std::nan("");
     }
 };
@@ -121,7 +123,7 @@ struct Guess {
 Guess best_guess(const std::vector<PairPoint> &points, double low, double high) {
     Guess best{(low + high) / 2, 0};
     std::pair<double, double> best_score{-HUGE_VAL, -HUGE_VAL};
-    constexpr int steps = 400;
+    constexpr int steps = 400; // cubics have no two tops within one
     for (int i = 1; i < steps; ++i) {
         const double speed = low + (high - low) * i / steps;
         const Complex q = interpolated(points, &PairPoint::q, speed);
@@ -148,8 +150,10 @@ class CoalescenceSearch {
         double low = _m.from;
         double high = _m.to;
         double speed = first_guess();
+        // A prediction that holds is confirmed in three; more means that none does.
         constexpr int most_steps = 12;
-        constexpr int looks_that_agree = 3;
+        // Predictions that hold one after the other: one may by chance.
+        constexpr int agreeing_predictions = 3;
         int said_stable = 0;
         for (int step = 0; step < most_steps; ++step) {
             const PairPoint found = nearest(_at(speed), speed);
@@ -170,7 +174,7 @@ class CoalescenceSearch {
             // What three points say of the whole is not enough: another speed where they place the
             // most growth must agree with them.
             said_stable = guess.growth < -2 * margin ? said_stable + 1 : 0;
-            if (said_stable == looks_that_agree || moved < 1e-9 * std::abs(_m.to) ||
+            if (said_stable == agreeing_predictions || moved < 1e-9 * std::abs(_m.to) ||
                 moved < 1e-7 * (_m.to - _m.from))
                 return {Kind::stable, speed};
             // Keep the two points nearest to the guess.
@@ -278,7 +282,7 @@ class PassingSearch {
         SignBracket bracket(_m.from, _m.to);
         bracket.stable_at(_m.from, sign * _low.apart());
         bracket.unstable_at(_m.to, sign * _high.apart());
-        constexpr int most_steps = 60;
+        constexpr int most_steps = 60; // bisection alone reaches rounding in 53
         for (int step = 0; step < most_steps; ++step) {
             const double speed = bracket.next();
             const std::optional<Place> now = probe(speed);

@@ -104,6 +104,7 @@ double PeriodicMotions::octave_reach(double speed) const {
     if (const auto known = reach.find(octave); known != reach.end())
         return known->second;
     const double top = std::ldexp(_top, -octave);
+    // Speeds over an octave: the reach lies in a wide gap of all their moduli.
     constexpr int samples = 5;
     std::vector<std::vector<double>> sizes(samples);
     for (int k = 0; k < samples; ++k) {
@@ -146,18 +147,21 @@ int PeriodicMotions::steps(double speed, double reach) const {
     constexpr double most = 1e11; // operations
     const double each = std::pow(2.0 * system(speed).size(), 3);
     if (!(wanted * each < most))
-        throw NotSettled(model::Sentence("half a turn at {} takes the fastest motions too many "
-                                         "periods to be followed; the speed may lie too low",
-                                         model::as::speed(speed)));
+        throw NotSettled(
+            model::Sentence("the monodromy matrix at {} cannot be computed: the fastest "
+                            "modes take too many periods in half a revolution; raise "
+                            "speeds.from",
+                            model::as::speed(speed)));
     return static_cast<int>(wanted);
 }
 
 /// With steps that suffice, as one half more of them show; this is looked at anew wherever the
 /// speed has become another one.
 Floquet PeriodicMotions::settled(double speed, double reach) const {
+    // Ratio of speeds within which the same density of steps is trusted.
     constexpr double another = 1.5;
     constexpr double enough = 1e-10; // of the speed
-    constexpr double densest = 16;
+    constexpr double densest = 16;   // times the usual density of steps: more do not help
     const double size = std::abs(speed);
     while (true) {
         const int coarse = steps(speed, reach);
@@ -175,8 +179,8 @@ Floquet PeriodicMotions::settled(double speed, double reach) const {
         }
         if (_experience->density > densest)
             throw NotSettled(
-                model::Sentence("the motion over half a turn does not settle at {}: with more "
-                                "steps in time multipliers still change by {} of the spin speed",
+                model::Sentence("the monodromy matrix does not converge at {}: with more steps "
+                                "in time its multipliers still change by {} of the spin speed",
                                 model::as::speed(speed), model::as::number(worst, 2)));
         _experience->density *= another;
     }
@@ -297,7 +301,7 @@ std::vector<Motion> PeriodicMotions::at(double speed) const {
     if (const auto found = _corrected.find(speed); found != _corrected.end())
         return found->second;
     std::optional<List> list;
-    constexpr int tries = 6;
+    constexpr int tries = 6; // rounds in which motions that the shapes lack are added
     for (int k = 0; _reduced && speed != 0 && !list && k < tries; ++k)
         list = corrected(speed, false);
     if (!list)

@@ -60,6 +60,7 @@ bool PeriodicMotions::has_wanted() const {
 /// what they span as few as have all motions at these speeds.
 void PeriodicMotions::compact() const {
     constexpr std::array least_parts{1e-3, 3e-4, 1e-4, 3e-5};
+    // Of the shapes: a tenth less is not worth a check at all speeds.
     constexpr double hardly_fewer = 0.9;
     const Eigen::MatrixXd all = _planar->matrix();
     const Eigen::MatrixXd to_amplitudes = all.transpose() * _planar->metric();
@@ -94,7 +95,7 @@ std::shared_ptr<const Eigen::MatrixXd>
 PeriodicMotions::good_shapes(const std::vector<double> &speeds) const {
     const std::size_t last = speeds.size() - 1;
     set_top(std::max(std::abs(speeds.front()), std::abs(speeds.back())));
-    constexpr int tries = 6;
+    constexpr int tries = 6; // rounds in which motions that the shapes lack are added
     bool more = false;
     for (const std::size_t place : {last, std::size_t{0}, last / 2, last / 4, 3 * last / 4})
         for (int k = 0; _reduced && speeds[place] != 0 && k < tries; ++k) {

@@ -116,6 +116,7 @@ class Varied {
     /// At one speed: the largest dI below which no motion grows, by the whole rotor; none: stable
     /// up to `largest`. Growth that ceases again within a step is passed over.
     [[nodiscard]] std::optional<double> least_growing(double speed, double largest) const {
+        // Of the range of dI: growth that ceases within one is passed over.
         constexpr int steps = 40;
         const auto growth = [&](double dI) { return growth_of(whole(dI).at(speed)); };
         if (growth(0) > 0)
@@ -140,6 +141,7 @@ class Varied {
         const MotionSolver motions = solver(dI);
         if (!to_be_refined() && (motions.by_monodromy() == nullptr || !_shapes))
             return bands(dI, speeds);
+        // Of a band's width: on the way only whether there are bands matters.
         constexpr double roughly = 0.03;
         return find_bands([&motions](double speed) { return motions.at(speed); }, speeds, roughly)
             .bands;
@@ -219,7 +221,7 @@ class DescentSearch {
     }
 
   private:
-    static constexpr int most_steps = 40;
+    static constexpr int most_steps = 40; ///< a guard: each closes the widest band that is left
     const Varied &_varied;
     double _largest;
     const std::vector<double> &_speeds;
@@ -277,7 +279,7 @@ class DescentSearch {
 
 /// Some speeds about one, within the range of others.
 std::vector<double> around(double speed, const std::vector<double> &speeds) {
-    constexpr double near = 0.01;
+    constexpr double near = 0.01; // of the speed: the band that just opens is narrower
     const auto within = [&speeds](double at) {
         return std::clamp(at, speeds.front(), speeds.back());
     };
@@ -334,6 +336,7 @@ std::vector<double> thinned(const std::vector<double> &speeds, std::size_t enoug
 /// of a wider band.
 double first_to_grow(const Varied &varied, const Descent &found,
                      const std::vector<double> &speeds) {
+    // Of dI: a band has opened, and is still narrow about where growth begins.
     constexpr double above = 1e-3;
     const double dI = *found.dI * (1 + above);
     const MotionSolver solver = varied.solver(dI);
@@ -385,7 +388,7 @@ permissible_anisotropies(const BandFinder &finder, const std::vector<double> &gr
     const StabilityModel &model = finder.model();
     const balancers::Arrangement &arrangement = finder.arrangement();
     const model::Rotor &rotor = model.rotor;
-    constexpr std::size_t enough = 101;
+    constexpr std::size_t enough = 101; // speeds: as many as search_speeds() takes at least
     const std::vector<double> speeds = grid.size() == 1 ? grid : thinned(grid, enough);
     std::vector<results::PermissibleAnisotropy> out;
     for (std::size_t i = 0; i < rotor.anisotropies.size(); ++i) {

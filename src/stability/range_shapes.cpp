@@ -40,7 +40,7 @@ using MotionVectors = std::vector<Eigen::VectorXcd>;
 /// the speed, for combination resonances in rotating axes, and all that may begin or cease to grow.
 /// Where something drives all, those that grow are looked at as far as there are shapes.
 double reach_at(double speed, const model::Rotor &rotor, results::Form form) {
-    constexpr double slow = 1.3;
+    constexpr double slow = 1.3; // of the speed: a little above it, as said above
     const double growing = growth_reach(rotor, form, std::abs(speed));
     return std::max(slow * std::abs(speed), std::isfinite(growing) ? growing : 0);
 }

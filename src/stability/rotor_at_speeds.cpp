@@ -86,6 +86,7 @@ double inverse_size(const ZeroRootSystem &system, double speed) {
         return HUGE_VAL;
     Eigen::VectorXd x = linalg::deterministic_vector(static_cast<int>(A.rows())).normalized();
     double size = 0;
+    // Steps of inverse iteration from any vector: the order of size is asked for.
     constexpr int enough = 4;
     for (int k = 0; k < enough; ++k) {
         lu.solve(x);
@@ -141,7 +142,7 @@ std::vector<linalg::ComplexPair> pairs_up_to(const ZeroRootSystem &system, doubl
     linalg::QuadraticOptions options;
     options.fewest = 1;
     options.negligible = suspicious * top; // blurred: judged by themselves
-    constexpr int small = 150;
+    constexpr int small = 150; // unknowns up to which all roots are found densely without trying
     const auto all = static_cast<int>(system.K.rows());
     const int most = all <= small ? 0 : all / 5; // small: all finite roots, there may be few
     options.method = linalg::QuadraticMethod::toar;
@@ -181,7 +182,7 @@ bool refine(const ZeroRootSystem &system, linalg::ComplexPair &pair) {
     linalg::SparseFactor<Complex> lu;
     Complex W = pair.value;
     Eigen::VectorXcd x = pair.vector;
-    constexpr int most_steps = 12;
+    constexpr int most_steps = 12; // a guard: Newton's method is quadratic
     double before = HUGE_VAL;
     for (int step = 0; step < most_steps; ++step) {
         const Sparse slope = Ks + 2.0 * W * Kss;
@@ -197,6 +198,7 @@ bool refine(const ZeroRootSystem &system, linalg::ComplexPair &pair) {
         if (!std::isfinite(part))
             return false;
         if (part <= 1e-13 || (part <= 1e-10 && part >= 0.3 * before)) {
+            // Of its modulus: what is farther is another root than the reduced rotor's.
             constexpr double same_root = 1e-3;
             const bool same = std::abs(W - pair.value) <= same_root * std::abs(pair.value);
             pair.value = W;
@@ -331,6 +333,7 @@ bool same_at_all_speeds(const StabilityModel &model,
 }
 
 std::vector<double> search_speeds(const model::SpeedRange &range) {
+    // Speeds: steps of 1 % of the range, halved where motions are not followed.
     constexpr int fewest = 101;
     model::SpeedRange finer = range;
     if (range.count > 1)

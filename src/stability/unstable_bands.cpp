@@ -144,6 +144,7 @@ double weight(double before, double now) {
 } // namespace
 
 double SignBracket::next() {
+    // Steps of regula falsi that may leave more than half of the bracket, then a bisection.
     constexpr int patience = 3;
     if (width() <= 0.5 * _wide) {
         _wide = width();

@@ -154,7 +154,7 @@ double WholeRoots::rounding(const At &at, Complex l, const Eigen::VectorXcd &x,
 
 std::optional<BranchPoint> WholeRoots::in_piece(const At &piece, Complex l,
                                                 const Eigen::VectorXcd &start) const {
-    constexpr int most_steps = 20;
+    constexpr int most_steps = 20;    // a guard: cubic with both vectors
     constexpr double settled = 1e-13; // relative, of the step that would follow
     // Steps below this part that shrink no more are rounding, which very stiff meshes have; so are
     // larger ones within what rounding of the entries can cause.

@@ -94,6 +94,7 @@ void sort_ascending(SynchronousModes &list) {
 /// Shapes up to a frequency; more where less does not hold the rotor against bearings that push
 /// away.
 SharedShapes shapes_up_to(const Discretization &d, double top, int modes) {
+    // The last holds bearings that push away up to 256 times the first frequency.
     constexpr int most_attempts = 5;
     for (int attempt = 1;; ++attempt, top *= 4)
         try {

@@ -117,6 +117,7 @@ struct Cubic {
 /// Zeros of the cubic as u; none where their number is doubtful.
 /// @param unseen  relative: what the ends do not know of the speeds between
 std::optional<std::vector<double>> zeros_of(const Cubic &cubic, double unseen) {
+    // Of a cubic: three zeros at most, each bracketed unless two lie in one part.
     constexpr int parts = 32;
     const double last = cubic.from + cubic.h;
     const double doubt =
@@ -151,7 +152,7 @@ std::vector<double> rows_at_once(const std::vector<double> &bends, const std::ve
                                  std::size_t first) {
     std::vector<double> out{rows[first], rows[first + 1]};
     for (std::size_t next = first + 2; next < rows.size(); ++next) {
-        constexpr double widest = 2;
+        constexpr double widest = 2; // an octave: over more the motion is no cubic of the speed
         const bool bend = std::ranges::binary_search(bends, out.back());
         if (bend || rows[next] > widest * out.front())
             break;
@@ -237,6 +238,8 @@ class Follower {
     static bool hides_motions(const Sample &a, const Sample &b, int depth) {
         constexpr double long_step = 0.1; // of the speed
         constexpr int deepest = 8;        // from speed zero on no step is short
+        // A motion whose modulus is five times the speed does not come down to 1x in one
+        // step.
         constexpr double far = 5;
         const auto heavy = [&](const Sample &end) {
             return std::ranges::any_of(end.heavy, [&](double size) {
@@ -441,7 +444,7 @@ class GapCount {
                 doubtful.emplace_back(from, to);
             else
                 search(from + aside, *first, to - aside, *last);
-            constexpr double beside = 1e-3;
+            constexpr double beside = 1e-3; // of the speed: as far as counts are taken aside
             if (first && expected && *first != *expected) // not all of them are found there
                 doubtful.emplace_back((1 - beside) * from, (1 + beside) * from);
             expected = last;
@@ -488,6 +491,7 @@ class GapCount {
     }
 
     void search(double a, int at_a, double b, int at_b) {
+        // Of the speed: roots nearer together than this are one entry, said to be doubtful.
         constexpr double isolated = 1e-6;
         if (at_a == at_b)
             return;

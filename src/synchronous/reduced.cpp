@@ -193,6 +193,7 @@ std::vector<ReducedRoot> ReducedSynchronous::any(const Dense &at, int zeros) con
     std::vector<ReducedRoot> out;
     for (modes::Root &root :
          modes::all_roots<Complex>({at.M, at.D, at.K, {}, {}}, 0.1 * _scale, zeros)) {
+        // Of the modulus: imaginary part of a real root by the complex solver.
         constexpr double rounding = 1e-9;
         constexpr double far = 1e4;    // of the slow motions
         constexpr double known = 1e-2; // relative
@@ -245,7 +246,7 @@ std::vector<ReducedRoot> ReducedSynchronous::at(double speed, std::size_t piece,
             now.D += (speed - rows[piece]) * rate.D;
             now.K += (speed - rows[piece]) * rate.K;
         }
-        constexpr std::size_t most = 4;
+        constexpr std::size_t most = 4; // speeds: the ends of the pieces in work
         if (_known.size() == most)
             _known.erase(_known.begin());
         known = _known.insert(_known.end(), {speed, piece, all_at(now, zeros_at(speed, piece))});

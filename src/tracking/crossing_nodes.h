@@ -10,7 +10,7 @@
 
 namespace whirl::tracking {
 
-constexpr int no_line = -1;
+constexpr int no_line = -1; ///< no line has this number
 
 /// A spectrum with the line of each of its modes.
 struct Node {

@@ -73,6 +73,7 @@ std::optional<Search> search_of(const SweepNodes &nodes, std::size_t k, const Li
 /// @returns nothing where it is lost
 std::optional<FollowedCrossing> settled(const modes::SpectrumSolver &solver, Search search,
                                         double multiple) {
+    // With a factor of 100 each six reach rounding; twice as many for poor slopes.
     constexpr int most_steps = 12;
     constexpr double another = 0.1; // of the step's change, from where the cubic leads
     const double change = std::abs(search.b - search.a);

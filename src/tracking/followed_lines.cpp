@@ -70,6 +70,7 @@ FollowedLines followed_lines(const modes::SpectrumSolver &solver, const std::vec
                              int modes, bool follow, const std::vector<double> &nodes) {
     const int more_modes = std::max(4, modes / 2);
     int computed = modes_to_follow(solver.discretization().rotor(), modes);
+    // Each asks for half as many modes more; lines lost after them are reported as gaps.
     constexpr int attempts = 4;
     FollowedLines out;
     std::vector<char> again(speeds.size(), 1);

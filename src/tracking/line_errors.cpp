@@ -60,7 +60,9 @@ void carry(std::vector<std::optional<double>> &values, const std::vector<double>
 std::vector<double>
 along(std::size_t count,
       const std::function<std::vector<double>(const std::vector<std::size_t> &)> &of) {
+    // An estimate costs a finer spectrum: every fourth speed to begin with.
     constexpr std::size_t stride = 4;
+    // Ratio of errors that count as equal: within the safety factor of estimates, 1.25.
     constexpr double like = 1.2;
     std::vector<double> out(count);
     const auto ask = [&](const std::vector<std::size_t> &places) {
@@ -156,7 +158,7 @@ std::vector<double> refined_errors(const mesh_error::FinerModel &finer,
 /// Motions of Hill's series so slow that those of a finer mesh are far away beside the aliases of
 /// others, and take long to find.
 bool many_terms(const modes::SpectrumSolver &solver, const modes::Spectrum &spectrum) {
-    constexpr Eigen::Index many = 25;
+    constexpr Eigen::Index many = 25; // terms of the series, each as large as the rotor
     return solver.form() == results::Form::hill && spectrum.speed != 0 &&
            std::ranges::any_of(spectrum.modes, [&](const modes::WhirlMode &mode) {
                return mode.rotating_vector.size() > many * solver.unknowns();

@@ -96,7 +96,7 @@ class Series {
 std::vector<double> naming_speeds(const model::SpeedRange &range) {
     if (range.count == 1)
         return {range.from};
-    constexpr std::size_t steps = 10;
+    constexpr std::size_t steps = 10; // names must not depend on the number of speeds asked for
     const std::vector<double> own = range.values();
     const double last = static_cast<double>(steps);
     std::vector<double> out;
@@ -111,6 +111,7 @@ std::vector<double> naming_speeds(const model::SpeedRange &range) {
 }
 
 std::vector<double> followed_speeds(const model::Rotor &rotor, const model::SpeedRange &range) {
+    // Rows that are followed, each a spectrum; longer tables are thinned evenly.
     constexpr std::size_t most_rows = 40;
     std::vector<double> rows = rotor.table_bends();
     std::erase_if(rows, [&range](double row) {

@@ -150,6 +150,7 @@ int expected_at(const Snapshot &a, const Snapshot &b, Eigen::Index i) {
 /// By the vectors of a mode at two speeds.
 bool nearly_alike(const modes::ModeBasis &a, const modes::ModeBasis &b, Eigen::Index i,
                   Eigen::Index j) {
+    // The product is 1 for a mode and itself and 0 for two modes of one speed.
     constexpr double nearly = 0.1;
     return std::abs(modes::overlap(a, b, i, j) - 1.0) < nearly;
 }
@@ -243,7 +244,7 @@ bool may_veer(const Snapshot &a, const Snapshot &b, const Matching &matching, in
 
 bool may_turn_real(const Snapshot &a, const Snapshot &b, const Matching &matching) {
     constexpr double heavily = 0.3; // |Re| over Im at both ends
-    constexpr int parts = 16;
+    constexpr int parts = 16;       // of the step, in which a cubic is tried
     const double step = b.spectrum.speed - a.spectrum.speed;
     for (std::size_t i = 0; i < matching.to.size(); ++i) {
         const int j = matching.to[i];
@@ -319,6 +320,7 @@ void keep_larger_parts(const Snapshot &a, const Snapshot &b, std::vector<int> &t
     const auto change = [&](std::size_t i, int j) {
         return std::abs(value(b.spectrum, j) - value(a.spectrum, static_cast<Eigen::Index>(i)));
     };
+    // Of the change: only where values leave no doubt that two modes were exchanged.
     constexpr double much_less = 0.1;
     const auto exchange = [&](std::size_t i, std::size_t k) {
         return to[i] != Matching::none && to[k] != Matching::none && turns(i, to[i]) &&

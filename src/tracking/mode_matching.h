@@ -23,9 +23,9 @@ enum class Absence {
 
 /// Modes of one speed paired with those of another.
 struct Matching {
-    static constexpr int none = -1;
-    std::vector<int> to;   ///< place of the continuation, or `none`
-    std::vector<int> from; ///< the same seen from the other speed
+    static constexpr int none = -1; ///< no place in a list
+    std::vector<int> to;            ///< place of the continuation, or `none`
+    std::vector<int> from;          ///< the same seen from the other speed
     bool ambiguous = false;
     /// That is so for no more than modes which end or begin on the real axis in between.
     bool but_for_ends = false;

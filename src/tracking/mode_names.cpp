@@ -57,8 +57,8 @@ ModeNames::ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRang
         if (left && attempt > 0)
             *left -= static_cast<int>(_speeds.size());
         if (tracking.cut_short || left.value_or(0) < 0)
-            throw model::AnalysisFailure("following the lines takes more speeds than names are "
-                                         "worth");
+            throw model::AnalysisFailure(
+                "following the lines for mode names takes too many speeds");
         if (std::ranges::none_of(tracking.lines, [&](const Line &line) {
                 return comes_from_beyond(line, _spectra, asked, wanted);
             }))
@@ -141,7 +141,7 @@ names_of_critical(const ModeNames &names,
         // A mode at that speed is off its synchronous eigenvalue by the slope of its frequency over
         // the speed, well below 1, times its real part.
         const double within = 0.05 * value.imag() + 0.5 * std::abs(value.real());
-        constexpr double clear = 2;
+        constexpr double clear = 2; // the next mode of this whirl must be twice as far away
         return names.nearest(value.imag(), {value.imag(), value, within, clear, qualifies});
     };
     std::vector<std::string> out;

@@ -244,7 +244,7 @@ class ChainLines {
     [[nodiscard]] Absence before(std::size_t line) const { return _before[line]; }
     [[nodiscard]] Absence after(std::size_t line) const { return _after[line]; }
 
-    static constexpr int absent = -1;
+    static constexpr int absent = -1; ///< no line has this number
 
   private:
     const Chain &_chain;

@@ -12,7 +12,7 @@ namespace whirl::tracking {
 /// A whirl mode followed over the spin speeds: its place in the spectrum of each speed, or
 /// `absent`, and then why.
 struct Line {
-    static constexpr int absent = -1;
+    static constexpr int absent = -1; ///< no place in a spectrum
     std::vector<int> place;
     std::vector<Absence> absence;
 };

@@ -140,7 +140,7 @@ TEST(Margins, AreThoseOfEveryProbeTheLargestReadingFirst) {
     std::vector<results::Sentence> notes;
     (void)separation_margins(running, {critical(900, Whirl::forward, 4)}, peaks, false, notes);
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_NE(notes[0].find("z = 0.1 m reads at its peak, 905 rad/s"), std::string::npos);
+    EXPECT_NE(notes[0].find("the peak of probe at z = 0.1 m, 905 rad/s"), std::string::npos);
 }
 
 // Rotors and bearings both anisotropic have no critical speeds: what is of one resonance is seen by
@@ -203,7 +203,7 @@ TEST(Margins, SayWhyACriticalSpeedIsNotAmongThem) {
         notes_of(speeds, {peak("probe", 0, 301, 1e-6, 9), peak("probe", 0, 710, 1e-6, 2.3)}, true);
     ASSERT_EQ(damped.size(), 1U);
     EXPECT_NE(damped[0].find("forward critical speed 700 rad/s"), std::string::npos);
-    EXPECT_NE(damped[0].find("shows a factor of 2.3, below 2.5"), std::string::npos);
+    EXPECT_NE(damped[0].find("has an amplification factor of 2.3, below 2.5"), std::string::npos);
 }
 
 /// The damping ratio -Re/|lambda| of m l^2 + c l + k is zeta: AF = 1/(2 zeta).

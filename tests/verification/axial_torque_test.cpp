@@ -190,7 +190,7 @@ TEST(AxialTorque, ThatDrivesMotionsIsNamed) {
         return std::any_of(result.model.notes.begin(), result.model.notes.end(),
                            [](const std::string &note) {
                                return note.find("has no potential") != std::string::npos &&
-                                      note.find("none grows there") != std::string::npos;
+                                      note.find("no mode grows there") != std::string::npos;
                            });
     };
     const results::StabilityResult driven = analyses::stability(scene, {});

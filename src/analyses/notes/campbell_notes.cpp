@@ -34,7 +34,7 @@ Sentence absence_note(tracking::Absence why, const std::string &labels, bool sev
     case tracking::Absence::beyond:
         return Sentence("{} {} beyond the computed modes at some speeds", who, verb("lies", "lie"));
     default:
-        return Sentence("{} could not be followed to some speeds; {} {} on there as {}", who, they,
+        return Sentence("{} could not be followed to some speeds: {} {} on there as {}", who, they,
                         verb("goes", "go"), verb("another line", "other lines"));
     }
 }
@@ -69,7 +69,7 @@ void note_growing(results::CampbellResult &result) {
         if (!at.empty())
             lines.emplace_back("{} ({})", mode.label, as::speed.range(at.front(), at.back()));
     }
-    constexpr std::size_t listed = 4;
+    constexpr std::size_t listed = 4; // by name: a longer list is not read
     if (lines.empty())
         return;
     const std::size_t more = lines.size() - std::min(listed, lines.size());
@@ -103,8 +103,8 @@ void note_far_apart(results::CampbellResult &result) {
     }
     if (largest > most)
         result.model.notes.emplace_back(
-            "{} crossings lie between two neighbouring speeds, {}: modes that exchange their "
-            "places in between can cross unseen; take more speeds{}",
+            "{} crossings lie within one step of speed, {}: a crossing and "
+            "its return within it would be missed; raise speeds.count{}",
             largest, as::speed.range(result.speeds[at - 1], result.speeds[at]),
             critical_knows(result) ? ", or `critical`, which needs none" : "");
 }
@@ -116,8 +116,8 @@ void note_real(results::CampbellResult &result, const std::vector<modes::Spectru
     if (diverging > 0) {
         const auto worst = std::ranges::max_element(divergence); // none is less than any
         result.model.notes.emplace_back(
-            "divergence (static instability) at {} of {} speeds: a real eigenvalue of {} at {}, "
-            "motion grows without whirling",
+            "divergence (static instability) at {} of {} speeds, with a "
+            "real eigenvalue of {} at {}",
             diverging, spectra.size(), as::rate(**worst).with_sign(),
             as::speed(result.speeds[static_cast<std::size_t>(worst - divergence.begin())]));
     }
@@ -126,8 +126,8 @@ void note_real(results::CampbellResult &result, const std::vector<modes::Spectru
         overdamped = std::max(overdamped, spectrum.overdamped.size() - spectrum.growing.size());
     if (overdamped > 0)
         result.model.notes.emplace_back(
-            "up to {} motions at a speed are overdamped and do not whirl (real eigenvalues, and "
-            "pairs with a damping ratio above {}): they have no line and no crossings",
+            "up to {} modes at a speed are overdamped (real eigenvalue, or "
+            "damping ratio above {}) and have no line and no crossings",
             overdamped, as::number(modes::overdamped_ratio, 4));
 }
 
@@ -139,8 +139,8 @@ void note_no_peaks(results::CampbellResult &result) {
             speeds.push_back(c.speed);
     if (!speeds.empty())
         result.model.notes.emplace_back(
-            "crossings of 1x with a damping ratio above 1/sqrt(2), at {}, make no peak in a "
-            "response{}",
+            "1x crossings with a damping ratio above 1/sqrt(2), at {}, "
+            "give no response peak{}",
             as::speed.list(speeds), critical_knows(result) ? "; `critical` leaves them out" : "");
 }
 
@@ -152,12 +152,11 @@ void note_short_bands(results::ModelSummary &model, bool by_steps,
     if (model.formulation.form != results::Form::hill)
         return;
     if (by_steps)
-        model.notes.push_back("a motion that comes to stay on a multiple of the spin speed and "
-                              "leaves it again within one step of the speeds may not be listed");
+        model.notes.push_back("a mode locked on a multiple of the spin speed for less than "
+                              "one step of speed may not be listed");
     else if (std::ranges::any_of(multiples, [](double m) { return m != 1; }))
-        model.notes.push_back("a motion that comes to stay on another multiple of the spin speed "
-                              "than 1x and leaves it again within a 200th of the range may not be "
-                              "listed");
+        model.notes.push_back("a mode locked on a multiple of the spin speed other than 1x "
+                              "for less than a 200th of the range may not be listed");
 }
 
 void note_few(results::ModelSummary &model, const std::vector<modes::Spectrum> &spectra,
@@ -166,17 +165,16 @@ void note_few(results::ModelSummary &model, const std::vector<modes::Spectrum> &
         return static_cast<int>(s.modes.size()) < wanted;
     });
     if (few)
-        model.notes.emplace_back(
-            "at some speed fewer than the {} whirl modes asked for exist, or double precision does "
-            "not resolve more beside the others: all found are listed",
-            wanted);
+        model.notes.emplace_back("at some speeds fewer than the {} whirl modes asked for exist "
+                                 "or are resolved in double precision: all found are listed",
+                                 wanted);
 }
 
 /// Stretches of speed in which something was not found, each by itself while they are few.
 void note_gaps(results::ModelSummary &model, const std::vector<tracking::Gap> &gaps,
                const char *what) {
     using tracking::Gap;
-    constexpr std::size_t few = 3;
+    constexpr std::size_t few = 3; // named one by one: a longer list is not read
     if (gaps.size() <= few) {
         for (const Gap &gap : gaps)
             model.notes.emplace_back("from {} {} (frequency near {})",
@@ -194,9 +192,9 @@ void note_gaps(results::ModelSummary &model, const std::vector<tracking::Gap> &g
 
 /// Whirl modes of a rotor whose equations stay periodic in time that are not confirmed
 /// (modes::WhirlMode), next to rest.
-/// @param reduction_basis  they are those of the reduced rotor, else of a series cut off
+/// @param reduced  they are those of the reduced rotor, else of a series cut off
 void note_unconfirmed(results::ModelSummary &model, const std::vector<modes::Spectrum> &spectra,
-                      bool reduction_basis) {
+                      bool reduced) {
     std::vector<double> speeds;
     for (const modes::Spectrum &spectrum : spectra)
         if (std::ranges::any_of(spectrum.modes,
@@ -204,13 +202,13 @@ void note_unconfirmed(results::ModelSummary &model, const std::vector<modes::Spe
             speeds.push_back(std::abs(spectrum.speed));
     if (speeds.empty())
         return;
-    model.notes.emplace_back(
-        "at {} of {} speeds, up to {}, but not at rest, frequencies change by far more than the "
-        "spin speed within a turn: whirl speeds without an error bar there are those of {} and may "
-        "be wrong; modes may be missing at these speeds, with faster ones in their place",
-        speeds.size(), spectra.size(), as::speed(*std::ranges::max_element(speeds)),
-        reduction_basis ? "the reduced rotor, not confirmed on the full model"
-                        : "a series with too few harmonics");
+    model.notes.emplace_back("at {} of {} speeds, up to {}, the spin speed is far below the "
+                             "natural frequencies: whirl speeds without an error bar there "
+                             "come from {} and may be wrong, and modes may be missing",
+                             speeds.size(), spectra.size(),
+                             as::speed(*std::ranges::max_element(speeds)),
+                             reduced ? "the reduced rotor, not confirmed on the full model"
+                                     : "a Hill series with too few harmonics");
 }
 
 /// Crossings and intervals that are listed at some of these speeds (Crossings::unconfirmed).
@@ -225,9 +223,10 @@ void note_unconfirmed(results::CampbellResult &result, const std::vector<double>
             if (is(end))
                 listed.insert(end);
     if (!listed.empty())
-        result.model.notes.emplace_back("crossings and ends of intervals at {} are those of the "
-                                        "reduced rotor, not confirmed on the full model",
-                                        as::speed.list({listed.begin(), listed.end()}, 10));
+        result.model.notes.emplace_back(
+            "crossings and ends of locked intervals at {} come from the "
+            "reduced rotor and are not confirmed on the full model",
+            as::speed.list({listed.begin(), listed.end()}, 10));
 }
 
 } // namespace
@@ -244,8 +243,8 @@ void add_campbell_notes(const model::CampbellSettings &settings,
     note_few(result.model, found.spectra, settings.modes);
     note_gaps(result.model, found.tracking.gaps, "a mode could not be followed");
     note_gaps(result.model, crossed.unsettled,
-              "a frequency changes sides of a multiple of the spin speed without a crossing that "
-              "could be verified");
+              "a mode passes a multiple of the spin speed, but its crossing "
+              "could not be verified");
     note_unconfirmed(result.model, found.spectra, periodic);
     note_unconfirmed(result, crossed.unconfirmed);
 }

@@ -91,7 +91,7 @@ FasterBands faster_bands(const ends::AllMotions &motions, double top,
             continue;
         double low = i == 0 ? speeds.front() : speeds[i - 1];
         double high = speeds[i];
-        constexpr int halvings = 10;
+        constexpr int halvings = 10; // 1/1024 of a step, which is the stated error
         for (int k = 0; k < halvings && low < high; ++k) {
             const double middle = (low + high) / 2;
             const bool grows = motions.fastest_growing(middle, top).value.real() > 0;
@@ -144,25 +144,25 @@ void note_resolved(results::StabilityResult &result) {
         return;
     const std::size_t ends = result.unresolved_ends.size();
     result.model.notes.emplace_back(
-        "growing motions are counted up to frequencies of {}, at every speed: up to there these "
-        "elements give the frequencies of the modes at rest to 1 %. What drives the rotor drives "
-        "faster motions too, as many as there are elements, other ones on another mesh: growth and "
-        "verdict are of all of them, resolved_growth and resolved_verdict of those up to there{}",
+        "this mesh resolves modes up to {} (frequencies at rest to 1 "
+        "%): only those enter resolved_growth and resolved_verdict, "
+        "while growth and verdict include faster unstable modes, which "
+        "change with the mesh{}",
         as::frequency(result.resolved_up_to.value()),
         ends == 0 ? ""
-                  : fmt::format("; of faster ones {} where one begins or ceases to grow {} listed "
-                                "apart (unresolved_ends), others may be missing",
-                                ends == 1 ? "the one speed" : fmt::format("{} speeds", ends),
-                                ends == 1 ? "is" : "are"));
+                  : fmt::format("; unresolved_ends lists {} of faster modes, others may be "
+                                "missing",
+                                ends == 1 ? "one stability limit"
+                                          : fmt::format("{} stability limits", ends)));
 }
 
 void note_negative_damping(const model::Rotor &rotor, results::StabilityResult &result) {
     const bool grows = std::ranges::any_of(result.growth, [](double value) { return value > 0; });
     if (grows && !rotor.shaft.rigid && has_negative_damping(rotor))
         result.model.notes.emplace_back(
-            "a bearing or seal has negative damping, which drives motions of every frequency: "
-            "growth can be that of a motion as fast as the elements resolve, and rises with their "
-            "number and order; campbell has the growth of the slow modes");
+            "negative damping of a bearing or seal destabilises modes of "
+            "every frequency, so the largest growth rises with mesh "
+            "refinement: judge the slow modes by `campbell`");
 }
 
 /// Growth at a speed, 1/s.
@@ -190,15 +190,14 @@ void note_torque(const stability::StabilityModel &model, results::StabilityResul
         if (left > 0.9 * *fastest)
             return;
         result.model.notes.emplace_back(
-            "an axial torque of this kind has no potential and does work on a shaft whose ends "
-            "tilt: it drives motions that grow by {} at {}; with torque_kind = "
-            "\"semitangential\", which has a potential, {}. Damping of the shaft (beta, "
-            "internal_damping) holds fast motions; without it how many grow, and ends of growth of "
-            "motions as fast as the elements resolve, change with their number and order: campbell "
-            "has the slow modes",
+            "this kind of axial torque has no potential and destabilises "
+            "modes, by {} at {}; with torque_kind = \"semitangential\" {}; "
+            "without shaft damping (beta, internal_damping) the unstable "
+            "fast modes change with the mesh: judge the slow ones by "
+            "`campbell`",
             as::rate(*fastest, 4), as::speed(speed),
-            left > 0 ? Sentence("{} are left there", as::rate(left, 4))
-                     : Sentence("none grows there"));
+            left > 0 ? Sentence("{} remain there", as::rate(left, 4))
+                     : Sentence("no mode grows there"));
     } catch (const model::Failure &) { // no more than a note
     }
 }

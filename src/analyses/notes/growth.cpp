@@ -30,7 +30,7 @@ bool may_grow(const model::Rotor &rotor) {
 
 /// Speeds of the case, evenly, its ends among them.
 std::vector<double> some_speeds(const model::SpeedRange &range) {
-    constexpr int most = 13;
+    constexpr int most = 13; // speeds, each a spectrum; the note names ranges only
     const std::vector<double> all = range.values();
     const auto n = static_cast<int>(all.size());
     std::vector<double> out;
@@ -47,6 +47,8 @@ double growth_at(const modes::SpectrumSolver &solver, double speed, int wanted) 
     for (const double real : spectrum.growing)
         out = std::max(out, real);
     for (const modes::WhirlMode &mode : spectrum.modes) {
+        // Of frequency or speed, where the solver states hardly any error: an undamped
+        // rotor must not grow.
         constexpr double always = 1e-9;
         const double noise = (always + 10 * (mode.residual + mode.rounding)) *
                              std::max(std::abs(mode.eigenvalue), std::abs(speed));
@@ -88,14 +90,14 @@ void note_growing_motions(const model::Case &scene, results::ModelSummary &model
     const auto over = as::speed.range(growing.front(), growing.back());
     if (growing.size() == speeds.size() && speeds.size() > 1) {
         model.notes.emplace_back("unstable at every speed: free motions grow at all {} speeds "
-                                 "examined, from {} (fastest by {} at {}): no rotor stays in a "
-                                 "steady motion",
+                                 "examined, from {} (fastest by {} at {}), so that no steady "
+                                 "motion persists",
                                  speeds.size(), over, as::rate(largest, 4), as::speed(worst));
         return;
     }
-    model.notes.emplace_back("unstable: free motions grow at {} of {} speeds examined, from {} "
-                             "(fastest by {} at {}): no rotor stays in the steady motion given for "
-                             "these speeds; `stability` finds where it begins",
+    model.notes.emplace_back("unstable: free motions grow at {} of {} speeds examined, from "
+                             "{} (fastest by {} at {}), where the steady motion stated does "
+                             "not persist; `stability` finds the onset speed",
                              growing.size(), speeds.size(), over, as::rate(largest, 4),
                              as::speed(worst));
 }

@@ -23,7 +23,7 @@ struct Complex4 {
     }
     [[nodiscard]] std::complex<double> at(int lane) const { return {re[lane], im[lane]}; }
 };
-constexpr int lanes = 4;
+constexpr int lanes = 4; ///< doubles in a register of 256 bits, Real4
 
 /// Four complex vectors, entry by entry.
 using Vector4 = std::vector<Complex4>;

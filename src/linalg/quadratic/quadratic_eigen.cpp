@@ -133,7 +133,7 @@ double blur_of_zeros(const std::vector<ComplexPair> &pairs, int zeros) {
 /// that its residual shows, or by that of its inverse distance. This is a multiple of rounding for
 /// simple eigenvalues and of its root for the double ones at infinity of parts without mass.
 std::vector<double> nearest_places(const std::vector<ComplexPair> &pairs, double shift) {
-    constexpr double of_inverse = 1e-6;
+    constexpr double of_inverse = 1e-6; // some 70 times the root of rounding
     std::vector<double> out;
     const double first = pairs.empty() ? 0 : std::abs(pairs.front().value - shift);
     for (const ComplexPair &pair : pairs) { // ascending by distance

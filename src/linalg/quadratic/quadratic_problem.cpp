@@ -205,7 +205,7 @@ void QuadraticProblem::assess_condition(std::vector<ComplexPair> &pairs) {
 
 double QuadraticProblem::polish_near_zero(ComplexPair &pair) const {
     using SparseComplex = Eigen::SparseMatrix<std::complex<double>>;
-    constexpr double unknown = 1;
+    constexpr double unknown = 1; // relative error: not one digit is known
     const auto at = [this](std::complex<double> l) {
         return SparseComplex(l * l * _M + l * _D + _K.cast<std::complex<double>>());
     };

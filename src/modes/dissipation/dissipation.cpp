@@ -180,6 +180,7 @@ Eigen::MatrixXcd group_motions(const balancers::SmallMotions &parts, const Eigen
 /// Pseudo-inverse of v -> 1/2 (v - D conj v) over (Re v, Im v): along sqrt(D) v shrinks to
 /// (1 - |D|) / 2 of it, across to (1 + |D|) / 2.
 Eigen::Matrix2d drive_inverse(Complex D) {
+    // Of a difference of two numbers of order 1.
     constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
     const double size = std::abs(D);
     const double c = std::cos(std::arg(D) / 2);

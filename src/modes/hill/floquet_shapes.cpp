@@ -53,6 +53,7 @@ class Search {
           _planar(d, 2 * std::abs(top), wanted) {}
 
     std::shared_ptr<const Eigen::MatrixXd> run() {
+        // Rounds in which motions that the shapes lack at a speed are added.
         constexpr int tries = 8;
         choose_speeds();
         for (const double speed : _speeds)
@@ -81,6 +82,7 @@ class Search {
     /// Of slow speeds those that are not far slower than all motions: nearer to rest these add to
     /// the same shapes, and it takes long to follow them there.
     void choose_speeds() {
+        // Of slow(), from which motions are followed down: a little of the way.
         constexpr double slowest = 0.25;
         const auto shapes = std::make_shared<const Eigen::MatrixXd>(_planar.matrix());
         const RotatingSpectrum rotor(_d, 0, _balancers, few_harmonics, shapes.get());

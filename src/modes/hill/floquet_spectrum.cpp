@@ -117,7 +117,8 @@ std::optional<Spectrum> FloquetSpectrum::up_to(double speed, double reach, bool 
 }
 
 std::optional<Spectrum> FloquetSpectrum::by_monodromy(double speed, int wanted) const {
-    constexpr double more = 1.5;
+    constexpr double more = 1.5; // growth of the reach a try: each costs a spectrum
+    // So that modes a little faster at the next speed need no second try.
     constexpr double margin = 1.15;
     const double size = std::abs(speed);
     const double all = of_average * steady(speed).fastest + turning * size;
@@ -149,6 +150,7 @@ std::optional<Spectrum> FloquetSpectrum::by_monodromy(double speed, int wanted) 
 /// A power of one ratio, so that motions are followed from the same speed whatever is asked for.
 double FloquetSpectrum::slow() const {
     constexpr double part = 0.2; // of the slowest motion at rest
+    // Coarse, so that ranges that differ little begin at the same speed.
     constexpr double ratio = 1.2;
     if (_slow)
         return *_slow;
@@ -214,7 +216,7 @@ const RotatingSpectrum &FloquetSpectrum::series(double speed, int harmonics) con
 
 /// With as few harmonics as leave hardly anything at the ends.
 Spectrum FloquetSpectrum::by_series(double speed, int wanted) const {
-    constexpr int fewest = 2;
+    constexpr int fewest = 2; // harmonics to begin with: each is checked by its last terms
     const Eigen::Index n = _rotor.system().M.size();
     for (int harmonics = std::min(fewest, _rotor.harmonics());; ++harmonics) {
         Spectrum out = series(speed, harmonics).modes(speed, wanted, Errors::of_right_vectors);

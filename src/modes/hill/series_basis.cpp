@@ -138,6 +138,7 @@ ModeBasis series_basis(const Eigen::SparseMatrix<double> &mass, Eigen::Index par
 }
 
 Eigen::VectorXcd rates_between(const Spectrum &spectrum, const Spectrum &beside) {
+    // Change of an eigenvalue over that of the speed: more is another mode (as branch_point.h).
     constexpr double steepest = 100;
     constexpr double clearly = 0.1; // of the distance of the next one
     const double step = beside.speed - spectrum.speed;

@@ -35,6 +35,7 @@ linalg::ComplexPair series_pair(const RotatingSpectrum &rotor, double speed,
         return conjugate ? Eigen::VectorXcd(terms.col(at).conjugate())
                          : Eigen::VectorXcd(terms.col(at));
     };
+    // Of the largest term: the eigenvalue is off by the square, below rounding.
     constexpr double hardly = 1e-9;
     const Eigen::VectorXd sizes = terms.colwise().norm();
     Eigen::Index harmonics = rotor.harmonics();

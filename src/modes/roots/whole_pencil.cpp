@@ -134,8 +134,8 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
     /// others.
     constexpr double beside = 1e-8;
     constexpr double enough = 1e-13; // of the value: of the order of its rounding
-    constexpr int most_shifts = 8;
-    constexpr int solves = 3; ///< with one shift, at most
+    constexpr int most_shifts = 8;   // cubic in the shift: a guess that needs more is none
+    constexpr int solves = 3;        ///< with one shift, at most
     Vector x = _scales.cwiseInverse().asDiagonal() * guess.right;
     Vector y = _scales.cwiseInverse().asDiagonal() * guess.left;
     x.normalize();
@@ -168,6 +168,8 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
             const Vector off = l * l * right.M + l * right.D + right.K;
             const double size = std::abs(l * slope);
             const double turn = std::max(right_turned, left_turned);
+            // Angle that vectors turn in a step, rad: below it the second-order residual is
+            // meaningful.
             constexpr double near = 0.02;
             constexpr double slow = 0.2; // another shift is better
             if (turn > near) {
@@ -264,6 +266,7 @@ std::optional<bool> complete_within(WholePencil<Scalar> &pencil, const Circle &c
     constexpr double length = real ? std::numbers::pi : 2 * std::numbers::pi;
     constexpr int arcs = real ? 8 : 16;
     constexpr double slow = 0.9; // an arc over which the phase turns by more is halved
+    // Angle, rad: a root as near to the circle, in radii, cannot be said to lie inside.
     constexpr double shortest = 1e-5;
     constexpr double part = 0.38; // unlike parts: not both turn by a multiple of a whole turn
     constexpr int most = 400;     // factorisations: eigenvalues crowd on the circle

@@ -100,6 +100,8 @@ std::optional<linalg::ComplexPair> RotatingPencil::refined(const linalg::Complex
 
 std::optional<linalg::ComplexPair> RotatingPencil::iterated(const linalg::ComplexPair &guess,
                                                             double farthest) {
+    // Cubic: guesses 1e-3 off (`farthest`) need two or three, those that need more lead
+    // elsewhere.
     constexpr int most_steps = 6;
     const bool real = guess.value.imag() == 0;
     linalg::ComplexPair pair = guess;

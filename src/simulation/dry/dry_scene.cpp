@@ -12,8 +12,8 @@ namespace whirl::simulation {
 
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
-constexpr double rounding = 1e-9; ///< rad, of angles as they are written in a case
+constexpr double turn = 2 * std::numbers::pi; ///< rad
+constexpr double rounding = 1e-9;             ///< rad, of angles as they are written in a case
 
 /// The gaps between neighbours around one race.
 void add_gaps(const balancers::TouchingRow &row, int first, const std::vector<double> &angles,

@@ -61,7 +61,8 @@ results::Sentence place_of(const results::StationMotion &station) {
 
 void add_steady_response(const model::Case &scene, int order, results::SimulateResult &result) {
     const bool balancers = !scene.rotor.balancers.empty();
-    const char *judged = balancers ? "; balanced is judged by the amplitude of a free rotor" : "";
+    const char *judged =
+        balancers ? "; `balanced` is judged against the amplitude of a free rotor" : "";
     try {
         const model::Rotor rotor = rotor_at_end(scene, result);
         const bool own = has_imbalance(rotor);

@@ -11,11 +11,11 @@ namespace whirl::simulation {
 namespace {
 
 using std::numbers::pi;
-constexpr int most_windows = 60;
-constexpr int most_samples = 512; ///< in a window, a power of two
-constexpr int least_samples = 64;
-constexpr double reach = 4; ///< spectra go up to so many times the fastest frequency
-constexpr double oversampled = 1.25;
+constexpr int most_windows = 60;      ///< lines of a waterfall that can be seen one by one
+constexpr int most_samples = 512;     ///< in a window, a power of two
+constexpr int least_samples = 64;     ///< of a window: fewer leave hardly a spectrum
+constexpr double reach = 4;           ///< spectra go up to so many times the fastest frequency
+constexpr double oversampled = 1.25;  ///< over Nyquist's rate, for what the window's edges alias
 constexpr double largest_share = 0.1; ///< of the time that a window may take
 
 } // namespace

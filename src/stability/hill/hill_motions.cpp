@@ -15,8 +15,8 @@ namespace {
 using Complex = std::complex<double>;
 using Pairs = std::vector<linalg::ComplexPair>;
 
-constexpr double settled = 1e-8; ///< of the spin speed
-constexpr int fewest_aliases = 8;
+constexpr double settled = 1e-8;  ///< of the spin speed
+constexpr int fewest_aliases = 8; ///< next to zero: some motions that count at every speed
 /// Motions up to this multiple of the spin speed are looked at in any flexible rotor: pairs of them
 /// resonate at twice and four times the spin speed.
 constexpr double slow_motions = 4;
@@ -55,6 +55,7 @@ HillMotions::HillMotions(const assembly::Discretization &discretization,
       _tables(discretization.rotor().bearings_depend_on_speed()), _most(std::max(1, least)),
       _last(_most) {
     const int unknowns = 2 * (discretization.planar_size() + balancers::unknowns_of(_balancers));
+    // Unknowns of a series that a speed may cost; 8 to 32 harmonics whatever it is.
     constexpr int largest_problem = 1600;
     _limit = std::clamp(largest_problem / (2 * unknowns), 8, 32);
 }
@@ -115,6 +116,7 @@ HillMotions::Found HillMotions::at(double signed_speed) const {
         worst = std::max(largest_distance(coarse, before, after, speed, wanted.terms),
                          largest_distance(fine, after, before, speed, wanted.terms));
         if (worst < settled) {
+            // Of what is enough: the next speed begins with a harmonic less.
             constexpr double more_than_enough = 1e-3;
             _last = worst < more_than_enough * settled ? std::max(1, N - 1) : N;
             _most = std::max(_most, N);
@@ -126,12 +128,12 @@ HillMotions::Found HillMotions::at(double signed_speed) const {
         }
         before = std::move(after);
     }
-    throw NotSettled(model::Sentence(
-        "the Hill series does not settle at {}: with {} harmonics eigenvalues still change by {} "
-        "of the spin speed, or motions that grow are too fast for it; the speed "
-        "may lie too low (harmonics lie 2 x speed apart), or the bearings differ too much between "
-        "their directions",
-        model::as::speed(signed_speed), _limit, model::as::number(worst, 2)));
+    throw NotSettled(
+        model::Sentence("the Hill series does not settle at {}: with {} harmonics "
+                        "eigenvalues still change by {} of the spin speed, or unstable "
+                        "modes are too fast for it; raise speeds.from (harmonics lie 2 "
+                        "x speed apart) or check the anisotropy of the bearings",
+                        model::as::speed(signed_speed), _limit, model::as::number(worst, 2)));
 }
 
 } // namespace whirl::stability

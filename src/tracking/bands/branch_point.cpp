@@ -22,7 +22,7 @@ class BranchSearch {
 
     /// @returns false where it was to stop at a jump and there is one
     bool narrow_down(bool stop_at_jump) {
-        constexpr int most = 120;
+        constexpr int most = 120; // a guard: halving alone reaches 1e-11 in 37 steps
         for (int step = 0; step < most && !narrow(); ++step) {
             if (stop_at_jump && _last && jumps_across(_last->square, width(), _inside))
                 return false;

@@ -12,6 +12,7 @@ namespace whirl::tracking {
 /// @param square  of the distance from the multiple, (rad/s)^2
 /// @param width   between the speeds, rad/s
 [[nodiscard]] inline bool jumps_across(double square, double width, double speed) {
+    // The constant of the square-root law is of order 1: 100 of it leaves no doubt of a jump.
     constexpr double steepest = 100;
     return square > steepest * width * std::abs(speed);
 }

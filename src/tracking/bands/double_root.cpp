@@ -136,8 +136,9 @@ class FoldSearch {
 std::optional<DoubleRoot> double_root(const std::function<modes::QuadraticAt(double)> &problem_at,
                                       double speed, double value, const Eigen::VectorXd &shape,
                                       double reach) {
+    // A guard: Newton's method is quadratic, steps limited to `reach` at first.
     constexpr int most = 30;
-    constexpr double converged = 3e-13;
+    constexpr double converged = 3e-13; // of the speed: some thousand units of rounding
     const double scale = std::abs(speed);
     FoldSearch search(problem_at, shape);
     double s = speed;

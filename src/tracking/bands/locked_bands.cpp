@@ -81,7 +81,7 @@ class BandSearch {
     }
     /// On the multiple to both sides too: no mere crossing.
     [[nodiscard]] bool is_locked(const Sides &here, std::ptrdiff_t synchronous) const {
-        constexpr double beside = 1e-8;
+        constexpr double beside = 1e-8; // of the speed: 1000 times the tolerance of the band's ends
         return here.speed != 0 && is_on(here, synchronous) &&
                (is_on(at(here.speed * (1 + beside)), synchronous) ||
                 is_on(at(here.speed * (1 - beside)), synchronous));
@@ -119,6 +119,7 @@ class BandSearch {
     /// Between two speeds, as a part of the way, where a line between both distances passes the
     /// multiple; twice as far as that from an end next to it, so that both ends come close.
     [[nodiscard]] static double passed_at(double from, double to) {
+        // Nearer to an end than a fifth of the step, linear interpolation would creep.
         constexpr double next = 0.2;
         const double part = from / (from + to);
         if (!std::isfinite(from) || !std::isfinite(to) || !(from + to > 0))

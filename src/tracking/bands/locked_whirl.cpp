@@ -31,6 +31,7 @@ bool whirls(const DoubleRoot &end) {
 /// of its borders.
 std::vector<DoubleRoot> roots_between(const modes::SpectrumSolver &solver, const Count &a,
                                       const Count &b) {
+    // Slowest motions: those that may meet; each costs a Newton iteration.
     constexpr std::size_t most = 6;
     const auto problem_at = [&solver](double speed) { return solver.problem_at(speed); };
     std::vector<DoubleRoot> out;
@@ -144,7 +145,9 @@ std::vector<double> synchronous_speeds(const modes::SpectrumSolver &solver, int 
 
 std::vector<LockEnd> ends_over(const modes::SpectrumSolver &solver, double low, double high,
                                int wanted) {
+    // Of the range: the 200th below which the notes say that bands may be missed.
     constexpr int parts = 200;
+    // Of the speed: outside the rounding of an undamped root, which is an end itself.
     constexpr double closely = 1e-7;
     const double margin = 1e-3 * (high - low) / parts;
     const std::vector<double> synchronous = synchronous_speeds(solver, wanted);

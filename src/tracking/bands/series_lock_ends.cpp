@@ -13,6 +13,7 @@ namespace {
 /// With a speed far enough outside that the meeting eigenvalues are apart by much more than their
 /// rounding.
 LockEnd at_branch_point(double speed, bool opens) {
+    // Of the speed: eigenvalues differ by the root of it, 3e-4, far above rounding.
     constexpr double beside = 1e-7;
     return {speed, speed + (opens ? -1 : 1) * beside * std::abs(speed), 0, {}};
 }
@@ -53,8 +54,8 @@ double slowest(const Count &count) {
 /// Motions on higher multiples than these stand in the rotor as aliases that hardly deflect: they
 /// are not of the bands of 1x, and fast ones pass such multiples at every few speeds.
 bool slows_down(const modes::SpectrumSolver &solver, const Count &from, double way) {
-    constexpr double farther = 1.5; // than its slope leads
-    constexpr double highest_multiple = 3;
+    constexpr double farther = 1.5;        // than its slope leads
+    constexpr double highest_multiple = 3; // 1x and 3x, as said above
     modes::Spectrum moving;
     moving.speed = from.speed;
     moving.modes = from.others;
@@ -79,6 +80,8 @@ bool slows_down(const modes::SpectrumSolver &solver, const Count &from, double w
 /// A band that opens and closes between two speeds: outside it a motion turns by no more than about
 /// as much as the speed is away, and less towards it from both.
 bool may_hide_band(const modes::SpectrumSolver &solver, const Count &a, const Count &b) {
+    // A motion locked at its end moves with slope 1 in rotating axes; half as much again allows
+    // for bending.
     constexpr double steepest = 1.5;
     const double width = b.speed - a.speed;
     return slowest(a) + slowest(b) < steepest * width && slows_down(solver, a, width) &&
@@ -88,7 +91,8 @@ bool may_hide_band(const modes::SpectrumSolver &solver, const Count &a, const Co
 /// Modes to ask for so that those that stand between two speeds, and those that may begin to, are
 /// among them.
 int modes_in_play(const Count &a, const Count &b) {
-    constexpr int more = 4;
+    constexpr int more = 4; // modes that may come in from above within the step
+    // Of the highest one at the ends: how far others may come down within the step.
     constexpr double above = 1.5;
     const double speed = std::max(std::abs(a.speed), std::abs(b.speed));
     const double width = b.speed - a.speed;
@@ -113,6 +117,7 @@ int modes_in_play(const Count &a, const Count &b) {
 /// the numbers of locked motions, or how slow the others are.
 void add_series_ends(const modes::SpectrumSolver &solver, const Count &a, const Count &b,
                      int wanted, int halves, std::vector<LockEnd> &ends) {
+    // Halvings: 1/256 of a step; narrower bands are left out, as the notes say.
     constexpr int most = 8;
     if (halves > most || (a.motions == b.motions && !may_hide_band(solver, a, b)))
         return;

@@ -67,7 +67,7 @@ Modes at_speed(const WholeAndReduced &rotors, double speed,
 
 /// Of the whole rotor's modes at rest, found at once, the nearest to each of the guesses.
 Modes at_rest(const WholeAndReduced &rotors, const std::vector<modes::WhirlMode> &guesses) {
-    constexpr std::size_t more = 4;
+    constexpr std::size_t more = 4; // modes above the last guess, should their order differ
     std::vector<modes::WhirlMode> all =
         rotors.whole.at(0, static_cast<int>(guesses.size() + more)).modes;
     Modes out(guesses.size());
@@ -87,6 +87,7 @@ Modes at_rest(const WholeAndReduced &rotors, const std::vector<modes::WhirlMode>
 
 /// Of the reduced rotor those that do not stand still, the nearest ones first.
 std::vector<Next> next_to(const WholeAndReduced &rotors, double multiple, double speed) {
+    // Nearest candidates for one crossing, each a root of the whole rotor.
     constexpr std::size_t enough = 8;
     const double target = multiple * std::abs(speed);
     std::vector<Next> out;
@@ -160,6 +161,8 @@ std::optional<Place> crossing(const WholeAndReduced &rotors, double multiple, do
 /// The same at the speed, or just beside: a motion on the multiple itself is taken for one that
 /// stays there.
 std::optional<Place> crossing(const WholeAndReduced &rotors, double multiple, double speed) {
+    // Of the speed: a motion that locks stays on the multiple there, one that crosses has left
+    // it.
     constexpr double beside = 1e-6;
     const double step = beside * std::abs(speed);
     std::optional<Place> out = crossing(rotors, multiple, speed, speed, step);
