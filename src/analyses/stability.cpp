@@ -177,7 +177,7 @@ void answer_once(const stability::BandFinder &finder, const results::Interval &r
                              range.from, range.to);
     count_resolved_if_driven(motions, model.rotor);
     add_growth_of_all_speeds(motions, result);
-    tell_resolved_apart(motions, model, {}, result);
+    separate_resolved(motions, model, {}, result);
 }
 
 /// The bands, critical and additional speeds and what depends on the arrangement of the balls.
@@ -222,7 +222,7 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
             result.unstable_error = band_errors(finder, result.unstable, grid, roots);
     }
     if (all)
-        tell_resolved_apart(*all, model, roots, result);
+        separate_resolved(*all, model, roots, result);
     stage.emplace("permissible anisotropy", 0.65, 0.8);
     result.permissible = stability::permissible_anisotropies(finder, grid, result.unstable);
     if (!range)

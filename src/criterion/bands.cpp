@@ -166,9 +166,9 @@ struct Judged {
 /// (of a root as of a pole: near both the ratio is that of the end itself), rad/s.
 double blur_of(double end, const Judged &criterion) {
     // Of the speed: outside the rounding of an end, near enough for one slope.
-    constexpr double beside = 1e-5;
+    constexpr double offset = 1e-5;
     double blur = 0;
-    for (const double side : {-beside, beside}) {
+    for (const double side : {-offset, offset}) {
         const double near = end * (1 + side);
         const double off = end * (1 + 1.25 * side);
         const double slope = (criterion.value(off) - criterion.value(near)) / (off - near);

@@ -67,7 +67,7 @@ PendulumShaft::PendulumShaft(model::Rotor rotor, int order,
       _d(with_imbalances(with_rings(std::move(rotor), _pendulums), _drive), order),
       _receptance(_d, results::Form::planar, places_of(_d, _pendulums, _drive)) {}
 
-void PendulumShaft::look_at(double speed) {
+void PendulumShaft::solve_at(double speed) {
     const auto count = static_cast<Eigen::Index>(_pendulums.size());
     Eigen::MatrixXcd R;
     try {
@@ -83,7 +83,7 @@ void PendulumShaft::look_at(double speed) {
 }
 
 Eigen::VectorXcd PendulumShaft::held(double speed) {
-    look_at(speed);
+    solve_at(speed);
     return _held;
 }
 
@@ -151,7 +151,7 @@ PendulumSteadyMotion PendulumShaft::motion_of(const Eigen::VectorXcd &u) const {
 
 std::vector<PendulumSteadyMotion>
 PendulumShaft::motions(double speed, const std::vector<PendulumSteadyMotion> &given) {
-    look_at(speed);
+    solve_at(speed);
     const Eigen::Index n = _held.size();
     Eigen::VectorXd small(n); // force over deflection of small angles
     for (Eigen::Index j = 0; j < n; ++j) {

@@ -55,7 +55,7 @@ class PendulumShaft {
     Eigen::MatrixXcd _R;    ///< at the speed looked at, between the balancers
     Eigen::VectorXcd _held; ///< there
 
-    void look_at(double speed);
+    void solve_at(double speed);
     [[nodiscard]] bool newton(Eigen::VectorXcd &u) const;
     [[nodiscard]] std::vector<Eigen::VectorXcd> closed_form_starts() const;
     [[nodiscard]] PendulumSteadyMotion motion_of(const Eigen::VectorXcd &u) const;

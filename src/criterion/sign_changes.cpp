@@ -141,7 +141,7 @@ std::vector<linalg::ComplexPair> roots_about(const Quadratic &q, double from, do
             return std::move(found.pairs);
         if (options.wanted > q.K.rows())
             throw linalg::SolverError("speeds at which the criterion changes its sign are not "
-                                      "resolved beside the others");
+                                      "resolved among the others");
     }
 }
 

@@ -33,21 +33,21 @@ std::vector<double> borders(const model::Rotor &rotor, double from, double to) {
     return out;
 }
 
-/// How far a root of the reduced rotor may be from one of the whole rotor to be the same.
+/// Relative distance within which a root of the reduced rotor and one of the whole rotor are the
+/// same.
 constexpr double same_root = 1e-3;
-/// So near those of the whole rotor are fast motions on the reduced rotor. (Any motion of the whole
-/// rotor is one, whatever led to it.)
+/// Relative distance at which fast motions of the reduced rotor lead to those of the whole rotor.
+/// (Whatever is found there is a motion of the whole rotor.)
 constexpr double nearby = 0.05;
 
-/// Nothing is known of a root but that it is faster than this: rounding hides its inverse from
-/// zero. So are motions of parts that hardly have mass, other ones at every speed: there is nothing
-/// to follow.
+/// Of such a root only a lower bound is known, as its inverse is zero within rounding: motions of
+/// nearly massless parts, which cannot be followed from speed to speed.
 bool is_lost(const Root &root, double shift, double fast) {
     const double distance = std::abs(root.value - shift);
     return root.noise >= std::abs(root.value) && distance / (1 + root.noise / distance) > fast;
 }
 
-/// A motion of the whole rotor that was found from another root is this one.
+/// Whether a motion of the whole rotor, found from another root, is that of this root.
 bool is_that(const WholeMotion &found, const Root &root) {
     // An angle of 1.4e-3, above the rounding of vectors of one root.
     constexpr double parallel = 1 - 1e-6;
@@ -109,7 +109,7 @@ double AllMotions::shift_at(double speed) const { return modes::usual_shift(spee
 Spectrum AllMotions::at(double speed, int piece) const {
     Spectrum out = decomposed_at(speed, piece);
     if (!_shapes && _growth_reach > least_reach())
-        tell_signs(out, _growth_reach);
+        find_signs(out, _growth_reach);
     return out;
 }
 
@@ -133,16 +133,16 @@ void AllMotions::count_resolved() {
     _drives_all = true;
 }
 
-const Spectrum &AllMotions::told_at(double speed) const {
-    if (_told && _told->speed == speed)
-        return *_told;
-    _told = at(speed);
+const Spectrum &AllMotions::with_signs_at(double speed) const {
+    if (_with_signs && _with_signs->speed == speed)
+        return *_with_signs;
+    _with_signs = at(speed);
     if (!_shapes) // on the reduced rotor they are no motions of this mesh
-        tell_signs(*_told, std::numeric_limits<double>::infinity());
-    return *_told;
+        find_signs(*_with_signs, std::numeric_limits<double>::infinity());
+    return *_with_signs;
 }
 
-void AllMotions::tell_signs(Spectrum &spectrum, double up_to) const {
+void AllMotions::find_signs(Spectrum &spectrum, double up_to) const {
     for (Root &root : spectrum.roots) {
         const std::complex<double> before = root.value;
         if (root.sign() != 0 || before.imag() < 0 || std::abs(before) > up_to ||
@@ -165,25 +165,24 @@ void AllMotions::tell_signs(Spectrum &spectrum, double up_to) const {
     }
 }
 
-/// Those of the reduced rotor hit the fast motions of a driven rotor roughly: the whole rotor has
-/// them beside that.
+/// The reduced rotor has fast motions only roughly: up to this part of its value a root may lie
+/// beyond a bound.
 bool AllMotions::is_rough() const { return _drives_all && _shapes != nullptr; }
 
-/// Whether how a motion dies out says something, too.
-bool AllMotions::tells_decay(double size) const {
+/// Whether the decay of a motion of this size is judged, too.
+bool AllMotions::decides_decay(double size) const {
     return within_reach(size) || (_drives_all && size <= (1 + nearby) * _resolved);
 }
 
-/// The motion of the whole rotor that a root stands for; none where it is one of the shapes alone.
+/// The motion of the whole rotor that a root of the reduced one leads to; none where there is none.
 std::optional<WholeMotion> AllMotions::of_whole(const Root &root, double speed) const {
     auto found = of_whole(lifted(root, speed));
     const double away = (is_rough() ? nearby : same_root) * std::abs(root.value);
     return found && std::abs(found->value - root.value) <= away ? std::move(found) : std::nullopt;
 }
 
-/// By the eigenvalues alone, from which the whole rotor finds its own; nothing where one of the
-/// motions that count hardly grows or dies out, so that their vectors must give what rounding
-/// hides.
+/// From eigenvalues without vectors, refined on the whole rotor; nothing where a motion that counts
+/// is neutral within rounding, as its sign then needs the vectors.
 std::optional<FastestGrowing> AllMotions::by_values(double speed, double above,
                                                     double up_to) const {
     constexpr double hardly = 1e-5; // where three roots meet rounding moves them by nearly as much
@@ -214,17 +213,17 @@ std::optional<FastestGrowing> AllMotions::by_values(double speed, double above,
 
 FastestGrowing AllMotions::fastest_growing(double speed, double above, double up_to) const {
     if (!_drives_all)
-        if (const auto told = by_values(speed, above, up_to))
-            return *told;
-    std::vector<Root> roots = (_drives_all ? told_at(speed) : at(speed)).roots;
-    const auto asked_for = [=](std::complex<double> value, double beside = 0) {
-        return std::abs(value) <= up_to * (1 + beside) && std::abs(value) > above * (1 - beside);
+        if (const auto first = by_values(speed, above, up_to))
+            return *first;
+    std::vector<Root> roots = (_drives_all ? with_signs_at(speed) : at(speed)).roots;
+    const auto asked_for = [=](std::complex<double> value, double margin = 0) {
+        return std::abs(value) <= up_to * (1 + margin) && std::abs(value) > above * (1 - margin);
     };
-    const double beside = is_rough() ? nearby : 0;
-    std::erase_if(roots, [&](const Root &root) { return !asked_for(root.value, beside); });
+    const double margin = is_rough() ? nearby : 0;
+    std::erase_if(roots, [&](const Root &root) { return !asked_for(root.value, margin); });
     std::ranges::sort(roots, std::ranges::greater{}, [](const Root &a) { return a.value.real(); });
     bool neutral = false;
-    // Few shapes have few of the motions that are faster than what the elements resolve.
+    // A reduced rotor has few of the motions beyond what the elements resolve.
     const bool all_there = !_drives_all || !_shapes || up_to <= _resolved;
     bool counted = all_there && std::ranges::all_of(roots, [this](const Root &root) {
                        return !_drives_all || root.sign() != 0 || root.sharp ||
@@ -235,10 +234,10 @@ FastestGrowing AllMotions::fastest_growing(double speed, double above, double up
     std::optional<std::complex<double>> best;
     for (const Root &root : roots) {
         const double size = std::abs(root.value);
-        // A root that drowns in its noise altogether says nothing, but for one that may be zero.
+        // A root below its noise is ignored, but for one that may be zero.
         const bool known = size <= zero || root.noise < size;
         neutral = neutral || (root.sign() == 0 && known && within_reach(size));
-        if (root.value.imag() < 0 || root.sign() == 0 || !(root.sign() > 0 || tells_decay(size)))
+        if (root.value.imag() < 0 || root.sign() == 0 || !(root.sign() > 0 || decides_decay(size)))
             continue; // a zero that rounding blurs must not hide one that grows
         // Of its real part: how far the reduced rotor may be off for a motion as fast.
         constexpr double roughly = 0.5;
@@ -258,9 +257,9 @@ FastestGrowing AllMotions::fastest_growing(double speed, double above, double up
     }
     if (best && (best->real() > 0 || !neutral))
         return {*best, counted};
-    const auto told =
+    const auto first =
         std::ranges::find_if(roots, [](const Root &root) { return root.sign() != 0; });
-    return {told == roots.end() || neutral ? 0 : told->value, counted};
+    return {first == roots.end() || neutral ? 0 : first->value, counted};
 }
 
 } // namespace whirl::ends

@@ -22,9 +22,8 @@ struct FastestGrowing {
     bool counted = true;        ///< of each of them it is known whether it grows
 };
 
-/// All free motions of a rotor over a range of speeds, forms general and rotating: those of the
-/// rotor on few planar shapes, or of the whole rotor where it is small, and single ones of them as
-/// the whole rotor has them.
+/// All free motions of a rotor over a range of speeds, forms general and rotating: of the reduced
+/// rotor, or of the whole rotor where it is small; single ones are refined on the whole rotor.
 class AllMotions {
   public:
     /// @param shapes  good for the range (stability::BandFinder), or none: the whole rotor
@@ -68,7 +67,7 @@ class AllMotions {
     [[nodiscard]] bool within_reach(double size) const {
         return size <= least_reach() || size <= reach();
     }
-    /// Whether a root of which rounding hides whether it grows is a fast one that can.
+    /// Whether this root is fast, can grow, and is neutral within rounding.
     [[nodiscard]] bool hides_growth(const Root &root) const {
         const double size = std::abs(root.value);
         return root.sign() == 0 && size <= _growth_reach && !within_reach(size);
@@ -109,7 +108,7 @@ class AllMotions {
     mutable std::optional<double> _reach; ///< once it was asked for
     int _zeros = 0;
     mutable modes::WholePencil<double> _pencil;
-    mutable std::optional<Spectrum> _told; ///< the last one
+    mutable std::optional<Spectrum> _with_signs; ///< the last one
 
     [[nodiscard]] double least_reach() const;
     [[nodiscard]] double shift_at(double speed) const;
@@ -117,11 +116,11 @@ class AllMotions {
     [[nodiscard]] Spectrum decomposed_at(double speed, int piece) const;
     /// As at(); of fast motions that rounding of the decomposition hides it is decided by the whole
     /// rotor, which knows each of them as sharply as the slow ones, whether they grow.
-    [[nodiscard]] const Spectrum &told_at(double speed) const;
+    [[nodiscard]] const Spectrum &with_signs_at(double speed) const;
     /// @param up_to  |l|, 1/s
-    void tell_signs(Spectrum &spectrum, double up_to) const;
+    void find_signs(Spectrum &spectrum, double up_to) const;
     [[nodiscard]] bool is_rough() const;
-    [[nodiscard]] bool tells_decay(double size) const;
+    [[nodiscard]] bool decides_decay(double size) const;
     [[nodiscard]] std::optional<WholeMotion> of_whole(const Root &root, double speed) const;
     [[nodiscard]] std::optional<FastestGrowing> by_values(double speed, double above,
                                                           double up_to) const;

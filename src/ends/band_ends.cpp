@@ -15,7 +15,7 @@ using results::StabilityEnd;
 using stability::Motion;
 using stability::MotionsAt;
 
-/// Part of the speed within which an end of a band and a change of the count are the same.
+/// An end of a band and a change of the count within this part of the speed are the same.
 constexpr double same = 1e-6;
 
 bool near(double a, double b) { return std::abs(a - b) <= same * std::abs(b); }
@@ -28,7 +28,7 @@ bool begins_or_ends_growth(const StabilityEnd &end) {
     return (end.growing_below > 0) != (end.growing_above > 0);
 }
 
-/// Ends move onto those of bands.
+/// Moves stability limits onto the ends of bands that they belong to.
 void snap(std::vector<StabilityEnd> &ends, const std::vector<results::Interval> &bands) {
     for (StabilityEnd &end : ends) {
         if (!begins_or_ends_growth(end))
@@ -41,7 +41,7 @@ void snap(std::vector<StabilityEnd> &ends, const std::vector<results::Interval> 
     }
 }
 
-/// A band that the ends do not know.
+/// A band without stability limits of its own.
 void take_up(std::vector<StabilityEnd> &ends, const results::Interval &band, const MotionsAt &at,
              results::Form form, const results::Interval &range) {
     const std::vector<Motion> inside = at((band.from + band.to) / 2);
@@ -65,8 +65,8 @@ bool overlap(const results::Interval &a, const results::Interval &b) {
     return std::max(a.from, b.from) < std::min(a.to, b.to);
 }
 
-/// The search for bands has carried on to a border of the range what does not grow there: the band
-/// begins or ends at a root between.
+/// A band that the search has carried on to a border of the range, although nothing grows there: it
+/// begins or ends at a stability limit in between.
 bool carried_to_border(double edge, const results::Interval &band, const EndsFound &found,
                        const MotionsAt &at, const results::Interval &range) {
     return (edge == range.from || edge == range.to) &&
@@ -82,15 +82,15 @@ bool carried_to_border(double edge, const results::Interval &band, const EndsFou
            growing(at(edge)) == 0;
 }
 
-/// A count at a speed, and the motions behind it.
+/// The motions at a speed, and how many of them grow.
 struct Probe {
     double speed = 0;
     std::vector<Motion> motions;
     int count = 0;
 };
 
-/// Part of the speed at which the sides of an end are probed that is known.
-constexpr double beside = 1e-9;
+/// Distance from a known end, over the speed, at which motions are counted on either side.
+constexpr double offset = 1e-9;
 
 class CountSearch {
   public:
@@ -113,7 +113,7 @@ class CountSearch {
             end.speed = edge.value_or((a.speed + b.speed) / 2);
             constexpr double aside = 1e-5; // right beside the end damped ones hardly die out
             const double to_fewer = b.count > a.count ? -1 : 1;
-            // without damping two motions that neither grow nor die out meet and part
+            // without damping two neutral motions meet and part
             const auto still = std::ranges::count_if(
                 _at(end.speed + to_fewer * aside * std::abs(end.speed)), &Motion::neutral);
             end.kind = still >= 2 ? EndKind::collision : EndKind::multiplier;
@@ -134,17 +134,18 @@ class CountSearch {
     const MotionsAt &_at;
     std::vector<double> _edges;
 
-    /// The end of a band, known to be one better than by halving, where it alone is near.
+    /// The end of a band that lies in this step, if it is the only one: known better than bisection
+    /// would find it.
     [[nodiscard]] std::optional<double> edge_between(double low, double high) const {
         const auto inside = [&](double edge) { return edge > low && edge < high; };
-        if (high - low > 3 * beside * std::abs(high) || std::ranges::count_if(_edges, inside) != 1)
+        if (high - low > 3 * offset * std::abs(high) || std::ranges::count_if(_edges, inside) != 1)
             return std::nullopt;
         return *std::ranges::find_if(_edges, inside);
     }
 
-    /// The motions that grow at one of two speeds close to each other only sank below the noise on
-    /// the way to the other, as those of balls do towards rest, with a power of the speed: beyond
-    /// an end they would die out, or have a real part of zero but for rounding.
+    /// The motions that grow at one of two close speeds are only hidden by rounding at the other,
+    /// as those of balls are near rest, where growth falls with a power of the speed: beyond a
+    /// stability limit they would decay or be neutral.
     [[nodiscard]] static bool lost_in_noise(const Probe &a, const Probe &b) {
         constexpr double close = 0.3;       // of the speed
         constexpr double same_order = 0.02; // a sixth power leaves 0.1
@@ -161,7 +162,7 @@ class CountSearch {
         return true;
     }
 
-    /// Real parts, largest first, whether or not rounding could make them of zero.
+    /// Real parts, largest first, those within rounding of zero too.
     [[nodiscard]] static std::vector<double> growths(const std::vector<Motion> &motions) {
         std::vector<double> out;
         for (const Motion &motion : motions)
@@ -170,7 +171,7 @@ class CountSearch {
         return out;
     }
 
-    /// Of those that grow the one that has just begun to.
+    /// The growing motion with the smallest growth.
     [[nodiscard]] static const Motion &least_growing(const std::vector<Motion> &motions) {
         const Motion *out = &motions.front();
         for (const Motion &motion : motions)
@@ -236,7 +237,7 @@ EndsFound multiplier_ends(const MotionsAt &at, const std::vector<double> &speeds
         for (const double end : {from, to}) {
             if (end == speeds.front() || end == speeds.back())
                 continue; // a border of the range
-            const double step = std::min(beside * std::abs(end), (to - from) / 8);
+            const double step = std::min(offset * std::abs(end), (to - from) / 8);
             probe_speeds.insert(probe_speeds.end(), {end - step, end + step});
             edges.push_back(end);
         }

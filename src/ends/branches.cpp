@@ -45,14 +45,14 @@ Complex off_parabola(const Branch &branch) {
            branch.step * (branch.from->rate + branch.to->rate) / 2.0;
 }
 
-/// What does not fit where one root would have become another: the mean of the rates does not lead
-/// there, or they differ.
+/// How badly one root continues another: the distance of the value from where the mean rate leads,
+/// and the difference of the rates.
 double misfit(const Branch &branch) {
     return size_of(off_parabola(branch)) +
            0.25 * std::abs(branch.step) * size_of(branch.to->rate - branch.from->rate);
 }
 
-/// The number of the conjugate of each root, a neighbour in the list; itself of a real one.
+/// The index of the conjugate of each root, a neighbour in the list; its own of a real root.
 std::vector<int> conjugates(const Spectrum &spectrum) {
     std::vector<int> out;
     const auto count = static_cast<int>(spectrum.roots.size());
@@ -68,8 +68,8 @@ std::vector<int> conjugates(const Spectrum &spectrum) {
     return out;
 }
 
-/// Motions that cannot be distinguished, none of which comes to the axis: growing ones as growing
-/// ones, in order of their frequencies, so that each stands where one of them is.
+/// Takes motions that cannot be distinguished, none of which comes to the axis, in the order of
+/// sign and frequency: which is which does not matter.
 void add_as_one(Cluster a, Cluster b, double step, Branches &out) {
     const auto before = [](const Root *x, const Root *y) {
         return std::pair(x->sign(), x->value.imag()) < std::pair(y->sign(), y->value.imag());
@@ -158,7 +158,7 @@ using Group = std::pair<std::vector<int>, std::vector<int>>;
 /// The best partner must be better than the next by this factor.
 constexpr double clearly = 0.35;
 
-/// Of the entries of a row or a column the place of the least, and the one after it.
+/// The least entry of a row or column, and the next larger one.
 struct Best {
     Eigen::Index index = 0;
     double next = HUGE_VAL;
@@ -172,8 +172,8 @@ template <class Entries> Best best_of(const Entries &entries) {
     return out;
 }
 
-/// Which of the roots at both ends of a step could be one motion: groups, each of one root at
-/// either end where that is clear.
+/// Groups of roots at both ends of a step that may belong to one branch: one root at either end
+/// where that is clear.
 class Groups {
   public:
     /// @param off  misfit of each root at the one end with each at the other
@@ -211,7 +211,7 @@ class Groups {
         const int before = _group[static_cast<std::size_t>(i)];
         std::ranges::replace(_group, before, _group[static_cast<std::size_t>(_rows + j)]);
     }
-    /// The best partner of each other, by far: nobody else's from then on.
+    /// Pairs that are each other's best partner by far are taken out first.
     void take_clear_pairs(Eigen::MatrixXd &off) {
         std::vector<Best> of_column;
         for (Eigen::Index j = 0; j < off.cols(); ++j)

@@ -34,13 +34,13 @@ bool known(const Cluster &roots) {
     return std::ranges::all_of(roots, [](const Root *r) { return r->sign() != 0; });
 }
 
-/// Where a root is at one end of a step, as the polynomial has it.
+/// A root at one end of a step, as the polynomial takes it.
 struct Place {
     Value at, change;
     double noise = 0;
 };
 
-/// The monic polynomial with these roots but one.
+/// The monic polynomial with all of these roots but one.
 Coefficients product_without(const std::vector<Place> &places, const Place *one) {
     Coefficients out = Coefficients::Zero(std::ssize(places) + 1);
     out(0) = 1;
@@ -56,8 +56,8 @@ Coefficients product_without(const std::vector<Place> &places, const Place *one)
     return out;
 }
 
-/// The monic polynomial with these roots at one end of a step, its change over the step as its rate
-/// has it, and how far rounding can be from it.
+/// The monic polynomial with these roots at one end of a step, its change over the step by its
+/// rate, and its rounding.
 struct PolynomialEnd {
     Coefficients value, change;
     Eigen::VectorXd noise;
@@ -81,8 +81,8 @@ Value value_at(const Coefficients &polynomial, Value z) {
     return out;
 }
 
-/// The roots, from those of another polynomial that hardly differs: all at once (Durand and
-/// Kerner), from places without symmetry, as pairs become real and part.
+/// All roots, starting from those of a polynomial close by (Durand and Kerner), displaced without
+/// symmetry so that pairs can become real and part.
 /// @returns whether they were found
 bool move_roots(const Coefficients &polynomial, std::vector<Value> &roots) {
     double size = 0;

@@ -31,14 +31,14 @@ Eigen::VectorXcd times(const Eigen::MatrixXd &K, const Eigen::VectorXcd &x, Scal
     return out;
 }
 
-/// What one unit of speed makes of the motions of a spectrum: w_a^H A' v_b, with A the matrix of
-/// the equations of first order and w_a^H v_a = 1.
+/// Coupling of the motions of a spectrum per unit of speed: w_a^H A' v_b, with A the matrix of the
+/// equations of first order and w_a^H v_a = 1.
 class Couplings {
   public:
     /// @param K_rate  of either end of a step, inside of which it is linear
     Couplings(const Spectrum &at, const Eigen::MatrixXd &K_rate) : _at(at), _K_rate(K_rate) {}
 
-    /// Of a change of the speed, to second order: more than its modulus.
+    /// An upper bound of the coupling by a change of speed, to second order.
     [[nodiscard]] double most(const Root &a, const Root &b, double change) const {
         const Eigen::VectorXcd from_K = transposed_times(_K_rate, a.left);
         const Eigen::VectorXcd from_D = transposed_times(_at.problem.D_rate, a.left);

@@ -18,8 +18,8 @@ using ComplexSparse = Eigen::SparseMatrix<Complex>;
 /// Relative change of speed and frequency: some hundred units of rounding.
 constexpr double converged = 1e-13;
 
-/// Steps have become nothing, or as small as rounding leaves them, or the next one will: errors are
-/// squared by each.
+/// Converged: the step is within tolerance, or rounding no longer shrinks it, or the next one will
+/// be, as errors are squared.
 class Settled {
   public:
     /// @param change  of this step, relative
@@ -53,7 +53,7 @@ double size(const Eigen::VectorXcd &y, const Sparse &A, const Eigen::VectorXcd &
     return y.cwiseAbs().dot(A.cwiseAbs() * x.cwiseAbs());
 }
 
-/// Rounding of matrix entries as the eigenvalue feels it.
+/// Error of the eigenvalue by the rounding of the matrix entries.
 double noise_of(const modes::QuadraticAt &p, const WholeMotion &m, Complex by_root) {
     // Units of rounding of all entries' moduli together: chosen large, as ends are errors'
     // bounds.

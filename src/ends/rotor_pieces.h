@@ -10,10 +10,10 @@
 
 namespace whirl::ends {
 
-/// A rotor on few planar shapes, or whole, at any speed of a range. Between neighbouring rows of
-/// bearing tables D is linear in the speed and K quadratic: such a part of the range is made once,
-/// when a speed in it is asked for. A piece is what lies between borders: it has several parts
-/// where the tables have rows in it at which they hardly bend.
+/// A reduced rotor, or a whole one, at any speed of a range. Between neighbouring rows of bearing
+/// tables D is linear in the speed and K quadratic: such a part of the range is made once, when a
+/// speed in it is asked for. A piece is what lies between borders: it has several parts where the
+/// tables have rows in it at which they hardly bend.
 class RotorPieces {
   public:
     /// @param whole    forms general and rotating

@@ -8,7 +8,7 @@
 namespace whirl::ends {
 
 using modes::Root;
-/// Of a rotor on few planar shapes, or whole.
+/// Of a reduced rotor, or a whole one.
 using DenseProblem = modes::DenseQuadratic<double>;
 
 /// All eigenvalues of a rotor at one speed, both conjugates, but those that are zero at every

@@ -15,7 +15,7 @@ using results::EndKind;
 using results::StabilityEnd;
 using Complex = std::complex<double>;
 
-/// At rest nothing grows or dies out: the part of the largest speed that is left out there.
+/// Next to rest all roots are neutral within rounding: this part of the largest speed is left out.
 constexpr double at_rest = 1e-6;
 
 /// Speeds to begin with in one piece of the range, which is ascending and does not cross zero.
@@ -133,8 +133,8 @@ class EndSearch {
         });
     }
 
-    /// The root of a change, and the speed at which that of the reduced rotor is all but on the
-    /// axis: from farther away another root that is as near to zero would be found.
+    /// The root of a change, and the speed at which it is on the axis for the reduced rotor: from
+    /// farther away refinement could find another root that is as near to zero.
     [[nodiscard]] std::pair<double, Root> at_the_axis(const Change &change, int piece) const {
         double speed = change.speed;
         std::complex<double> value = change.value;
@@ -157,8 +157,8 @@ class EndSearch {
     void take(const Change &change, int piece) {
         const auto [place, root] = at_the_axis(change, piece);
         WholeMotion guess = _motions.lifted(root, place);
-        // A pair that has come to the real axis moves along it as two; where they part rounding
-        // does not distinguish them from a pair.
+        // A pair on the real axis moves as two real roots, which rounding does not distinguish from
+        // a pair where they part.
         constexpr double both_parts = 3;
         const bool at_zero = root.value.imag() == 0 || change.value.imag() == 0 ||
                              std::abs(root.value) <= both_parts * root.noise;
@@ -198,8 +198,8 @@ class EndSearch {
     /// hardly any damping: the root of it, with allowance.
     static constexpr double hidden = 1e-7;
 
-    /// A pair next to zero that is on the axis nowhere near: two real roots met, one of which
-    /// passes zero beside that.
+    /// A pair next to zero that does not reach the axis: two real roots met, one of which passes
+    /// zero.
     [[nodiscard]] std::optional<WholeMotion> zero_beside(const Change &change,
                                                          WholeMotion guess) const {
         if (std::abs(guess.value) > std::sqrt(hidden) * std::abs(change.speed))
@@ -253,7 +253,7 @@ class EndSearch {
                std::abs(a.right.dot(b.right)) > parallel * a.right.norm() * b.right.norm();
     }
 
-    /// Two changes that led to one and the same root: the other one's is missing.
+    /// Two changes that were refined to the same root: the root of one of them is missing.
     void doubt_doubles() {
         for (std::size_t i = 1; i < _found.size(); ++i) {
             const Found &a = _found[i - 1];
@@ -292,16 +292,16 @@ class EndSearch {
         const auto apart = [&](std::size_t k, double speed) {
             return k >= found.size() || std::abs(found[k].place - speed) > 1e-9 * std::abs(speed);
         };
-        std::vector<std::pair<std::size_t, std::pair<double, Count>>> seen;
+        std::vector<std::pair<std::size_t, std::pair<double, Count>>> sampled;
         for (const auto &[speed, count] : _counts) {
             while (passed < found.size() && found[passed].place <= speed)
                 ++passed;
             if (!apart(passed, speed) || (passed > 0 && !apart(passed - 1, speed)))
                 continue;
             out[passed] = std::max(out[passed], count.*counted);
-            seen.push_back({passed, {speed, count}});
+            sampled.push_back({passed, {speed, count}});
         }
-        for (const auto &[interval, probe] : seen)
+        for (const auto &[interval, probe] : sampled)
             if (probe.second.*counted + probe.second.unknown + probe.second.hidden < out[interval])
                 _out.doubtful.push_back({probe.first, probe.first});
         for (std::size_t k = 0; k < out.size(); ++k)
@@ -309,7 +309,7 @@ class EndSearch {
                 out[k] = k > 0 ? out[k - 1] + found[k - 1].gain : 0;
         // Those that rounding hides at every speed are known from the changes on both sides.
         std::vector<char> hides(out.size(), 0);
-        for (const auto &[interval, probe] : seen)
+        for (const auto &[interval, probe] : sampled)
             hides[interval] = hides[interval] != 0 || probe.second.hidden > 0;
         for (std::size_t k = 1; k < out.size(); ++k)
             if (hides[k] != 0)

@@ -10,13 +10,13 @@ namespace whirl::ends {
 
 /// Steps of a range to begin with; they are halved where that is needed.
 constexpr int usual_steps = 24;
-/// Of one of many rotors that hardly differ.
+/// The same for one of many rotors that hardly differ.
 constexpr int few_steps = 8;
 
 struct EndsFound {
     std::vector<results::StabilityEnd> ends; ///< ascending
     int growing_from = 0;                    ///< motions that grow at the beginning of the range
-    /// Where the number of growing motions is not what the ends make of it.
+    /// Where the number of growing motions does not follow from the ends.
     std::vector<results::Interval> doubtful;
     /// The motions on the imaginary axis at the ends that are roots (kinds zero and pair).
     std::vector<WholeMotion> roots;

@@ -11,8 +11,9 @@ namespace whirl::ends {
 
 namespace {
 
-/// Parts of the speed: in a step shorter than the first nothing that counts can hide where as many
-/// motions grow at both ends; a change in one shorter than the second is known well enough.
+/// Over the speed. Steps shorter than the first with equal counts at both ends are taken as
+/// unchanged. A change in a step shorter than the second is placed in its middle: some 1e5 units of
+/// rounding.
 constexpr double minute = 1e-7;
 constexpr double least = 2e-11;
 constexpr int most_spectra = 4000;
@@ -126,8 +127,8 @@ class Sweep {
         return std::nullopt;
     }
 
-    /// Of the roots that grow at the one end that which has just begun to: the farthest from those
-    /// that grow at the other end, and of several the one that grows least.
+    /// A change within the shortest step: the growing root farthest from all that grow at the other
+    /// end, and of several the one that grows least.
     void take_abrupt(const Spectrum &a, const Spectrum &b) {
         const int gain = b.growing() - a.growing();
         const Spectrum &more = gain > 0 ? b : a;

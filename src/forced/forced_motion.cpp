@@ -154,7 +154,7 @@ void ForcedMotion::assemble(double spin) {
 int ForcedMotion::size() const { return (_planar ? 1 : 2) * _discretization.planar_size(); }
 
 /// Imbalances: speed^2 on w, standing still in rotating axes. Weight: -i g on w, in rotating axes
-/// -i g exp(-i Omega t) on u: x = Re(conj(-i g) exp(i Omega t)), y a quarter turn ahead.
+/// -i g exp(-i Omega t) on u: x = Re(conj(-i g) exp(i Omega t)), y 90° ahead.
 Eigen::VectorXcd ForcedMotion::forces(double speed) const {
     if (_drive.weight()) {
         const Eigen::VectorXcd load = imaginary_unit * _drive.gravity * _weight;

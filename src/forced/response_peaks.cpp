@@ -21,7 +21,8 @@ class Comparison {
   public:
     /// Relative, of a quantity.
     struct Difference {
-        double told = 0;     ///< largest one that is more than rounding of the whole rotor's motion
+        double significant =
+            0;               ///< largest one that is more than rounding of the whole rotor's motion
         double rounding = 0; ///< of that motion, and the largest difference that it hides
     };
 
@@ -44,8 +45,9 @@ class Comparison {
             const Phasor whole = _full.of(_quantities[i]);
             const double size = std::hypot(std::abs(whole.x), std::abs(whole.y));
             const double apart = std::hypot(std::abs(mine.x - whole.x), std::abs(mine.y - whole.y));
-            const bool told = apart > _full.rounding() * std::max(size, readings[i].cancelled);
-            double &largest = told ? out.told : hidden;
+            const bool significant =
+                apart > _full.rounding() * std::max(size, readings[i].cancelled);
+            double &largest = significant ? out.significant : hidden;
             if (apart > 0)
                 largest = std::max(largest, apart / size);
         }
@@ -60,9 +62,9 @@ class Comparison {
 
 /// Where the reduced rotor is compared: the resonances, half-power points beside them, the ends,
 /// and evenly between these: curves and peaks without a resonance of their own are right there too.
-/// @param beside  false: without the half-power points and what is between
+/// @param half_power_too  false: without the half-power points and what is between
 std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, double from, double to,
-                                   bool beside) {
+                                   bool half_power_too) {
     std::vector<double> speeds{from < 0 ? (2 * from + to) / 3 : (from + 2 * to) / 3,
                                from < 0 ? from : to};
     const auto add = [&](double speed) {
@@ -70,7 +72,7 @@ std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, dou
             speeds.push_back(speed);
     };
     constexpr int evenly = 6; // parts of the range, for speeds between the resonances
-    for (int k = 1; beside && k < evenly; ++k)
+    for (int k = 1; half_power_too && k < evenly; ++k)
         add(from + (to - from) * k / evenly);
     for (const Resonance &r : resonances) {
         constexpr double too_damped = 0.3; // no peak of its own: between the others
@@ -78,7 +80,7 @@ std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, dou
             continue;
         const double apart = std::max(r.width, 1e-6 * std::abs(r.speed));
         for (const double place : {-1.0, 0.0, 1.0})
-            if (place == 0 ? r.width > 1e-9 * std::abs(r.speed) : beside)
+            if (place == 0 ? r.width > 1e-9 * std::abs(r.speed) : half_power_too)
                 add(r.speed + place * apart);
     }
     std::ranges::sort(speeds);
@@ -131,12 +133,12 @@ Compared widened_at(ReducedMotion &reduced, Comparison &whole, const std::vector
         if (!whole.solve(speed))
             continue;
         const Comparison::Difference difference = whole.difference(reduced, speed);
-        out.worst = std::max(out.worst, difference.told);
+        out.worst = std::max(out.worst, difference.significant);
         out.rounding.emplace_back(speed, difference.rounding);
-        if (difference.told > plainly)
+        if (difference.significant > plainly)
             keep(whole.motion());
-        else if (difference.told > enough)
-            apart.emplace_back(difference.told, speed);
+        else if (difference.significant > enough)
+            apart.emplace_back(difference.significant, speed);
     }
     std::sort(apart.rbegin(), apart.rend());
     for (const auto &[difference, speed] : apart) {

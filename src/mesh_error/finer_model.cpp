@@ -47,9 +47,9 @@ double error_among(std::complex<double> value,
     const auto likeness_of = [](const auto &candidate) { return candidate.first; };
     const double best = std::ranges::max(candidates, {}, likeness_of).first;
     const auto distance = [&](std::size_t i) { return distance_of(candidates[i]); };
-    const bool told = candidates.size() == 1 || (distance(0) <= far_nearer * distance(1) &&
-                                                 candidates[0].first >= not_much_less * best);
-    return relative(value, told ? candidates.front().second : candidates.back().second);
+    const bool clear = candidates.size() == 1 || (distance(0) <= far_nearer * distance(1) &&
+                                                  candidates[0].first >= not_much_less * best);
+    return relative(value, clear ? candidates.front().second : candidates.back().second);
 }
 
 } // namespace

@@ -11,13 +11,13 @@ namespace whirl::modes {
 
 /// Whirl modes in a form of the fixed frame with damping (general, planar_damped), at any speed.
 ///
-/// The rotor on a few planar shapes (reduction/planar_shapes.h) has all its eigenvalues from one
-/// small dense problem; each that is wanted is then refined on the whole rotor, from both sides
-/// (roots/whole_pencil.h). So it is at five speeds of a range; between them it is the rotor on what
-/// their vectors span, corrected once on the whole one. That the shapes miss none is counted on the
-/// whole rotor at three of these, the ends among them, at every speed alone, and wherever an
-/// eigenvalue turns out to be another one than the shapes had. Where it does not hold, more shapes
-/// are taken.
+/// The rotor reduced to planar shapes (reduction/planar_shapes.h) has all its eigenvalues from one
+/// small dense problem; each that is wanted is then refined on the whole rotor with right and left
+/// vectors (roots/whole_pencil.h). This is done at five speeds of a range; at others the basis is
+/// what their vectors span, and each mode is corrected once on the whole rotor. That the shapes
+/// miss none is counted on the whole rotor at three of these, the ends among them, at every speed
+/// alone, and wherever an eigenvalue turns out to be another one than the shapes had. Where it does
+/// not hold, more shapes are taken.
 class RefinedSpectrum {
   public:
     /// @param matrices  of the discretised rotor, kept by reference

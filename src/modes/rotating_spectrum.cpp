@@ -130,9 +130,8 @@ linalg::QuadraticResult RotatingSpectrum::solve_hill(double speed, int wanted, d
     return found;
 }
 
-/// A motion that stands still in the rotor is its own conjugate in one of its aliases, and that one
-/// stands for it, whichever is largest: in the place of the alias `pair`, which is taken out of
-/// all.
+/// A motion at rest in rotating axes has one alias that is its own conjugate: that one replaces
+/// `pair`, whichever alias is largest.
 void RotatingSpectrum::take_self_conjugate(double speed, std::vector<linalg::ComplexPair> &all,
                                            linalg::ComplexPair &pair) {
     const double places = std::round(pair.value.imag() / std::abs(2 * speed));
@@ -392,7 +391,7 @@ Spectrum RotatingSpectrum::modes(double speed, int wanted, Errors errors) const 
     return out;
 }
 
-/// Of a series whose last terms are something its eigenvalue is off by their square.
+/// Whether the last terms of the series are not negligible: the eigenvalue is off by their square.
 bool RotatingSpectrum::cut_off(const Eigen::VectorXcd &series) const {
     constexpr double hardly = 1e-4; // of the series: the eigenvalue is off by the square, 1e-8
     return series.tail(2 * _system.M.size()).norm() > hardly * series.norm();

@@ -28,8 +28,8 @@ class RotatingSpectrum {
                      const std::vector<balancers::BalancerElement> &balancers, int harmonics,
                      const Eigen::MatrixXd *shapes = nullptr);
 
-    /// The same on the reduced rotor without harmonics, whose eigenvalues are to begin with: as a
-    /// dense decomposition leaves them, without a word on their errors, at half the cost.
+    /// The same for a reduced rotor without harmonics, whose eigenvalues are initial guesses:
+    /// unrefined and without error estimates, at half the cost.
     static RotatingSpectrum rough(const assembly::Discretization &discretization,
                                   const std::vector<balancers::BalancerElement> &balancers,
                                   const Eigen::MatrixXd &shapes);
@@ -78,7 +78,7 @@ class RotatingSpectrum {
     /// Whether it is up to a modulus as seen from the fixed frame, 1/s, or grows.
     [[nodiscard]] bool asked_for(const linalg::ComplexPair &pair, double speed,
                                  double highest) const;
-    /// Whether it is what holds parts on their way across a diameter: no motion.
+    /// Whether it is an artificial root of the one-diameter constraint of moving parts, not a mode.
     [[nodiscard]] bool held(const Eigen::VectorXcd &vector) const;
     [[nodiscard]] WhirlMode in_fixed_frame(const linalg::ComplexPair &pair, double speed) const;
 
@@ -104,12 +104,12 @@ class RotatingSpectrum {
     std::array<Eigen::MatrixXd, 6> _full; ///< of a rough one: _M, _C, ... as full matrices
     mutable int _usual = 6; ///< pairs that were enough last time: the first try of the next
 
-    /// Aliases of a motion that count.
+    /// Aliases of a motion that are accurate.
     enum class Keep {
         best,    ///< the one whose constant part is largest
         accurate ///< those whose largest term has neighbours on both sides in the series
     };
-    /// Complete up to where.
+    /// The modulus up to which none is missing, 1/s.
     enum class Reach {
         asked,   ///< the radius
         farthest ///< as far as double precision goes: modes beyond are known to be missing

@@ -42,7 +42,8 @@ class SpectrumSolver {
     /// These speeds are asked for next, here or by other processes: what is found at one of them
     /// does not depend on who asks for the others.
     void expect(const std::vector<double> &speeds, int wanted) const;
-    /// Whether that holds no longer: what was found at one speed helps at the next.
+    /// Whether what was found at one speed helps at the next, so that speeds cannot be shared among
+    /// processes.
     /// @param follow  follow() is asked for
     [[nodiscard]] bool carries_over(bool follow) const;
 
@@ -60,7 +61,7 @@ class SpectrumSolver {
     /// speeds. Its modes are over the amplitudes of these shapes. Null where there is none.
     /// @param from,to  rad/s
     [[nodiscard]] const SpectrumSolver *reduced_for(double from, double to, int wanted) const;
-    /// Of such a rotor its planar shapes, N x r; null of a whole one.
+    /// The reduction basis of a reduced rotor, planar shapes N x r; null of a whole one.
     [[nodiscard]] const Eigen::MatrixXd *shapes() const;
 
     /// Form hill: this rotor reduced to the shapes that its motions have over a range of speeds,
@@ -69,16 +70,16 @@ class SpectrumSolver {
     /// @param from,to  rad/s
     [[nodiscard]] std::unique_ptr<SpectrumSolver> by_monodromy(double from, double to,
                                                                int wanted) const;
-    /// This is such a rotor: a speed costs little.
+    /// True of such a reduced rotor, whose spectra cost little.
     [[nodiscard]] bool by_matrix() const;
-    /// Of such a rotor: it does so, for it is not next to rest, where its matrix cannot tell as
-    /// many modes (FloquetSpectrum::resolves).
+    /// True if its monodromy matrix resolves `wanted` modes at this speed (not near standstill,
+    /// FloquetSpectrum::resolves).
     [[nodiscard]] bool by_matrix(double speed, int wanted) const;
-    /// At speeds up to this one all its motions are at least five times as fast, rad/s; 0: not
+    /// Speed below which all natural frequencies are at least five times the speed, rad/s; 0: not
     /// known (FloquetSpectrum::slow).
     [[nodiscard]] double slow() const;
-    /// Of such a rotor: changes of the eigenvalues of modes with speed, from a spectrum just
-    /// beside; not a number where it is not clear which one a mode becomes.
+    /// Of such a reduced rotor: rates of the eigenvalues with speed, by differences to a spectrum
+    /// close by; not a number where it is not clear which one a mode becomes.
     [[nodiscard]] Eigen::VectorXcd rates(const Spectrum &spectrum) const;
 
     /// Modes near guesses over the unknowns of this rotor, one for each; none where they cannot be

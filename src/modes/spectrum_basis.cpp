@@ -110,10 +110,10 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
 }
 
 Eigen::VectorXcd SpectrumSolver::rates(const Spectrum &spectrum) const {
-    const double beside = rate_step * std::abs(spectrum.speed);
-    const auto [known, is_new] = _data->beside.try_emplace(spectrum.speed);
+    const double offset = rate_step * std::abs(spectrum.speed);
+    const auto [known, is_new] = _data->neighbours.try_emplace(spectrum.speed);
     if (is_new || known->second.modes.size() < spectrum.modes.size())
-        known->second = at(spectrum.speed + beside, static_cast<int>(spectrum.modes.size()));
+        known->second = at(spectrum.speed + offset, static_cast<int>(spectrum.modes.size()));
     return rates_between(spectrum, known->second);
 }
 

@@ -42,7 +42,8 @@ struct Relaxation {
     /// |shift - i w| < shift + rate.
     [[nodiscard]] double shift() const { return 4 * rate; }
     /// An eigenvalue as seen from these axes, Im >= 0.
-    [[nodiscard]] std::complex<double> seen(std::complex<double> l, double speed) const {
+    [[nodiscard]] std::complex<double> in_rotating_axes(std::complex<double> l,
+                                                        double speed) const {
         return {l.real(), std::abs(std::abs(l.imag()) - turning * std::abs(speed))};
     }
     /// The shaft's damping, where it turns, may bring it to rest: beyond half the rate, as seen
@@ -58,7 +59,7 @@ struct Relaxation {
     /// coupled to the supports have ratios of 0.9998 and more at any speed, the slowest not.)
     [[nodiscard]] bool stands(std::complex<double> l, double speed) const {
         constexpr double hardly = 0.1; // Im over modulus: a damping ratio of sqrt(1 - 0.01) = 0.995
-        const std::complex<double> there = seen(l, speed);
+        const std::complex<double> there = in_rotating_axes(l, speed);
         return relaxes(l) && there.imag() <= hardly * std::abs(there);
     }
 };

@@ -47,7 +47,7 @@ MatrixXcd off(const VectorXcd &steady, double speed, Complex l, Index terms) {
 
 /// (d_k x_k - acts f_k) = r_k with f_k = up seen x_k-1 + down seen x_k+1 for all terms.
 struct ModalSeries::Chain {
-    const MatrixXcd &acts, &seen, &up, &down;
+    const MatrixXcd &acts, &observed, &up, &down;
     MatrixXcd inverse; ///< 1/d, a column each
 
     [[nodiscard]] MatrixXcd solve(const MatrixXcd &right) const;
@@ -61,12 +61,12 @@ struct ModalSeries::Chain {
     /// What the places see of forces of a term.
     [[nodiscard]] MatrixXcd back(Index k) const {
         const MatrixXcd motion = inverse.col(k).asDiagonal() * acts;
-        return linalg::times(seen, motion);
+        return linalg::times(observed, motion);
     }
     /// Forces of the motion without forces.
     [[nodiscard]] MatrixXcd alone(const MatrixXcd &right) const {
         const MatrixXcd motion = inverse.cwiseProduct(right);
-        const MatrixXcd at_places = linalg::times(seen, motion);
+        const MatrixXcd at_places = linalg::times(observed, motion);
         const Index others = right.cols() - 1;
         MatrixXcd out = MatrixXcd::Zero(acts.cols(), right.cols());
         out.rightCols(others) += linalg::times(up, at_places).leftCols(others);
@@ -180,10 +180,10 @@ MatrixXcd ModalSeries::solve(Complex l, const MatrixXcd &right) const {
 
 MatrixXcd ModalSeries::solve_adjoint(Complex l, const MatrixXcd &right) const {
     const MatrixXcd acts = _seen.adjoint();
-    const MatrixXcd seen = _acts.adjoint();
+    const MatrixXcd observed = _acts.adjoint();
     const MatrixXcd up = _down.adjoint();
     const MatrixXcd down = _up.adjoint();
-    return Chain{acts, seen, up, down,
+    return Chain{acts, observed, up, down,
                  off(_steady, _speed, l, right.cols()).conjugate().cwiseInverse()}
         .solve(right);
 }

@@ -120,9 +120,9 @@ std::vector<Rows> forces(const System &system, double speed, double from, double
 /// S A, S with these blocks on its diagonal.
 void set_product(const std::vector<Rows> &S, const Rows &A, linalg::RowsOut out) {
     const Eigen::Index m = S.front().rows();
-    const Eigen::Index seen = S.front().cols();
+    const Eigen::Index observed = S.front().cols();
     for (Eigen::Index i = 0; i < stages; ++i)
-        linalg::set_product(S[static_cast<std::size_t>(i)], A.middleRows(i * seen, seen),
+        linalg::set_product(S[static_cast<std::size_t>(i)], A.middleRows(i * observed, observed),
                             out.middleRows(i * m, m));
 }
 
@@ -161,26 +161,26 @@ StepMaps::StepMaps(const System &system, double speed, double length)
     }
     const Eigen::Index rows = system.turning(speed, 0).cols(); // at each point
     const Rows at_places = P.transpose();
-    Rows seen(stages * rows, columns);
+    Rows observed(stages * rows, columns);
     for (Eigen::Index i = 0; i < stages; ++i) {
-        linalg::set_product(at_places, q.at(i).leftCols(columns), seen.middleRows(i * rows, m));
+        linalg::set_product(at_places, q.at(i).leftCols(columns), observed.middleRows(i * rows, m));
         if (rows > m)
             linalg::set_product(at_places, v.at(i).leftCols(columns),
-                                seen.middleRows(i * rows + m, m));
+                                observed.middleRows(i * rows + m, m));
     }
-    _Y = seen.leftCols(2 * n);
-    _away = -seen.rightCols(stages * m);
+    _Y = observed.leftCols(2 * n);
+    _away = -observed.rightCols(stages * m);
 }
 
 /// Forces of the supports onto what places and points see without them, behind what acts back on
 /// itself.
-Rows StepMaps::forces_onto(double from, const linalg::RowsIn &seen) const {
+Rows StepMaps::forces_onto(double from, const linalg::RowsIn &observed) const {
     const Eigen::Index at_once = _away.cols();
-    Rows acting(at_once, at_once + seen.cols());
+    Rows acting(at_once, at_once + observed.cols());
     const std::vector<Rows> S = forces(_system, _speed, from, _length);
     set_product(S, _away, acting.leftCols(at_once));
     acting.leftCols(at_once).diagonal().array() += 1;
-    set_product(S, seen, acting.rightCols(seen.cols()));
+    set_product(S, observed, acting.rightCols(observed.cols()));
     linalg::solve_beside(acting);
     return acting;
 }
@@ -195,9 +195,9 @@ void StepMaps::set_end(double from, const Rows &states, Rows &out) const {
     linalg::set_product(_R, states, out);
     if (_away.cols() == 0)
         return;
-    Rows seen(_Y.rows(), states.cols());
-    linalg::set_product(_Y, states, seen);
-    linalg::add_product(_L, forces_onto(from, seen).rightCols(states.cols()), out);
+    Rows observed(_Y.rows(), states.cols());
+    linalg::set_product(_Y, states, observed);
+    linalg::add_product(_L, forces_onto(from, observed).rightCols(states.cols()), out);
 }
 
 } // namespace whirl::periodic

@@ -31,7 +31,7 @@ class StepMaps {
     linalg::Rows _Y;    ///< 2sm x 2n, or sm x 2n
     linalg::Rows _away; ///< -Z, 2sm x sm, or sm x sm
 
-    [[nodiscard]] linalg::Rows forces_onto(double from, const linalg::RowsIn &seen) const;
+    [[nodiscard]] linalg::Rows forces_onto(double from, const linalg::RowsIn &observed) const;
 };
 
 /// The matrix of half a turn in many steps. The map of so many steps at once is a smooth periodic

@@ -93,7 +93,7 @@ class Windows {
     }
 
     /// Whether so many places resolve the maps.
-    [[nodiscard]] bool told() const {
+    [[nodiscard]] bool resolved() const {
         // Of the largest column: some ten units of rounding of the maps.
         constexpr double nothing = 3e-15;
         return _maps.allFinite() && combined(_maps, highest(_maps.cols())).norm() <=
@@ -107,7 +107,7 @@ class Windows {
         while (_left % 2 == 0 && price * _maps.cols() < _left / 2) {
             const MatrixXd before = _maps;
             double_them();
-            if (!told()) {
+            if (!resolved()) {
                 _maps = combined(before, at_places(before.cols(), 2 * before.cols() + 1));
                 continue;
             }
@@ -120,7 +120,7 @@ class Windows {
         while (_left > count) {
             const MatrixXd before = _maps;
             double_them();
-            if (told()) {
+            if (resolved()) {
                 _left /= 2;
                 continue;
             }
@@ -175,7 +175,7 @@ std::vector<Rows> turn_in_parts(const System &system, double speed, int steps, i
     if (each * parts >= least_gain * first_places && each > 1) {
         each = 1 << static_cast<int>(std::ceil(std::log2(each)));
         Windows windows(system, speed, each * parts);
-        if (windows.told())
+        if (windows.resolved())
             if (auto found = windows.parts(parts))
                 return *std::move(found);
     }
@@ -209,7 +209,7 @@ std::optional<MatrixXd> half_turn_by_windows(const System &system, double speed,
     const auto halvings = static_cast<int>(std::log2(static_cast<double>(steps) / first_places));
     const int whole = 1 << halvings;
     Windows windows(system, speed, (steps + whole - 1) / whole * whole);
-    if (!windows.told())
+    if (!windows.resolved())
         return std::nullopt;
     windows.widen();
     MatrixXd out = windows.product();

@@ -4,6 +4,8 @@
 #include "assembly/planes.h"
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
+#include "linalg/dense/products.h"
+#include "linalg/symmetric_eigen.h"
 #include "reduction/orthonormal.h"
 
 #include <Eigen/SparseCholesky>
@@ -87,6 +89,18 @@ void PlanarShapes::add_static(const std::vector<assembly::Combination> &loaded) 
 
 void PlanarShapes::add(const Eigen::MatrixXd &columns, double newness) {
     take_in(_shapes, _H, columns, newness);
+}
+
+Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>
+PlanarShapes::principal(const std::vector<const Eigen::MatrixXd *> &parts) const {
+    const Eigen::MatrixXd to_amplitudes = _shapes.transpose() * _H;
+    Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(_shapes.cols(), _shapes.cols());
+    for (const Eigen::MatrixXd *of_motion : parts) {
+        Eigen::MatrixXd amplitudes = linalg::times(to_amplitudes, *of_motion);
+        amplitudes /= std::max(amplitudes.colwise().norm().maxCoeff(), 1e-300);
+        squares += linalg::times(amplitudes, Eigen::MatrixXd(amplitudes.transpose()));
+    }
+    return linalg::symmetric_eigenpairs(squares);
 }
 
 void PlanarShapes::keep(const Eigen::MatrixXd &combinations) {

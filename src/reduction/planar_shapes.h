@@ -3,6 +3,7 @@
 #include "assembly/discretization.h"
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCore>
 
 #include <vector>
@@ -41,6 +42,12 @@ class PlanarShapes {
     /// Takes in what is new of columns whose lengths under K + top^2 M count, the longest first,
     /// until what is left of each is shorter than that.
     void add_longest_first(Eigen::MatrixXd columns, double shortest);
+
+    /// Combinations of the shapes, those that carry most of some motions last, each motion counted
+    /// by its largest part: eigenpairs of the sum of their squares over the amplitudes.
+    /// @param parts  planar parts of a motion, a column each
+    [[nodiscard]] Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>
+    principal(const std::vector<const Eigen::MatrixXd *> &parts) const;
 
     /// Only these combinations of the shapes, r x s with orthonormal columns, are kept.
     void keep(const Eigen::MatrixXd &combinations);

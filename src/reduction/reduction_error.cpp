@@ -18,13 +18,13 @@ using assembly::i_unit;
 
 /// Deflections (x rows, then y rows) at the places seen under forward unit forces, full model.
 /// @param loads  unit loads at the places of forces
-/// @param seen   the same at those of the deflections
+/// @param observed  the same at those of the deflections
 Eigen::MatrixXcd full_response(const assembly::Discretization &d, const Eigen::MatrixXd &loads,
-                               const Eigen::MatrixXd &seen, double speed) {
+                               const Eigen::MatrixXd &observed, double speed) {
     linalg::HarmonicSolver solver(assembly::assemble_fixed(d, speed));
     const Eigen::MatrixXcd w = loads.cast<std::complex<double>>();
     const Eigen::MatrixXcd motion = solver.solve(speed, assembly::in_pairs(w, -i_unit * w));
-    const Eigen::MatrixXcd at = seen.cast<std::complex<double>>();
+    const Eigen::MatrixXcd at = observed.cast<std::complex<double>>();
     Eigen::MatrixXcd response(2 * at.cols(), w.cols());
     response << linalg::transposed_times(at, motion(Eigen::seqN(0, w.rows(), 2), Eigen::all)),
         linalg::transposed_times(at, motion(Eigen::seqN(1, w.rows(), 2), Eigen::all));
@@ -33,7 +33,7 @@ Eigen::MatrixXcd full_response(const assembly::Discretization &d, const Eigen::M
 
 /// @param frequency  rad/s, at which the forces go round, backward where it is below 0
 Eigen::MatrixXcd reduced_response(const ReducedRotor &reduced, const Eigen::MatrixXd &loads,
-                                  const Eigen::MatrixXd &seen, double speed, double frequency) {
+                                  const Eigen::MatrixXd &observed, double speed, double frequency) {
     const Eigen::Index r = reduced.size();
     const ReducedRotor::Supports at = reduced.supports_at(speed);
     Eigen::MatrixXcd A = at.stiffness + i_unit * frequency * at.damping;
@@ -53,7 +53,7 @@ Eigen::MatrixXcd reduced_response(const ReducedRotor &reduced, const Eigen::Matr
     forces << rows, -i_unit * rows;
     const Eigen::MatrixXcd motion = linalg::solved(A.partialPivLu(), forces);
     const Eigen::MatrixXcd at_seen =
-        linalg::transposed_times(reduced.shapes, seen).cast<std::complex<double>>();
+        linalg::transposed_times(reduced.shapes, observed).cast<std::complex<double>>();
     Eigen::MatrixXcd response(2 * at_seen.cols(), rows.cols());
     response << linalg::transposed_times(at_seen, motion.topRows(r)),
         linalg::transposed_times(at_seen, motion.bottomRows(r));

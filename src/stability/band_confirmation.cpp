@@ -24,7 +24,7 @@ std::optional<double> end_near(const MotionsAt &at, double end, double inward, d
     return std::nullopt;
 }
 
-/// What the whole rotor makes of bands of the reduced one; nothing where it does not agree.
+/// Verifies bands of the reduced rotor on the whole one; nothing where they differ.
 class Confirmation {
   public:
     Confirmation(const MotionsAt &at, const std::vector<results::Interval> &bands,
@@ -57,8 +57,8 @@ class Confirmation {
     double _front, _back;
     const PeriodicMotions *_periodic;
 
-    /// Bands that hardly stand apart, with nothing between them that decays, are one: at its ends
-    /// the growth of an undamped rotor comes and goes with the rounding.
+    /// Bands with a minute gap in which nothing decays are one: at its ends the growth of an
+    /// undamped rotor comes and goes with the rounding.
     [[nodiscard]] std::vector<results::Interval>
     without_slits(const std::vector<results::Interval> &bands) const {
         constexpr double slit = 1e-7; // of the speed: what rounding of an undamped end can open
@@ -78,8 +78,8 @@ class Confirmation {
         return to > from && growth(_at, (from + to) / 2) > 0;
     }
 
-    /// An end where the growth passes zero with a slope, by Newton's method: from where it is the
-    /// band's own motion that grows most, whatever hardly dies out beside it.
+    /// An end where the growth passes zero with a slope, by Newton's method from inside the band,
+    /// where its own motion grows most.
     [[nodiscard]] std::optional<double> root_near(double end, double inward, double width,
                                                   double beyond) const {
         if (_periodic == nullptr)

@@ -9,8 +9,8 @@ namespace whirl::stability {
 
 class PeriodicMotions;
 
-/// What the whole rotor makes of the bands of a reduced one: each end found again as a root, growth
-/// inside of each band and none between them.
+/// Verifies bands of the reduced rotor on the whole one: each end is found again as a root, with
+/// growth inside each band and none between them.
 /// @param at        motions of the whole rotor
 /// @param range     in which the bands were looked for
 /// @param periodic  whose reduced rotor has the bands, its ends roots: those of the whole one are

@@ -13,7 +13,7 @@ namespace {
 
 /// Halvings of one step of the grid, one inside the other: to a millionth of it.
 constexpr int deepest = 20;
-/// Doubt within so small a part of the speed hides no band that counts.
+/// Doubtful intervals narrower than this part of the speed are not reported.
 constexpr double minute = 1e-7;
 
 /// Vertex of the parabola through three points, the middle one the highest: how high it is.
@@ -30,7 +30,7 @@ double vertex(double x0, double y0, double x1, double y1, double x2, double y2) 
 /// 0.618^24 is 1e-5 of the step: the top of a parabola is flat below.
 constexpr int golden_steps = 24;
 
-/// Which motion at the other end of a step one at this end is, or nowhere.
+/// The index at the other end of a step of a motion at this end, or nowhere.
 /// @param to       of the motions at the lower end
 /// @param upwards  this end is the lower one
 int across(const std::vector<int> &to, int index, bool upwards) {
@@ -76,7 +76,7 @@ const Continuation &BandSearch::continuation(const Probe &a, const Probe &b) {
         .first->second;
 }
 
-/// Follows the two to the next speeds that were looked at on one side of a step.
+/// Adds values of the two at the next known speeds on one side of a step.
 /// @param at            which of the motions at the end of the step on that side they are
 /// @param first,second  their eigenvalues there
 void BandSearch::add_beyond(Coalescence &m, const Probe &end, std::array<int, 2> at,
@@ -208,7 +208,7 @@ void BandSearch::peak_of(const std::array<double, 3> &speeds,
     if (y1 < y0 || y1 < y2)
         return;
     const double top = vertex(from, y0, middle, y1, to, y2);
-    // A peak sharper than a parabola: a reserve of what is seen of it.
+    // Allowance for a peak sharper than the parabola.
     if (top + 2 * (top - y1) + 0.25 * (y1 - std::min(y0, y2)) <= 0)
         return;
     const auto value_at = [&](double x) { // of the motion, by interpolation of the three

@@ -100,12 +100,12 @@ class Follower {
         }
     }
 
-    /// At the border of what was computed, and too fast to matter.
+    /// At the upper end of the computed frequencies, and too fast to matter.
     [[nodiscard]] bool comes_or_goes(const Motion &motion) const {
         return !motion.may_meet && std::abs(motion.value) > 0.95 * _border;
     }
 
-    /// Connected by shares that count, among those without a partner.
+    /// Groups of motions without a partner, connected by shares that count.
     std::vector<Group> groups() {
         std::vector<Group> out;
         std::vector<bool> used_a(_a.size(), false);
@@ -142,7 +142,7 @@ class Follower {
         double noise = 0;
         bool may_meet = false;
         std::vector<Complex> values;
-        const auto look_at = [&](const Motion &motion) {
+        const auto take = [&](const Motion &motion) {
             growth = std::max(growth, motion.value.real());
             inner = std::min(inner, std::abs(motion.value));
             noise += motion.noise;
@@ -150,16 +150,16 @@ class Follower {
             values.push_back(motion.value);
         };
         for (const int i : group.from)
-            look_at(a(i));
+            take(a(i));
         for (const int j : group.to)
-            look_at(b(j));
+            take(b(j));
         double spread = 0;
         for (const Complex x : values)
             for (const Complex y : values)
                 spread = std::max(spread, std::abs(x - y));
         if (values.size() == 1) // how far it could go is not known
             spread = std::abs(values.front()) / 2;
-        // At the border of what was computed motions come and go.
+        // At the upper end of the computed frequencies motions enter and leave.
         const bool border = inner > 0.9 * _border;
         // Balls near rest: rounding cannot distinguish these motions, nor what they do.
         const bool blurred = spread <= noise;
@@ -188,8 +188,8 @@ class Follower {
                std::ranges::all_of(to, [&](int j) { return b(j).action == action; });
     }
 
-    /// Each has become a mixture of both: which of them is which then depends on how states are
-    /// measured, and whether their frequencies cross with it.
+    /// Each has become a mixture of both, so that neither which is which nor whether their
+    /// frequencies cross is defined.
     [[nodiscard]] bool mixed(int i, int j) const {
         // Share of the other's state from which on a motion is a mixture.
         constexpr double traces = 0.02;

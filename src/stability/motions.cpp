@@ -47,23 +47,17 @@ constexpr int fewest_driven = 24;
 /// Bearings can feed energy into any motion, not only slow ones: cross-coupled stiffness that is
 /// not symmetric, or damping that is negative in some direction.
 bool bearings_drive(const model::Rotor &rotor) {
-    if (rotor.shaft.axial_torque != 0) // so can a torque that has no potential
-        return true;
-    for (const model::Bearing &bearing : rotor.bearings)
-        for (const model::BearingCoefficients &at : bearing.rows) {
-            const Eigen::Matrix2d c = at.c + at.c.transpose();
-            const double determinant = c(0, 0) * c(1, 1) - c(0, 1) * c(1, 0);
-            if (!model::symmetric(at.k) || c.trace() < 0 || determinant < 0)
-                return true;
-        }
-    return false;
+    // So can a torque that has no potential.
+    return rotor.shaft.axial_torque != 0 || !rotor.every_row([](const auto &at) {
+        return model::symmetric(at.k) && !model::pushes_away(at.c);
+    });
 }
 
 Eigen::VectorXd root_of_diagonal(const Matrix &matrix) {
     return Eigen::SparseMatrix<double>(matrix.view()).diagonal().cwiseAbs().cwiseSqrt();
 }
 
-/// What the residual of a pair leaves possible in its vector of those of its neighbours.
+/// How much of its neighbours' vectors the vector of a pair may contain, by its residual.
 std::vector<RayleighFunctional::Admixture> admixtures(const std::vector<ComplexPair> &pairs,
                                                       std::size_t index, double residual) {
     const Complex own = pairs[index].value;
@@ -100,7 +94,7 @@ void drop_sidebands(std::vector<Motion> &motions, double speed) {
     motions = std::move(kept);
 }
 
-/// What `find` finds; a failure of the eigensolver in words.
+/// The result of `find`; its failure as one that users read.
 template <class Find>
 auto found_or_said(double speed, int unknowns, results::Form form, const Find &find) {
     try {
@@ -187,7 +181,7 @@ struct MotionSolver::Data {
         return shapes ? static_cast<int>(shapes->cols()) : d.planar_size();
     }
 
-    /// Pairs, and the problem that they solve where one needs to look at it again.
+    /// Pairs, with the problem where real parts must be computed once more.
     struct Solved {
         std::vector<ComplexPair> pairs;
         std::function<RayleighFunctional()> functional;
@@ -299,8 +293,8 @@ struct MotionSolver::Data {
 
     /// Real parts that the eigensolver cannot distinguish from zero, from the forms that they
     /// consist of.
-    void look_again(const Solved &solved, std::size_t index,
-                    std::optional<RayleighFunctional> &functional, Motion &motion) const {
+    void solve_again(const Solved &solved, std::size_t index,
+                     std::optional<RayleighFunctional> &functional, Motion &motion) const {
         const ComplexPair &pair = solved.pairs[index];
         if (std::abs(pair.value.real()) > 3 * motion.noise || pair.value == 0.0 ||
             !solved.functional)
@@ -346,7 +340,7 @@ struct MotionSolver::Data {
         std::vector<Motion> motions;
         for (std::size_t i = 0; i < solved.pairs.size(); ++i) {
             Motion motion = motion_of(solved.pairs[i], speed);
-            look_again(solved, i, functional, motion);
+            solve_again(solved, i, functional, motion);
             motions.push_back(motion);
             if (motion.value.imag() == 0)
                 continue;

@@ -171,8 +171,8 @@ class CoalescenceSearch {
             const double root = std::abs(std::sqrt(found.q).real());
             const double margin = margin_of(off_s, off_q, root);
             const double moved = std::abs(guess.speed - speed);
-            // What three points say of the whole is not enough: another speed where they place the
-            // most growth must agree with them.
+            // Three points alone do not decide: the speed at which they place the largest growth
+            // must confirm them.
             said_stable = guess.growth < -2 * margin ? said_stable + 1 : 0;
             if (said_stable == agreeing_predictions || moved < 1e-9 * std::abs(_m.to) ||
                 moved < 1e-7 * (_m.to - _m.from))
@@ -208,7 +208,7 @@ class CoalescenceSearch {
         return _m.from + std::clamp(share, 0.02, 0.98) * (_m.to - _m.from);
     }
 
-    /// Of what the points lead one to expect the nearer to what was found.
+    /// Of the two expected values the one nearer to what was found.
     [[nodiscard]] Complex expected_q(Complex found, double speed) const {
         const Complex q = interpolated(_points, &PairPoint::q, speed);
         if (!_crossing)
@@ -317,7 +317,7 @@ class PassingSearch {
         return {monotonic ? Kind::stable : Kind::unsure, speed};
     }
 
-    /// Nothing where they are not what the ends lead one to expect.
+    /// Nothing where the motions differ from what the ends predict.
     [[nodiscard]] std::optional<Place> probe(double speed) const {
         const double share = (speed - _low.speed) / (_high.speed - _low.speed);
         const Complex first = _low.first + share * (_high.first - _low.first);

@@ -36,7 +36,7 @@ constexpr double slow_enough = 4;
 constexpr double of_average = 1.5;
 /// Speeds of which the motions are kept.
 constexpr std::size_t most_kept = 4000;
-/// Rounding that is ever there, of speed and modulus.
+/// Rounding that is always allowed for, over speed and modulus.
 constexpr double ever_there = 1e-11;
 
 /// Largest alias_distance over the speed of those up to a frequency to the nearest of the others.
@@ -116,8 +116,8 @@ double PeriodicMotions::octave_reach(double speed) const {
     return reach[octave] = motion_reach(std::move(sizes), slow_enough * top);
 }
 
-/// Of steady motions, of a rigid rotor all and of an elastic one those that grow, how fast the
-/// fastest is. Next to a speed of which it is known it is not found anew.
+/// Largest frequency of the motions with mean bearings, of a rigid rotor all and of an elastic one
+/// those that grow; kept for speeds close by.
 double PeriodicMotions::steady_reach(double speed) const {
     constexpr double hardly = 1.05; // faster, by as much the steps are shorter than need be
     const double size = std::abs(speed);
@@ -155,8 +155,8 @@ int PeriodicMotions::steps(double speed, double reach) const {
     return static_cast<int>(wanted);
 }
 
-/// With steps that suffice, as one half more of them show; this is looked at anew wherever the
-/// speed has become another one.
+/// With as many steps in time as suffice, verified with half as many more wherever the speed has
+/// changed much.
 Floquet PeriodicMotions::settled(double speed, double reach) const {
     // Ratio of speeds within which the same density of steps is trusted.
     constexpr double another = 1.5;

@@ -29,8 +29,8 @@ struct OwnWholeRotor {
     OwnWholeRotor &operator=(const OwnWholeRotor &) = delete;
 };
 
-/// How fast motions are followed, and of the steps in time over half a turn how many more than
-/// their rule has them are needed.
+/// The reach of motions, and the factor on the usual number of steps in time, as learnt from
+/// earlier speeds.
 struct StepExperience {
     double density = 1;          ///< over the rule
     double settled_at = 0;       ///< |speed| at which that was seen last, rad/s
@@ -62,8 +62,8 @@ class PeriodicMotions {
     /// @throws linalg::SolverError, model::AnalysisFailure
     [[nodiscard]] std::vector<Motion> at(double speed) const;
 
-    /// All of them as the reduced rotor has them; states are those of the shapes at hand, while
-    /// at() gives states over all unknowns, as shapes can be added.
+    /// All motions of the reduced rotor, with states over its present shapes; at() gives states
+    /// over all unknowns, as shapes can be added.
     [[nodiscard]] std::vector<Motion> reduced_at(double speed) const;
 
     /// Shapes with which every motion at these speeds is that of the whole rotor; none where the
@@ -141,7 +141,7 @@ class PeriodicMotions {
     /// @param wanted  where to say which of the whole rotor's motions were looked at, or none
     [[nodiscard]] std::optional<List> corrected(double speed, bool all,
                                                 std::vector<Wanted> *wanted = nullptr) const;
-    void compact() const;
+    void keep_principal() const;
     [[nodiscard]] bool has_wanted() const;
 };
 

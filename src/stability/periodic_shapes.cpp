@@ -1,7 +1,5 @@
 // The planar shapes that an elastic periodic rotor is reduced to.
 
-#include "linalg/dense/products.h"
-#include "linalg/symmetric_eigen.h"
 #include "reduction/projection.h"
 #include "stability/periodic_motions.h"
 
@@ -58,24 +56,20 @@ bool PeriodicMotions::has_wanted() const {
 
 /// Shapes good for one speed were added to those for another, and static deflections to both: of
 /// what they span as few as have all motions at these speeds.
-void PeriodicMotions::compact() const {
+void PeriodicMotions::keep_principal() const {
     constexpr std::array least_parts{1e-3, 3e-4, 1e-4, 3e-5};
     // Of the shapes: a tenth less is not worth a check at all speeds.
     constexpr double hardly_fewer = 0.9;
-    const Eigen::MatrixXd all = _planar->matrix();
-    const Eigen::MatrixXd to_amplitudes = all.transpose() * _planar->metric();
-    Eigen::MatrixXd energies = Eigen::MatrixXd::Zero(all.cols(), all.cols());
+    const auto all = static_cast<double>(_planar->matrix().cols());
+    std::vector<const Eigen::MatrixXd *> parts;
     for (const auto &[speed, wanted] : _good_at)
-        for (const Wanted &one : wanted) {
-            Eigen::MatrixXd parts = linalg::times(to_amplitudes, one.parts);
-            parts /= std::max(parts.colwise().norm().maxCoeff(), 1e-300);
-            energies += linalg::times(parts, Eigen::MatrixXd(parts.transpose()));
-        }
-    const auto principal = linalg::symmetric_eigenpairs(energies);
+        for (const Wanted &one : wanted)
+            parts.push_back(&one.parts);
+    const auto principal = _planar->principal(parts);
     Eigen::Index tried = 0;
     for (const double part : least_parts) {
         const Eigen::Index few = (principal.eigenvalues().array() > part * part).count();
-        if (static_cast<double>(few) > hardly_fewer * static_cast<double>(all.cols()))
+        if (static_cast<double>(few) > hardly_fewer * all)
             return;
         if (few == tried || few == 0)
             continue;
@@ -109,7 +103,7 @@ PeriodicMotions::good_shapes(const std::vector<double> &speeds) const {
             }
         }
     if (more && _reduced)
-        compact();
+        keep_principal();
     return _shapes;
 }
 

@@ -62,8 +62,8 @@ class Varied {
         return _model.form == results::Form::hill && _model.harmonics == 0;
     }
 
-    /// On shapes that were good for another dI, where there are some, and with the steps in time
-    /// that did: the search has the last word with its own.
+    /// With the basis and the steps in time of another dI, where there are some: the final search
+    /// verifies with its own.
     [[nodiscard]] MotionSolver solver(double dI) const {
         StabilityModel model = model_with(dI);
         model.experience = _experience;
@@ -102,11 +102,11 @@ class Varied {
     }
 
     /// The same by the whole rotor, near that of the reduced rotor; none where it is not there.
-    [[nodiscard]] std::optional<double> refined(double speed, double told) const {
+    [[nodiscard]] std::optional<double> refined(double speed, double reduced) const {
         const auto growth = [&](double dI) { return growth_of(whole(dI).at(speed)); };
         for (const double share : {1e-8, 1e-6, 1e-4}) {
-            const double low = told * (1 - share);
-            const double high = told * (1 + share);
+            const double low = reduced * (1 - share);
+            const double high = reduced * (1 + share);
             if (growth(low) <= 0 && growth(high) > 0)
                 return just_stable(growth, low, high);
         }
@@ -193,7 +193,7 @@ class Varied {
     }
 };
 
-/// The search by descent, and what became of it.
+/// The search by descent and its outcome.
 struct Descent {
     std::optional<double> dI; ///< none: stable up to the largest
     double unstable = 0;      ///< least dI that was found to be unstable
@@ -258,7 +258,7 @@ class DescentSearch {
         return !unchanged && _dI >= 1e-9 * _largest;
     }
 
-    /// The last band alone, until nothing of it is left: what is left lies in and beside it.
+    /// The last band alone until it closes: what remains lies in or next to it.
     /// @returns whether it is worthwhile to look at the others
     bool follow() {
         for (int step = 0; step < most_steps; ++step) {
@@ -289,8 +289,8 @@ std::vector<double> around(double speed, const std::vector<double> &speeds) {
     return out;
 }
 
-/// The band search has the last word: no band at what was found, one just above. Where it does not
-/// agree, halving by the band search itself.
+/// Verified by the band search: no band at the dI found, one just above it. Where it does not
+/// agree, bisection by the band search itself.
 double verified(const Varied &varied, const Descent &found, const std::vector<double> &speeds) {
     constexpr double margin = 1e-9; // of dI: bands that are just closed are still seen by rounding
     constexpr double above = 1e-6;  // far enough that a band is seen
@@ -314,12 +314,12 @@ double verified(const Varied &varied, const Descent &found, const std::vector<do
     const std::vector<double> near = around(found.speed, speeds);
     if (stable >= unstable || !varied.stable(stable, near))
         return *found.dI;
-    // Where the shaft hardly takes part, growth just above drowns in rounding. It is seen first
+    // Where the shaft hardly takes part, growth just above is hidden by rounding. It shows first
     // where it was found to begin, most likely; that it is nowhere else before is looked at once.
-    const double seen = halved(stable, unstable, near);
-    if (varied.stable(seen, speeds))
-        return seen;
-    return varied.stable(stable, speeds) ? halved(stable, seen, speeds) : *found.dI;
+    const double nearby = halved(stable, unstable, near);
+    if (varied.stable(nearby, speeds))
+        return nearby;
+    return varied.stable(stable, speeds) ? halved(stable, nearby, speeds) : *found.dI;
 }
 
 /// Fewer of many: the search for bands looks between them by itself.
@@ -346,7 +346,7 @@ double first_to_grow(const Varied &varied, const Descent &found,
     return found.speed;
 }
 
-/// By shapes, and what comes out found again with the whole rotor; or with the whole rotor.
+/// With the reduced rotor and refined on the whole one, or with the whole one alone.
 Descent descent(Varied &varied, double largest, const std::vector<double> &speeds) {
     try {
         Descent found = DescentSearch(varied, largest, speeds).descent();

@@ -22,8 +22,8 @@ namespace {
 /// Nothing is gained with so large a part of all shapes, nor where other ones are hardly fewer.
 constexpr double large_part = 0.8;
 constexpr double hardly_fewer = 0.85;
-/// What may be left of a motion, of its length: of those that the shapes lack, one after the other
-/// until it is enough, and of all of them. The errors of eigenvalues are the squares of it.
+/// Part of a motion's length that the basis may lack: first of the motions it does not reproduce,
+/// in steps, then of all. Eigenvalues are off by its square.
 constexpr std::array left_of_lacking{3e-2, 1e-2, 3e-3, 1e-3, 1e-5};
 constexpr double left_of_all_rotating = 1e-4;
 constexpr double left_of_all_fixed = 1e-3;
@@ -93,10 +93,10 @@ class Comparison {
         }
     }
 
-    /// Of the last shapes: all motions that matter are those of the whole rotor.
+    /// With the last basis all motions that matter agree with the whole rotor.
     [[nodiscard]] bool agrees() const { return _agrees; }
-    /// They are all that matter: its determinant counts no other eigenvalues up to where the next
-    /// gap is.
+    /// No motion that matters is missing: the determinant counts no other eigenvalue up to the next
+    /// gap.
     [[nodiscard]] bool complete_with(const Eigen::MatrixXd &shapes) {
         with(shapes);
         constexpr double beyond = 1.02; // hardly, for beyond that shapes need have no motions
@@ -156,7 +156,7 @@ Eigen::MatrixXd parts_of(const MotionVectors &motions, const Eigen::SparseMatrix
     return out;
 }
 
-/// More shapes, until the rotor on them has the motions at one more speed.
+/// Adds shapes until the reduced rotor reproduces the motions at one more speed.
 /// @returns whether it has
 bool enriched(reduction::PlanarShapes &planar, Comparison &comparison) {
     const auto too_many = [&planar] {
@@ -179,23 +179,24 @@ bool enriched(reduction::PlanarShapes &planar, Comparison &comparison) {
 
 /// Modes and static deflections are more than the motions need: as few as span these alone.
 /// @param left  of each, at most
-void compact(reduction::PlanarShapes &planar, std::list<Comparison> &comparisons, double left) {
+void keep_spanning(reduction::PlanarShapes &planar, std::list<Comparison> &comparisons,
+                   double left) {
     MotionVectors motions;
     for (const Comparison &comparison : comparisons)
         motions.insert(motions.end(), comparison.motions().begin(), comparison.motions().end());
     if (motions.empty())
         return;
     const Eigen::Index all = planar.matrix().cols();
-    reduction::PlanarShapes few = planar;
-    few.keep(Eigen::MatrixXd(all, 0));
-    few.add_longest_first(parts_of(motions, planar.metric()), left);
+    reduction::PlanarShapes smaller = planar;
+    smaller.keep(Eigen::MatrixXd(all, 0));
+    smaller.add_longest_first(parts_of(motions, planar.metric()), left);
     const bool fewer =
-        static_cast<double>(few.matrix().cols()) <= hardly_fewer * static_cast<double>(all);
-    if (fewer && std::ranges::all_of(comparisons, [&few](Comparison &comparison) {
-            comparison.with(few.matrix());
+        static_cast<double>(smaller.matrix().cols()) <= hardly_fewer * static_cast<double>(all);
+    if (fewer && std::ranges::all_of(comparisons, [&smaller](Comparison &comparison) {
+            comparison.with(smaller.matrix());
             return comparison.agrees() && comparison.lacking().empty();
         }))
-        planar = few;
+        planar = smaller;
 }
 
 } // namespace
@@ -217,8 +218,8 @@ std::shared_ptr<const Eigen::MatrixXd> range_shapes(const assembly::Discretizati
         if (speeds[place] != 0 && !enriched(planar, comparisons.emplace_back(whole, speeds[place])))
             return nullptr;
     if (start == nullptr)
-        compact(planar, comparisons,
-                results::in_rotating_axes(form) ? left_of_all_rotating : left_of_all_fixed);
+        keep_spanning(planar, comparisons,
+                      results::in_rotating_axes(form) ? left_of_all_rotating : left_of_all_fixed);
     int counted = 0; // at the last and the first speed
     for (Comparison &comparison : comparisons)
         if (counted++ < 2 && !comparison.complete_with(planar.matrix()))

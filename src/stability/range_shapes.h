@@ -11,9 +11,9 @@
 
 namespace whirl::stability {
 
-/// Planar shapes on which a rotor has the slow motions of the whole one over a range of speeds:
-/// the lowest modes at rest with static deflections (reduction::PlanarShapes), and of each motion
-/// at some of the speeds that the whole rotor has elsewhere its own shapes. Forms general and
+/// Reduction basis that reproduces the slow motions of the whole rotor over a range of speeds: the
+/// lowest modes at rest with static deflections (reduction::PlanarShapes), and of each motion at
+/// some of the speeds that the whole rotor has elsewhere its own shapes. Forms general and
 /// rotating.
 /// @param speeds  ascending, at which the motions are compared
 /// @param start   shapes of a rotor of this mesh that hardly differs, to begin with; or none

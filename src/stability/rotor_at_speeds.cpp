@@ -137,7 +137,7 @@ std::vector<ZeroRootSpeed> zero_roots(const ZeroRootSystem &system,
 }
 
 /// All W next to the range, of the whole system.
-/// @throws linalg::SolverError where they are not resolved beside the others
+/// @throws linalg::SolverError where they are not resolved among the others
 std::vector<linalg::ComplexPair> pairs_up_to(const ZeroRootSystem &system, double top) {
     linalg::QuadraticOptions options;
     options.fewest = 1;
@@ -162,7 +162,7 @@ std::vector<linalg::ComplexPair> pairs_up_to(const ZeroRootSystem &system, doubl
             options.enough = top - options.shift;
             auto found = linalg::solve_quadratic(system.Kss, system.Ks, system.K, options);
             if (found.complete_radius < top - options.shift)
-                throw linalg::SolverError("roots in the range are not resolved beside the others");
+                throw linalg::SolverError("roots in the range are not resolved among the others");
             return std::move(found.pairs);
         } catch (const linalg::SolverError &) {
             if (tries == 4)
@@ -210,8 +210,8 @@ bool refine(const ZeroRootSystem &system, linalg::ComplexPair &pair) {
     return false;
 }
 
-/// By those of the reduced system, each made a root of the whole one; nothing where one of them is
-/// none.
+/// Roots of the reduced system, each refined on the whole one; nothing where one of them has no
+/// counterpart.
 std::optional<std::vector<linalg::ComplexPair>> refined(const ZeroRootSystem &system,
                                                         const Eigen::MatrixXd &shapes, double top) {
     const reduction::Projection basis(shapes);

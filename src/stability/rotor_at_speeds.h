@@ -12,8 +12,8 @@ namespace whirl::stability {
 
 struct StepExperience;
 
-/// How `stability` treats a case: the rotor, the form, and what it needs beside it. Chosen once a
-/// run; all that looks at motions takes it from here.
+/// How `stability` treats a case: the rotor, the form and what they need. Chosen once a run and
+/// used by all searches.
 struct StabilityModel {
     model::Rotor rotor;
     results::Formulation formulation;
@@ -40,8 +40,8 @@ struct StabilityModel {
 [[nodiscard]] StabilityModel stability_model(const model::Case &scene,
                                              const std::vector<double> &speeds);
 
-/// Nothing in the equations knows the spin speed: fixed axes, no gyroscopic effect, no internal
-/// damping, no bearing tables. Motions of one speed are then those of all.
+/// No equation depends on the spin speed: fixed axes, no gyroscopic effect, no internal damping, no
+/// bearing tables. Motions of one speed are then those of all.
 [[nodiscard]] bool same_at_all_speeds(const StabilityModel &model,
                                       const assembly::Discretization &discretization);
 

@@ -87,7 +87,7 @@ class SignBracket {
 /// Where instability is strongest in a band found, rad/s.
 [[nodiscard]] double strongest_speed(const MotionsAt &at, const results::Interval &band);
 
-/// What both lists of bands have in common.
+/// The intersection of two lists of bands.
 [[nodiscard]] std::vector<results::Interval> common(const std::vector<results::Interval> &a,
                                                     const std::vector<results::Interval> &b);
 

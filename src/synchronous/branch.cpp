@@ -109,8 +109,8 @@ void WholeRoots::read_at(const At &piece, double speed, At &out) const {
 
 bool WholeRoots::factorize(const At &at, Complex l) const {
     // Exactly singular is too much.
-    for (const double beside : {0.0, 1e-13, -3e-13}) {
-        const Complex m = l * (1 + beside);
+    for (const double offset : {0.0, 1e-13, -3e-13}) {
+        const Complex m = l * (1 + offset);
         Eigen::Map<Eigen::VectorXcd>(_Q.valuePtr(), _Q.nonZeros()) = (m * m) * _M + m * at.D + at.K;
         if (_factors.factorize(_Q))
             return true;

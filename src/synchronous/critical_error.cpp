@@ -117,7 +117,7 @@ Eigen::VectorXcd embedded(const Eigen::VectorXcd &shape, const std::vector<int> 
 /// twice, or where the finer model has others between them.
 struct FinerRoots {
     std::vector<modes::WhirlMode> modes;
-    bool told = true; ///< which belongs to which
+    bool matched = true; ///< which belongs to which
 };
 
 bool found_before(const std::vector<modes::WhirlMode> &modes, const BranchPoint &point) {
@@ -141,7 +141,7 @@ FinerRoots finer_roots(const std::vector<modes::WhirlMode> &modes,
             roots.near(mode.eigenvalue,
                        embedded(mode.shape, places, finer.rotor().planar_size(), finer.pairs()));
         if (!point || found_before(out.modes, *point)) {
-            out.told = false;
+            out.matched = false;
             return out;
         }
         modes::WhirlMode found;
@@ -156,20 +156,20 @@ FinerRoots finer_roots(const std::vector<modes::WhirlMode> &modes,
     if (finer.conservative()) {
         // In the order of the rotor's own and none other up to the last: by Courant and Fischer
         // each eigenvalue's passage is then that of the same eigenvalue.
-        constexpr double beside = 1e-7; // of the speed: far above rounding
+        constexpr double offset = 1e-7; // of the speed: far above rounding
         const double first = speed(out.modes.front());
         const double last = speed(out.modes.back());
-        out.told = std::ranges::is_sorted(out.modes, {}, speed) &&
-                   roots.negative_eigenvalues(last * (1 + beside)) -
-                           roots.negative_eigenvalues(1e-3 * first) ==
-                       passages;
+        out.matched = std::ranges::is_sorted(out.modes, {}, speed) &&
+                      roots.negative_eigenvalues(last * (1 + offset)) -
+                              roots.negative_eigenvalues(1e-3 * first) ==
+                          passages;
         return out;
     }
     const modes::Stations own = modes::Stations::for_orbits(rotor);
     const modes::Stations others = modes::Stations::for_orbits(finer.rotor());
-    for (std::size_t i = 0; i < modes.size() && out.told; ++i) {
+    for (std::size_t i = 0; i < modes.size() && out.matched; ++i) {
         constexpr double alike = 0.5; // of one motion at the most, among those across each other
-        out.told =
+        out.matched =
             std::norm(deflections(own, modes[i]).dot(deflections(others, out.modes[i]))) > alike;
     }
     return out;
@@ -194,7 +194,7 @@ errors_by_roots(const SynchronousModes &list, const assembly::Discretization &ro
             continue;
         const SynchronousProblem problem(finer, form, whirl == results::Whirl::backward ? -1 : 1);
         const FinerRoots found = finer_roots(own, rotor, problem);
-        if (!found.told)
+        if (!found.matched)
             return {};
         for (std::size_t i = 0; i < own.size(); ++i) {
             const modes::WhirlMode &other = found.modes[i];

@@ -19,7 +19,7 @@ namespace {
 using Complex = std::complex<double>;
 
 /// Motions are followed a little beyond those that count, Im l > |Re l|.
-constexpr double looked_at = 0.5;
+constexpr double least_steepness = 0.5;
 constexpr double followed = 0.75;
 
 /// All eigenvalues with the bearings as they are at one speed.
@@ -191,7 +191,7 @@ class Follower {
             if (root.eigenvalue.imag() <= followed * std::abs(root.eigenvalue.real()))
                 out.heavy.push_back(std::abs(root.eigenvalue));
         std::erase_if(out.points, [](const ReducedRoot &root) {
-            return root.eigenvalue.imag() <= looked_at * std::abs(root.eigenvalue.real());
+            return root.eigenvalue.imag() <= least_steepness * std::abs(root.eigenvalue.real());
         });
         return out;
     }
@@ -384,7 +384,7 @@ class Follower {
 bool add_constant(const ReducedSynchronous &reduced, const WholeRoots &roots, double speed,
                   std::size_t row, int wanted, double above, double top,
                   std::vector<FoundRoot> &found, std::vector<std::pair<double, double>> &doubtful) {
-    constexpr double looked_at_here = 0.9; // a little beyond those that count
+    constexpr double steepness_here = 0.9; // a little beyond those that count
     std::vector<double> taken;             // ascending
     // The order of the reduced rotor's roots may not be that of the whole one's.
     constexpr double ahead = 5 * reduced_error;
@@ -393,7 +393,7 @@ bool add_constant(const ReducedSynchronous &reduced, const WholeRoots &roots, do
                (wanted <= 0 ||
                 frequency > (1 + ahead) * taken[static_cast<std::size_t>(wanted) - 1]);
     };
-    for (const ReducedRoot &root : reduced.at(speed, row, looked_at_here)) {
+    for (const ReducedRoot &root : reduced.at(speed, row, steepness_here)) {
         const Complex l = root.eigenvalue;
         if (l.imag() < above * (1 - reduced_error))
             continue;
@@ -444,9 +444,9 @@ class GapCount {
                 doubtful.emplace_back(from, to);
             else
                 search(from + aside, *first, to - aside, *last);
-            constexpr double beside = 1e-3; // of the speed: as far as counts are taken aside
+            constexpr double offset = 1e-3; // of the speed: as far as counts are taken aside
             if (first && expected && *first != *expected) // not all of them are found there
-                doubtful.emplace_back((1 - beside) * from, (1 + beside) * from);
+                doubtful.emplace_back((1 - offset) * from, (1 + offset) * from);
             expected = last;
         };
         for (const FoundRoot &root : found) {

@@ -49,7 +49,7 @@ void CrossingSearch::search(const Node &a, const Node &b, const std::vector<Link
         locked_motions(a.snapshot.spectrum) != locked_motions(b.snapshot.spectrum))
         find_lock_ends(a, b, no_line);
     for (const Link &link : links) {
-        const std::optional<double> speed = look(a, b, link, depth);
+        const std::optional<double> speed = next_speed(a, b, link, depth);
         if (!speed)
             continue;
         split(a, b, links, *speed, depth);
@@ -203,8 +203,8 @@ bool CrossingSearch::jumps(const StepEnd &a, const StepEnd &b) {
 }
 
 /// Speed at which this link has to be solved, or none.
-std::optional<double> CrossingSearch::look(const Node &a, const Node &b, const Link &link,
-                                           int depth) {
+std::optional<double> CrossingSearch::next_speed(const Node &a, const Node &b, const Link &link,
+                                                 int depth) {
     const StepEnd from = end(a, link.from, true);
     const StepEnd to = end(b, link.to, false);
     const double width = to.speed - from.speed;

@@ -63,8 +63,8 @@ class CrossingSearch {
     [[nodiscard]] bool upper_whirl(const Node &node, std::size_t place) const;
     [[nodiscard]] static bool jumps(const StepEnd &a, const StepEnd &b);
     void take_if_root(const Node &node, std::size_t place);
-    [[nodiscard]] std::optional<double> look(const Node &a, const Node &b, const Link &link,
-                                             int depth);
+    [[nodiscard]] std::optional<double> next_speed(const Node &a, const Node &b, const Link &link,
+                                                   int depth);
     void settle_short(const Node &a, const Node &b, const Link &link, const StepEnd &from,
                       const StepEnd &to);
     void split(const Node &a, const Node &b, const std::vector<Link> &links, double speed,

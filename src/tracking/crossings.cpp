@@ -121,7 +121,7 @@ class Sweep {
         });
     }
 
-    /// A band that opens and closes within a step may have been met in both ways.
+    /// A band that opens and closes within a step may have been found by both searches.
     static void drop_replaced_by(const Locked &band, Crossings &out) {
         const auto interval = std::ranges::find_if(out.locked, [&](const Locked &other) {
             return other.multiple == band.multiple && same_band(other, band);
@@ -179,7 +179,8 @@ class Sweep {
             step(search, k, rows, links);
     }
 
-    /// Modes to ask for so that all that stand still at the ends of the range are among them.
+    /// Number of modes so that all that are locked to the rotor at the ends of the range are among
+    /// them.
     [[nodiscard]] int wanted_for_bands() const {
         auto wanted = static_cast<int>(_nodes.spectrum(0).modes.size());
         for (const std::size_t k : {std::size_t{0}, _nodes.count() - 1})
@@ -197,8 +198,8 @@ class Sweep {
         return wanted;
     }
 
-    /// Of a Hill series: in the steps over which the number changes, or, where speeds cost little,
-    /// may change for a while.
+    /// Of a Hill series: ends in the steps over which the number of locked modes changes, or, where
+    /// speeds cost little, may change for a while.
     [[nodiscard]] std::vector<LockEnd> lock_ends_by_steps(int wanted) const {
         std::vector<LockEnd> ends;
         for (std::size_t k = 0; k + 1 < _nodes.count(); ++k) {

@@ -54,8 +54,8 @@ void carry(std::vector<std::optional<double>> &values, const std::vector<double>
     divide(true);
 }
 
-/// What `of` gives at all places, asked at so many that between two neighbours it changes by little
-/// or is the larger of both: the errors between them are no smaller.
+/// `of` at all places, evaluated until two neighbours differ by little; in between the larger of
+/// both, so that errors are not understated.
 /// @param of  of several places at once
 std::vector<double>
 along(std::size_t count,

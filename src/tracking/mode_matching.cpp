@@ -82,7 +82,7 @@ std::complex<double> value(const modes::Spectrum &spectrum, Eigen::Index i) {
     return spectrum.modes[static_cast<std::size_t>(i)].eigenvalue;
 }
 
-/// Whirl in the rotor, over the spin speed, of a mode that all but stands still there.
+/// Frequency in rotating axes, over the spin speed, below which a mode is nearly at rest there.
 constexpr double standing = 1e-3;
 
 /// Two modes of different speeds, one of which stands still in the rotor (its eigenvalue in
@@ -338,7 +338,7 @@ Absence fate(const modes::Spectrum &here, int place, const modes::Spectrum &ther
     const modes::WhirlMode &mode = here.modes[static_cast<std::size_t>(place)];
     const bool relaxes = here.relaxation.relaxes(mode.eigenvalue);
     const std::complex<double> l =
-        relaxes ? here.relaxation.seen(mode.eigenvalue, here.speed) : mode.eigenvalue;
+        relaxes ? here.relaxation.in_rotating_axes(mode.eigenvalue, here.speed) : mode.eigenvalue;
     const double size = std::abs(l);
     // Two complex eigenvalues that meet on the real axis part along it as fast as they came.
     const double window = std::max(3 * l.imag(), 0.1 * size);

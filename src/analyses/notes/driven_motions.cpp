@@ -209,9 +209,9 @@ void count_resolved_if_driven(ends::AllMotions &motions, const model::Rotor &rot
         motions.count_resolved();
 }
 
-void tell_resolved_apart(const ends::AllMotions &motions, const stability::StabilityModel &model,
-                         const std::vector<ends::WholeMotion> &roots,
-                         results::StabilityResult &result) {
+void separate_resolved(const ends::AllMotions &motions, const stability::StabilityModel &model,
+                       const std::vector<ends::WholeMotion> &roots,
+                       results::StabilityResult &result) {
     const double top = motions.resolved_up_to();
     if (!std::isfinite(top))
         return;

@@ -17,9 +17,9 @@ void count_resolved_if_driven(ends::AllMotions &motions, const model::Rotor &rot
 /// faster ones to `unresolved_ends`, counts in the others what is resolved, and finds their errors
 /// by finer elements and the growth of the resolved motions.
 /// @param roots  the motions at the ends that are known as roots
-void tell_resolved_apart(const ends::AllMotions &motions, const stability::StabilityModel &model,
-                         const std::vector<ends::WholeMotion> &roots,
-                         results::StabilityResult &result);
+void separate_resolved(const ends::AllMotions &motions, const stability::StabilityModel &model,
+                       const std::vector<ends::WholeMotion> &roots,
+                       results::StabilityResult &result);
 
 /// Notes on what drives the motions that grow, where it drives fast ones: an axial torque that has
 /// no potential (how much is left where it has one), a bearing with negative damping.

@@ -90,10 +90,6 @@ Eigen::VectorXcd unpacked(const Eigen::MatrixXd &a, Eigen::Index j, bool pair) {
     return out;
 }
 
-double packed_norm(const Eigen::MatrixXd &a, Eigen::Index j, bool pair) {
-    return a.middleCols(j, pair ? 2 : 1).norm();
-}
-
 GeneralEigen general_eigen(Eigen::MatrixXd A, Vectors which) {
     const RealSchurForm schur = real_schur(std::move(A), true);
     const auto n = static_cast<PetscBLASInt>(schur.T.rows());

@@ -51,8 +51,7 @@ struct ComplexEigen {
 [[nodiscard]] std::complex<double>
 packed_product(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b, Eigen::Index j, bool pair);
 
-/// Column j, or columns j and j + 1, as one vector, and its length.
+/// Column j, or columns j and j + 1, as one vector.
 [[nodiscard]] Eigen::VectorXcd unpacked(const Eigen::MatrixXd &a, Eigen::Index j, bool pair);
-[[nodiscard]] double packed_norm(const Eigen::MatrixXd &a, Eigen::Index j, bool pair);
 
 } // namespace whirl::linalg

@@ -111,7 +111,7 @@ namespace {
 
 /// Distance from the eigenvalue: of those that are nearer together, which rounding distinguishes by
 /// chance alone, one inverse iteration takes all parts alike, and hardly any of others.
-constexpr double beside = 1e-8;
+constexpr double offset = 1e-8;
 /// What may be lost by pivots that are not the largest, of the matrix: a hundred times its
 /// rounding.
 constexpr double well_solved = 2e-14;
@@ -120,7 +120,7 @@ constexpr double well_solved = 2e-14;
 
 Eigen::VectorXcd QuadraticProblem::left_vector(std::complex<double> l, Eigen::VectorXcd start) {
     SparseFactor<std::complex<double>> lu;
-    if (!lu.factorize(_on_pattern->at(l * (1 + beside))))
+    if (!lu.factorize(_on_pattern->at(l * (1 + offset))))
         return {};
     lu.solve_transposed(start);
     const Columns y = columns_of(start.normalized());
@@ -144,7 +144,7 @@ void QuadraticProblem::measure_condition(std::span<ComplexPair *const> pairs) {
     for (std::size_t lane = 0; lane < lanes; ++lane) { // the last one fills those that are left
         const ComplexPair &pair = *pairs[std::min(lane, pairs.size() - 1)];
         l[lane] = pair.value;
-        near[lane] = pair.value * (1 + beside);
+        near[lane] = pair.value * (1 + offset);
         vectors[lane] = &pair.vector;
     }
     _on_pattern->set_slopes(l, _four.slopes);

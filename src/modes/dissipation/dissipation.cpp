@@ -35,17 +35,17 @@ class Power {
     void add_coupling(Term term, int row, int column, const Eigen::Matrix2d &block) {
         const Eigen::Vector2cd left(_x(row), _y(row));
         const Eigen::Vector2cd right(_x(column), _y(column));
-        const Eigen::Matrix2d seen = _turning == 0 ? block : round_part(block);
+        const Eigen::Matrix2d effective = _turning == 0 ? block : round_part(block);
         if (term == Term::stiffness)
-            add_stiffness(left.dot(skew_part(seen) * right));
+            add_stiffness(left.dot(skew_part(effective) * right));
         else if (term == Term::mass)
-            add_stiffness(-std::norm(_l) * left.dot(skew_part(seen) * right));
+            add_stiffness(-std::norm(_l) * left.dot(skew_part(effective) * right));
         else if (term == Term::damping) {
-            add_damping(left.dot(seen * right));
+            add_damping(left.dot(effective * right));
             // c (u' + i speed u) in axes that turn
             Eigen::Matrix2d quarter_turn;
             quarter_turn << 0, -1, 1, 0;
-            add_stiffness(_turning * left.dot(skew_part(seen * quarter_turn) * right));
+            add_stiffness(_turning * left.dot(skew_part(effective * quarter_turn) * right));
         }
     }
     /// Internal damping, in both planes.

@@ -56,8 +56,8 @@ FixedFrameWhirl fixed_frame_whirl(const Stations &stations, const Eigen::MatrixX
     const Eigen::Index neighbour = first ? place + 1 : place - 1;
     if (neighbour < 0 || neighbour >= terms.cols())
         return out;
-    const Whirls beside(terms.col(neighbour));
-    out.opposite = first ? beside.against : beside.with;
+    const Whirls of_neighbour(terms.col(neighbour));
+    out.opposite = first ? of_neighbour.against : of_neighbour.with;
     const double size = stations.deflection_energy(out.opposite);
     out.straight = std::min(size, out.size) >= equal_share * std::max(size, out.size);
     return out;

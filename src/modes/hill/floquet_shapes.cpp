@@ -1,8 +1,6 @@
 #include "modes/hill/floquet_shapes.h"
 
 #include "assembly/hill_system.h"
-#include "linalg/dense/products.h"
-#include "linalg/symmetric_eigen.h"
 #include "modes/hill/floquet_spectrum.h"
 #include "modes/hill/series_modes_near.h"
 #include "modes/rotating_spectrum.h"
@@ -61,7 +59,7 @@ class Search {
                 if (static_cast<double>(_planar.matrix().cols()) >
                     static_cast<double>(_d.planar_size() - 1))
                     return nullptr;
-        compact();
+        keep_principal();
         if (static_cast<double>(_planar.matrix().cols()) >
             hardly_fewer * static_cast<double>(_d.planar_size()))
             return nullptr;
@@ -171,16 +169,11 @@ class Search {
     }
 
     /// Of what the shapes span, as few as have all motions that were met.
-    void compact() {
-        const Eigen::MatrixXd to_amplitudes = _planar.matrix().transpose() * _planar.metric();
-        Eigen::MatrixXd energies =
-            Eigen::MatrixXd::Zero(to_amplitudes.rows(), to_amplitudes.rows());
-        for (const Wanted &one : _met) {
-            Eigen::MatrixXd parts = linalg::times(to_amplitudes, one.parts);
-            parts /= std::max(parts.colwise().norm().maxCoeff(), 1e-300);
-            energies += linalg::times(parts, Eigen::MatrixXd(parts.transpose()));
-        }
-        const auto principal = linalg::symmetric_eigenpairs(energies);
+    void keep_principal() {
+        std::vector<const Eigen::MatrixXd *> parts;
+        for (const Wanted &one : _met)
+            parts.push_back(&one.parts);
+        const auto principal = _planar.principal(parts);
         const Eigen::VectorXd &values = principal.eigenvalues();
         Eigen::Index tried = 0;
         for (const double part : {1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5}) {

@@ -26,6 +26,6 @@ inline constexpr double rate_step = 1e-5;
 
 /// Changes of eigenvalues with speed, of the modes of a spectrum and those of one just beside it;
 /// not a number where it is not clear which one a mode becomes.
-[[nodiscard]] Eigen::VectorXcd rates_between(const Spectrum &spectrum, const Spectrum &beside);
+[[nodiscard]] Eigen::VectorXcd rates_between(const Spectrum &spectrum, const Spectrum &neighbour);
 
 } // namespace whirl::modes

@@ -22,8 +22,7 @@ namespace whirl::modes {
                                                        double speed,
                                                        const std::vector<WhirlMode> &guesses);
 
-/// A mode of a rotor of form hill on the reduced rotor: its vector in rotating axes over all
-/// unknowns.
+/// A mode of a reduced rotor of form hill: its vector in rotating axes over all unknowns.
 /// @param shapes    N x r planar shapes; none: it is
 /// @param unknowns  of the reduced rotor
 [[nodiscard]] WhirlMode over_all_unknowns(WhirlMode mode, const Eigen::MatrixXd *shapes,

@@ -179,7 +179,7 @@ std::optional<Root> ReducedForm::iterated(const DenseQuadratic<Scalar> &p, Root 
     /// the whole rotor does not see it, but only what the shapes leave out.
     constexpr double near = 1e-5;
     constexpr double slow = 0.1;    // another shift is better
-    constexpr double beside = 1e-8; // of |l|, as for the whole rotor
+    constexpr double offset = 1e-8; // of |l|, as for the whole rotor
     constexpr double axis = 1e-6;   // of |l|
     const bool mirror = _whole.mirrored();
     Vector x = guess.right.normalized();
@@ -191,7 +191,7 @@ std::optional<Root> ReducedForm::iterated(const DenseQuadratic<Scalar> &p, Root 
     for (int shift = 0; shift < most; ++shift) {
         l = next_root(y.dot(Mx), y.dot(Dx), y.dot(product(p.K, x)), l);
         if (!(std::abs(l - guess.value) < 0.5 * std::abs(guess.value)) ||
-            !factors.factorize(value_at(p, l * (1 + beside))))
+            !factors.factorize(value_at(p, l * (1 + offset))))
             return std::nullopt;
         double turn = 1;
         for (int solve = 0; solve < solves && !(turn <= near); ++solve) {

@@ -132,7 +132,7 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
     /// Beside the quotient by so much: of eigenvalues that are nearer together, which rounding
     /// distinguishes by chance alone, one iteration takes all parts alike, and hardly any of
     /// others.
-    constexpr double beside = 1e-8;
+    constexpr double offset = 1e-8;
     constexpr double enough = 1e-13; // of the value: of the order of its rounding
     constexpr int most_shifts = 8;   // cubic in the shift: a guess that needs more is none
     constexpr int solves = 3;        ///< with one shift, at most
@@ -146,7 +146,7 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
     multiply_adjoint(y, left);
     Complex l = guess.value;
     for (int shifts = 0; shifts < most_shifts; ++shifts) {
-        if (!factorize(l * (1 + beside)))
+        if (!factorize(l * (1 + offset)))
             return std::nullopt;
         const Complex shift = l;
         for (int solve = 0; solve < solves; ++solve) {

@@ -20,15 +20,15 @@ namespace {
 
 using Pairs = std::vector<linalg::ComplexPair>;
 
-/// Principal parts below this share of the largest one are left out to begin with, and a tenth of
-/// it each time that it does not do: eigenvalues are off by its square.
+/// Principal parts below this share of the largest are left out at first, then a tenth of it each
+/// time the basis does not suffice: eigenvalues are off by its square.
 constexpr double least_part = 1e-4;
 
 /// At speeds that no shapes were taken from, eigenvalues of the reduced rotor are those of the
 /// whole rotor to this part of themselves or of the speed.
 constexpr double agreeing = 1e-7;
 
-/// Of planar unknowns: with more shapes nothing is gained.
+/// Largest size of the basis, over the planar unknowns: beyond it a reduced rotor saves nothing.
 constexpr double large_share = 0.6;
 
 /// What bends the shaft, K + top^2 M in a plane, as L L^T; by its diagonal where it is not

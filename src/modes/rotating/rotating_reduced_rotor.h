@@ -13,9 +13,8 @@
 
 namespace whirl::modes {
 
-/// A rotor in rotating axes on the few planar shapes that its slow motions have over a range of
-/// speeds: all eigenvalues of a speed from one small dense problem, each then made one of the whole
-/// rotor.
+/// Reduced rotor in rotating axes for a range of speeds: all eigenvalues of a speed from one small
+/// dense problem, each then refined on the whole rotor.
 class RotatingReducedRotor {
   public:
     /// A range of speeds, rad/s, and how many of the lowest modes are to be had there.
@@ -28,8 +27,8 @@ class RotatingReducedRotor {
         }
     };
 
-    /// Shapes are the principal parts of the whole rotor's motions at speeds of the range, as many
-    /// speeds as it takes until at those half way between two of them its lowest modes are met too.
+    /// The reduction basis holds the principal parts of the whole rotor's modes at speeds of the
+    /// range; speeds are added until the modes half way between two of them are reproduced too.
     /// @param whole  with bearings the same at all speeds and from all sides
     /// @returns nothing where hardly fewer shapes than unknowns do, or where the whole rotor's
     ///          motions cannot be resolved

@@ -17,7 +17,7 @@ class BranchSearch {
   public:
     BranchSearch(double inside, double outside, double relative, const SquareAt &square)
         : _square(square), _inside(inside), _outside(outside), _relative(relative) {
-        look(outside);
+        evaluate(outside);
     }
 
     /// @returns false where it was to stop at a jump and there is one
@@ -28,9 +28,9 @@ class BranchSearch {
                 return false;
             const double before = width();
             if (const std::optional<double> root = led_to())
-                look_about(*root);
+                evaluate_about(*root);
             if (width() > before / 2)
-                look((_inside + _outside) / 2);
+                evaluate((_inside + _outside) / 2);
         }
         return true;
     }
@@ -50,7 +50,7 @@ class BranchSearch {
         return (speed - _inside) * (speed - _outside) < 0;
     }
 
-    void look(double speed) {
+    void evaluate(double speed) {
         const std::optional<double> square = _square(speed);
         if (!square) {
             _inside = speed;
@@ -69,17 +69,17 @@ class BranchSearch {
     }
 
     /// On both sides of where the end ought to be, as far from it as the line may miss it.
-    void look_about(double root) {
+    void evaluate_about(double root) {
         const double way = _outside - root;
         if (_root && _before->speed != *_root)
             _miss =
                 std::clamp(3 * std::abs((root - *_root) / (_before->speed - *_root)), 1e-6, 0.1);
         _root = root;
-        const double beside =
+        const double offset =
             std::copysign(std::max(_relative / 3 * std::abs(root), _miss * std::abs(way)), way);
-        for (const double speed : {root + beside, root - beside})
+        for (const double speed : {root + offset, root - offset})
             if (within(speed))
-                look(speed);
+                evaluate(speed);
     }
 };
 

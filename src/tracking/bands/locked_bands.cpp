@@ -81,10 +81,10 @@ class BandSearch {
     }
     /// On the multiple to both sides too: no mere crossing.
     [[nodiscard]] bool is_locked(const Sides &here, std::ptrdiff_t synchronous) const {
-        constexpr double beside = 1e-8; // of the speed: 1000 times the tolerance of the band's ends
+        constexpr double offset = 1e-8; // of the speed: 1000 times the tolerance of the band's ends
         return here.speed != 0 && is_on(here, synchronous) &&
-               (is_on(at(here.speed * (1 + beside)), synchronous) ||
-                is_on(at(here.speed * (1 - beside)), synchronous));
+               (is_on(at(here.speed * (1 + offset)), synchronous) ||
+                is_on(at(here.speed * (1 - offset)), synchronous));
     }
 
     /// A speed inside a band between two others where numbers below the multiple differ. (Where

@@ -26,8 +26,8 @@ std::vector<int> locked_lines(const Node &node) {
 }
 
 /// Intervals of one sense of the spin, opened and closed by the ends of bands in ascending order.
-/// Motions that stand still are not distinguished: the band that opened last is closed first, so
-/// that nothing depends on the grid of the lines.
+/// Modes at rest in rotating axes are not distinguished: the band that opened last is closed first,
+/// so that nothing depends on the grid of the lines.
 class OpenIntervals {
   public:
     /// @param already  motions that stand still from the beginning
@@ -60,8 +60,8 @@ class OpenIntervals {
     std::vector<Locked> _open, _closed;
 };
 
-/// Names an interval by the line that stands still at most speeds inside it, and not in another one
-/// at the same time. Those without such a speed or line are dropped.
+/// Names an interval by the line that is locked at most speeds inside it, and not in another one at
+/// the same time. Those without such a speed or line are dropped.
 void name_by_lines(const SweepNodes &sweep, std::vector<Locked> &intervals) {
     for (Locked &interval : intervals) {
         if (interval.mode != no_line)
@@ -85,8 +85,8 @@ void name_by_lines(const SweepNodes &sweep, std::vector<Locked> &intervals) {
     std::erase_if(intervals, [](const Locked &interval) { return interval.mode == no_line; });
 }
 
-/// Motions that stand still from the beginning of a range on: from how many do in the middle of the
-/// widest stretch between two ends. (Close to rest rounding decides whether balls stand.)
+/// Number of modes locked at the beginning of a range: from their number in the middle of the
+/// widest stretch between two ends. (Near rest rounding decides whether balls are at rest.)
 std::ptrdiff_t locked_from(const modes::SpectrumSolver &solver, int wanted,
                            const std::vector<BandEnd> &ends, double low, double high) {
     std::ptrdiff_t entered = 0; // up to the widest stretch

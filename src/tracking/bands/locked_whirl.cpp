@@ -54,10 +54,10 @@ std::vector<DoubleRoot> roots_between(const modes::SpectrumSolver &solver, const
 
 LockEnd end_of(const DoubleRoot &root) {
     // Far enough outside that the meeting eigenvalues are apart by much more than their rounding.
-    constexpr double beside = 1e-7;
+    constexpr double offset = 1e-7;
     const double outwards = root.opens ? -1 : 1;
     const bool undamped = std::abs(root.value) <= resolved * std::abs(root.speed);
-    return {root.speed, root.speed + outwards * beside * std::abs(root.speed),
+    return {root.speed, root.speed + outwards * offset * std::abs(root.speed),
             undamped ? 0 : root.value, root.shape};
 }
 
@@ -116,9 +116,9 @@ std::vector<LockEnd> ends_among(const modes::SpectrumSolver &solver,
     return ends;
 }
 
-/// Speeds near which something stands still in the rotor: with l = 0 the equations in rotating axes
-/// are (K + s Ks + s^2 Kss) x = 0, whose roots s are real without damping and have the middle of a
-/// band as their real part with little of it. Empty where they cannot be had.
+/// Speeds near which a mode is synchronous: with l = 0 the equations in rotating axes are (K + s Ks
+/// + s^2 Kss) x = 0, whose roots s are real without damping and have the middle of a band as their
+/// real part with little of it. Empty where they cannot be had.
 std::vector<double> synchronous_speeds(const modes::SpectrumSolver &solver, int wanted) {
     const assembly::Discretization &d = solver.discretization();
     const model::Rotor &rotor = d.rotor();
@@ -180,7 +180,8 @@ std::vector<LockEnd> ends_over(const modes::SpectrumSolver &solver, double low, 
     return all;
 }
 
-/// Ends of a reduced rotor as the whole one has them; nothing where one of them is none.
+/// Ends of the reduced rotor refined on the whole one; nothing where one of them has no
+/// counterpart.
 std::optional<std::vector<LockEnd>> of_whole(const modes::SpectrumSolver &whole,
                                              const modes::SpectrumSolver &reduced,
                                              const std::vector<LockEnd> &ends) {
@@ -200,8 +201,8 @@ std::optional<std::vector<LockEnd>> of_whole(const modes::SpectrumSolver &whole,
     return out;
 }
 
-/// What a search finds on the reduced rotor, made ends of the whole one; that of the whole one
-/// where there are no such shapes.
+/// Ends by a search on the reduced rotor, refined on the whole one; by the whole one where there is
+/// no reduced rotor.
 template <class Search>
 std::vector<LockEnd> by_reduced_rotor(const modes::SpectrumSolver &solver, double from, double to,
                                       int wanted, const Search &search) {

@@ -14,8 +14,8 @@ namespace {
 /// rounding.
 LockEnd at_branch_point(double speed, bool opens) {
     // Of the speed: eigenvalues differ by the root of it, 3e-4, far above rounding.
-    constexpr double beside = 1e-7;
-    return {speed, speed + (opens ? -1 : 1) * beside * std::abs(speed), 0, {}};
+    constexpr double offset = 1e-7;
+    return {speed, speed + (opens ? -1 : 1) * offset * std::abs(speed), 0, {}};
 }
 
 /// Beside a branch point the frequency seen from the rotor grows with the square root of the
@@ -124,10 +124,10 @@ void add_series_ends(const modes::SpectrumSolver &solver, const Count &a, const 
     if (a.motions != b.motions)
         if (const std::optional<LockEnd> end = end_in_series(solver, a, b, wanted)) {
             ends.push_back(*end);
-            const double beside = std::abs(end->outside - end->speed);
-            add_series_ends(solver, a, count_at(solver, end->speed - beside, wanted), wanted,
+            const double offset = std::abs(end->outside - end->speed);
+            add_series_ends(solver, a, count_at(solver, end->speed - offset, wanted), wanted,
                             halves + 1, ends);
-            add_series_ends(solver, count_at(solver, end->speed + beside, wanted), b, wanted,
+            add_series_ends(solver, count_at(solver, end->speed + offset, wanted), b, wanted,
                             halves + 1, ends);
             return;
         }

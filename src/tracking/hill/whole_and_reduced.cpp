@@ -14,7 +14,7 @@ namespace whirl::tracking {
 
 namespace {
 
-/// Of what a reduced rotor has wrong, over the speed or the eigenvalue.
+/// Error of the reduced rotor, over the speed or the eigenvalue.
 constexpr double farthest = 1e-4;
 
 bool near(std::complex<double> a, std::complex<double> b, double speed) {
@@ -35,7 +35,7 @@ struct Next {
     modes::WhirlMode mode;
 };
 
-/// A mode of the reduced rotor as the whole one has it, if it is found next to it.
+/// The mode of the whole rotor next to one of the reduced rotor, if there is one.
 std::optional<modes::WhirlMode> of_whole(const WholeAndReduced &rotors, double speed,
                                          const modes::WhirlMode &mode) {
     const std::vector<modes::WhirlMode> found = rotors.whole.near(
@@ -136,7 +136,7 @@ std::optional<Next> of_whole(const WholeAndReduced &rotors, double multiple, con
                 *whole};
 }
 
-/// The reduced rotor's root with what the whole rotor's distance is there, and its slope.
+/// The reduced rotor's root with the distance of the whole rotor there, and its slope.
 /// @param at  where distances are taken, and so far beyond, rad/s
 std::optional<Place> crossing(const WholeAndReduced &rotors, double multiple, double speed,
                               double at, double step) {
@@ -163,8 +163,8 @@ std::optional<Place> crossing(const WholeAndReduced &rotors, double multiple, do
 std::optional<Place> crossing(const WholeAndReduced &rotors, double multiple, double speed) {
     // Of the speed: a motion that locks stays on the multiple there, one that crosses has left
     // it.
-    constexpr double beside = 1e-6;
-    const double step = beside * std::abs(speed);
+    constexpr double offset = 1e-6;
+    const double step = offset * std::abs(speed);
     std::optional<Place> out = crossing(rotors, multiple, speed, speed, step);
     return out ? out : crossing(rotors, multiple, speed, speed + step, step);
 }

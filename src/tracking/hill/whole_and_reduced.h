@@ -7,8 +7,7 @@
 
 namespace whirl::tracking {
 
-/// What was found with a reduced rotor (reduced), as the rotor with all unknowns (whole) has it;
-/// both of form hill.
+/// Refines on the whole rotor what was found on the reduced one; both of form hill.
 struct WholeAndReduced {
     const modes::SpectrumSolver &whole;
     const modes::SpectrumSolver &reduced;
