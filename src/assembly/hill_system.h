@@ -11,7 +11,7 @@ struct SystemAtSpeed {
     linalg::Matrix M, D, K;
 };
 
-/// Hill's infinite system, cut off: with turning supports the motions in rotating axes are
+/// Hill's infinite system, cut off: with periodic supports the motions in rotating axes are
 ///
 ///     exp(l t) [q_0 + sum_k a_k cos(2 k speed t) + b_k sin(2 k speed t)],  k = 1 .. harmonics,
 ///

@@ -16,7 +16,7 @@ namespace {
 /// reason enough to take the whole rotor's motion in.
 constexpr double agreed = 1e-9;
 
-/// The whole rotor beside the reduced one, at the speeds that decide.
+/// The whole rotor against the reduced one, at the speeds that decide.
 class Comparison {
   public:
     /// Relative, of a quantity.
@@ -106,7 +106,7 @@ bool widened(ReducedMotion &reduced, const Eigen::MatrixXcd &motions) {
     return reduced.size() > before;
 }
 
-/// The whole rotor and the reduced one beside each other at some speeds.
+/// The whole rotor and the reduced one compared at some speeds.
 struct Compared {
     bool news = false; ///< a motion of the whole rotor widened the reduced one
     double worst = 0;  ///< largest difference that is more than rounding, before

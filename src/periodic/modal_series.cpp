@@ -24,7 +24,8 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 
-/// Modes of which rounding leaves less than this of left times right vector are defective.
+/// A mode whose left and right vectors have a smaller product than this (both of length 1) is
+/// defective within rounding.
 constexpr double defective = 1e-9;
 constexpr Index fewest = 2 * 3 + 1; // terms
 
@@ -45,7 +46,7 @@ MatrixXcd off(const VectorXcd &steady, double speed, Complex l, Index terms) {
 
 } // namespace
 
-/// (d_k x_k - acts f_k) = r_k with f_k = up seen x_k-1 + down seen x_k+1 for all terms.
+/// (d_k x_k - acts f_k) = r_k with f_k = up observed x_k-1 + down observed x_k+1 for all terms.
 struct ModalSeries::Chain {
     const MatrixXcd &acts, &observed, &up, &down;
     MatrixXcd inverse; ///< 1/d, a column each
@@ -53,12 +54,12 @@ struct ModalSeries::Chain {
     [[nodiscard]] MatrixXcd solve(const MatrixXcd &right) const;
 
   private:
-    /// An end of the chain up to a term, as the next one meets it: f = constant + factor f_next.
+    /// An end of the chain eliminated up to a term: f = constant + factor f_next.
     struct End {
         VectorXcd constant;
         MatrixXcd factor;
     };
-    /// What the places see of forces of a term.
+    /// Motion of the places under the forces of a term.
     [[nodiscard]] MatrixXcd back(Index k) const {
         const MatrixXcd motion = inverse.col(k).asDiagonal() * acts;
         return linalg::times(observed, motion);
@@ -73,7 +74,7 @@ struct ModalSeries::Chain {
         out.leftCols(others) += linalg::times(down, at_places).rightCols(others);
         return out;
     }
-    /// A term with the end behind it.
+    /// A term with the end of the chain eliminated.
     /// @param behind  back() of the end's term through up or down; empty at the first term
     /// @param ahead   of the next one
     [[nodiscard]] static End longer(const VectorXcd &constant, const End &end,
@@ -219,7 +220,7 @@ std::optional<ModalSeries::Settled> ModalSeries::settled(MatrixXcd a, MatrixXcd 
         value = next;
         if (!a.allFinite() || !b.allFinite() || !std::isfinite(change))
             return std::nullopt;
-        // What rounding leaves of modes much faster than these shrinks no further.
+        // Rounding of modes much faster than these limits convergence.
         if (change <= same || (change <= 1e-10 && change >= before)) {
             b /= std::conj(product(b, a));
             return Settled{value, std::move(a), std::move(b)};

@@ -23,9 +23,9 @@ struct SeriesMotion {
 ///     l a_k = (s - 2 i k speed) a_k - L B f_k,   f_k = S_+ Y R a_k-1 + S_- Y R a_k+1,
 ///
 /// s the eigenvalues of the steady part, R and L its right and left vectors, S_+ and S_- how the
-/// turning supports act back with exp(2 i speed t) and its conjugate. The supports have few places:
-/// solving with a given l leaves a chain of systems of their number, one for each term, however
-/// many terms there are. Nothing is left out of the system.
+/// periodic supports act back with exp(2 i speed t) and its conjugate. The supports have few
+/// places: solving with a given l leaves a chain of systems of their number, one for each term,
+/// however many terms there are. Nothing is left out of the system.
 class ModalSeries {
   public:
     /// @param speed  not zero, rad/s

@@ -55,7 +55,7 @@ class Curvature {
         return {_scale.speed * (b * slope - g * _by_number) / determinant,
                 _scale.number * (g * _by_speed - a * slope) / determinant};
     }
-    /// The less two motions are coupled the sharper they part: like the inverse of the number.
+    /// The weaker two motions are coupled the sharper they part: as the inverse of the number.
     void learn(const Point &before, const Point &now) {
         _by_speed *= before.number / now.number;
         const double x = (now.speed - before.speed) / _scale.speed;
@@ -68,7 +68,7 @@ class Curvature {
         _by_speed += rest * x / square;
         _by_number += rest * y / square;
     }
-    /// What the growth at its largest differs by from that a step aside.
+    /// Difference of the largest growth from that a step aside.
     [[nodiscard]] double beside(double step) const {
         return std::abs(_by_speed * step / _scale.speed * step) / 2;
     }

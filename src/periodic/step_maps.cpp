@@ -172,8 +172,7 @@ StepMaps::StepMaps(const System &system, double speed, double length)
     _away = -observed.rightCols(stages * m);
 }
 
-/// Forces of the supports onto what places and points see without them, behind what acts back on
-/// itself.
+/// Equations of the support forces: the matrix of their own reaction, then the right sides.
 Rows StepMaps::forces_onto(double from, const linalg::RowsIn &observed) const {
     const Eigen::Index at_once = _away.cols();
     Rows acting(at_once, at_once + observed.cols());

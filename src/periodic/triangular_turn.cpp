@@ -25,7 +25,7 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using linalg::Rows;
 
-/// Motions of which half a turn leaves so different parts are separated in one block: exp(-18) of a
+/// Decay over half a turn, as a logarithm, by which motions in one block may differ: exp(-18) of a
 /// multiplier is 1e8 times its rounding.
 constexpr double together = 18;
 
@@ -60,7 +60,7 @@ class TriangularTurn {
     [[nodiscard]] std::size_t begin(std::size_t group) const { return _begins[group]; }
     [[nodiscard]] const Rows &basis(std::size_t group) const { return _Q[group]; }
     [[nodiscard]] const MatrixXd &factor(std::size_t group) const { return _R[group]; }
-    /// The last basis as the first one sees it.
+    /// The last basis in coordinates of the first.
     [[nodiscard]] const MatrixXd &turned() const { return _turned; }
     /// Where blocks begin, and the end of the last one.
     [[nodiscard]] const std::vector<Index> &borders() const { return _borders; }
@@ -122,8 +122,8 @@ class TriangularTurn {
         return Q;
     }
 
-    /// Blocks end where nothing of the directions before turns into those behind or into dropped
-    /// ones: what is set to zero is an error of one group's map of that size beside it.
+    /// Blocks end where the directions before them do not mix into those behind or into dropped
+    /// ones: neglecting the rest is a relative error of that size in one group's map.
     void take_blocks() {
         // Of the length of a map: what eigenvalues are then off by beside the largest in
         // the group.

@@ -17,7 +17,7 @@ using Complex = std::complex<double>;
 using Sparse = Eigen::SparseMatrix<double>;
 using ComplexSparse = Eigen::SparseMatrix<Complex>;
 
-/// Values of l^2 a2 + l a1 + a0 and of its derivative.
+/// l^2 a2 + l a1 + a0 and its derivative.
 struct Quadratic {
     Complex a2, a1, a0;
 
@@ -25,7 +25,7 @@ struct Quadratic {
     [[nodiscard]] Complex slope(Complex l) const { return 2.0 * l * a2 + a1; }
 };
 
-/// Numbers without a pattern, to begin with.
+/// A starting vector without symmetry.
 Eigen::VectorXcd start_vector(Eigen::Index size) {
     Eigen::VectorXcd out(size);
     for (Eigen::Index i = 0; i < size; ++i)
@@ -49,7 +49,7 @@ Eigen::VectorXcd start_vector(const Eigen::MatrixXcd &terms, const Eigen::Vector
 /// Harmonics that are tried at most, without terms of the motion to go by.
 constexpr int usual = 80;
 
-/// How many harmonics more than so many are tried next.
+/// The next number of harmonics to try, less this one.
 int more_of(int harmonics) { return harmonics < usual ? 2 : harmonics / 12; }
 
 /// The larger of its first and last n entries.
@@ -242,7 +242,7 @@ class WholeRotor::Iteration {
             if (std::abs(change) <= 1e-14 * _scale)
                 break;
         }
-        // Rounding of every entry, as the root feels it; scaled, the stiffness is of the size 1.
+        // Error of the root by the rounding of every entry; scaled, the stiffness is of size 1.
         constexpr double rounding = 10 * std::numeric_limits<double>::epsilon();
         _root.noise = rounding / std::abs(form.slope(_root.value));
         return true;

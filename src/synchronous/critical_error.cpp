@@ -67,7 +67,7 @@ std::vector<Eigen::VectorXcd> all_deflections(const assembly::Discretization &d,
     return out;
 }
 
-/// The likest pairs first; each mode has one partner.
+/// Pairs by likeness, the best first; each mode has one partner.
 Partners by_shape(const assembly::Discretization &coarse, const SynchronousModes &modes,
                   const assembly::Discretization &finer, const SynchronousModes &finer_modes) {
     // Of two vectors of a double eigenvalue one is at least 1/2; the same mode is near 1.

@@ -65,8 +65,8 @@ FoundRoot found_root(const BranchPoint &point) {
     return out;
 }
 
-/// By how much a root of the reduced rotor may differ from that of the whole one, relative: ten
-/// times what is usual, far less than what two motions of a rotor differ by.
+/// Relative difference allowed between a root of the reduced rotor and that of the whole one: ten
+/// times the usual one, far less than two motions of a rotor differ by.
 constexpr double reduced_error = 1e-2;
 
 /// Speeds that agree to this are one: roots at rows of a table are found from both sides.
@@ -92,7 +92,7 @@ std::vector<FoundRoot> tidied(std::vector<FoundRoot> roots) {
     return out;
 }
 
-/// Where a motion is going between two samples: the cubic in u = 0 .. 1.
+/// A followed motion between two samples: a cubic in u = 0 .. 1.
 struct Cubic {
     Cubic(const Sample &a, const ReducedRoot &at_a, const Sample &b, const ReducedRoot &at_b)
         : what(followed_between(a, b)), h(b.speed - a.speed), l0(what.value(at_a)),
@@ -143,7 +143,7 @@ std::optional<std::vector<double>> zeros_of(const Cubic &cubic, double unseen) {
     return zeros;
 }
 
-/// What the ends of a step over several rows cannot know of the speeds between, relative.
+/// Relative uncertainty between the ends of a step over several rows.
 constexpr double between = 5e-3;
 
 /// Rows from `first` on that are followed at once: up to the next one at which a table bends, or
@@ -285,7 +285,7 @@ class Follower {
         return best;
     }
 
-    /// The partner of `point` is that one.
+    /// Whether the partner of `point` is that one.
     static bool continues(const Sample &a, const ReducedRoot &point, const Sample &b,
                           const ReducedRoot &other) {
         const auto best = partner(a, point, b);
@@ -429,7 +429,7 @@ class GapCount {
 
     std::vector<std::pair<double, double>> doubtful;
 
-    /// Adds what the count says is missing up to `top`.
+    /// Adds the roots up to `top` that are missing by the count.
     void close(std::vector<FoundRoot> &found, double top) {
         constexpr double no_room = 1e-7; // of the speed: the next root stands too near
         std::optional<int> expected;

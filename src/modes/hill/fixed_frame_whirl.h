@@ -43,7 +43,7 @@ inline constexpr double equal_share = 1 - 1e-6;
                                                 const Eigen::MatrixXcd &terms, Eigen::Index place,
                                                 double frequency, double speed);
 
-/// Of an eigenpair of Hill's series, or of a rotor without turning supports, by its constant term.
+/// Of an eigenpair of Hill's series, or of a rotor without periodic supports, by its constant term.
 /// @param size  unknowns of a term
 [[nodiscard]] FixedFrameWhirl fixed_frame_whirl(const Stations &stations,
                                                 const linalg::ComplexPair &pair, Eigen::Index size,
