@@ -83,7 +83,7 @@ std::complex<double> value(const modes::Spectrum &spectrum, Eigen::Index i) {
 }
 
 /// Frequency in rotating axes, over the spin speed, below which a mode is nearly at rest there.
-constexpr double standing = 1e-3;
+constexpr double near_standstill = 1e-3;
 
 /// Two modes of different speeds, one of which stands still in the rotor (its eigenvalue in
 /// rotating axes is real) while the other does nearly so: how far apart their eigenvalues in
@@ -113,7 +113,7 @@ std::optional<double> distance_at_lock(const Snapshot &at_a, const Snapshot &at_
     constexpr double behind = 1e-2;
     const bool becomes =
         locks && slow <= 0.5 * speed && distance <= std::max(3 * slow, behind * speed);
-    const bool stays = slow <= standing * speed && distance <= standing * speed;
+    const bool stays = slow <= near_standstill * speed && distance <= near_standstill * speed;
     return becomes || stays ? std::optional(distance) : std::nullopt;
 }
 
@@ -349,7 +349,7 @@ Absence fate(const modes::Spectrum &here, int place, const modes::Spectrum &ther
     // Balls that stand still in the rotor: at rest nothing whirls, and what hardly moves them at
     // low speeds is lost in rounding.
     constexpr double hardly = 1e-9;
-    const double still = (there.speed == 0 ? standing : hardly) * std::abs(here.speed);
+    const double still = (there.speed == 0 ? near_standstill : hardly) * std::abs(here.speed);
     if (mode.rotating_vector.size() > 0 && mode.frequency_rotating <= still &&
         (there.speed == 0 || std::abs(mode.rotating_value) <= still))
         return Absence::overdamped;
