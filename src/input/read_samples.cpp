@@ -141,11 +141,9 @@ void read_wanted(CheckedTable &table, const model::Case &scene, model::WantedAns
     }
     if (wanted.margins && !scene.operation)
         table.fail("of", "expected operating speeds in [operation] for \"margins\", got none");
-    if (table.has("at")) {
+    if (table.has("at")) // of the damping alone
         wanted.at = table.numbers("at", Quantity::speed);
-        if (!wanted.damping)
-            table.fail("at", "expected \"damping\" in `of`, which is judged at these speeds");
-    } else if (scene.operation) {
+    else if (scene.operation) {
         wanted.at = {scene.operation->from, scene.operation->to};
     } else if (scene.speeds) {
         wanted.at = {scene.speeds->to};

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
 
 namespace whirl::report {
 
@@ -26,7 +26,16 @@ struct SweepPanel {
     std::string what;
     Quantity quantity = Quantity::number;
     std::vector<NamedCurve> curves;
+    bool left_out = false; ///< there are more curves than are drawn
 };
+
+/// Of `count` places at most so many, evenly spread, with the first and the last.
+std::vector<std::size_t> spread_over(std::size_t count, std::size_t most) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < std::min(count, most); ++i)
+        places.push_back(count <= most ? i : i * (count - 1) / (most - 1));
+    return places;
+}
 
 /// The entry under an axis: what it is, and how much.
 std::string under_axis(const Units &units, const SweepAxis &axis) {
@@ -63,44 +72,55 @@ std::vector<PlotPoint> curve_of(const SweepResult &result, const SampledAnswer &
     return points;
 }
 
-/// One entry: answers of a kind together. Two: a panel an answer.
+/// Two entries: a panel an answer, a curve for each value of the second one.
+SweepPanel panel_of_one(const SweepResult &result, const SampledAnswer &answer,
+                        const Units &units) {
+    SweepPanel panel{"", answer.quantity, {}};
+    panel.what = answer_text(answer, units) + ": " + over_axis(units, panel, answer.of);
+    const SweepAxis &y = result.axes.back();
+    panel.left_out = y.values.size() > most_sweep_curves;
+    for (const std::size_t row : spread_over(y.values.size(), most_sweep_curves))
+        panel.curves.push_back(
+            {units.text(y.quantity, y.values[row], 4), curve_of(result, answer, row, units)});
+    return panel;
+}
+
+/// One entry: answers of a kind together; of many those that most rotors have.
+SweepPanel panel_of_kind(const SweepResult &result, std::vector<const SampledAnswer *> answers,
+                         const Units &units) {
+    SweepPanel panel{"", answers.front()->quantity, {}};
+    panel.what = over_axis(units, panel, answers.front()->of);
+    if (answers.size() > most_sweep_curves) {
+        std::ranges::stable_sort(answers, std::ranges::greater{}, &SampledAnswer::present);
+        answers.resize(most_sweep_curves);
+        std::ranges::sort(answers); // in the order of the result again
+        panel.left_out = true;
+    }
+    for (const SampledAnswer *answer : answers)
+        panel.curves.push_back({answer_text(*answer, units), curve_of(result, *answer, 0, units)});
+    return panel;
+}
+
 std::vector<SweepPanel> panels_of(const SweepResult &result, const Units &units) {
-    std::vector<SweepPanel> panels;
-    std::string kind;
+    std::vector<std::vector<const SampledAnswer *>> kinds;
+    const bool each = result.axes.size() > 1;
     for (const SampledAnswer &answer : result.answers) {
         if (answer.present == 0)
             continue;
-        if (result.axes.size() > 1) {
-            SweepPanel panel{answer_text(answer, units), answer.quantity, {}};
-            panel.what += ": " + over_axis(units, panel, answer.of);
-            const SweepAxis &y = result.axes.back();
-            for (std::size_t row = 0; row < y.values.size(); ++row)
-                panel.curves.push_back({units.text(y.quantity, y.values[row], 4),
-                                        curve_of(result, answer, row, units)});
-            panels.push_back(std::move(panel));
-            continue;
-        }
-        const std::string own = answer.of + names_of(answer.quantity).name;
-        if (own != kind) {
-            SweepPanel panel{"", answer.quantity, {}};
-            panel.what = over_axis(units, panel, answer.of);
-            panels.push_back(std::move(panel));
-        }
-        kind = own;
-        panels.back().curves.push_back(
-            {answer_text(answer, units), curve_of(result, answer, 0, units)});
+        const auto same = std::ranges::find_if(kinds, [&](const auto &kind) {
+            return !each && kind.front()->of == answer.of &&
+                   kind.front()->quantity == answer.quantity;
+        });
+        if (same == kinds.end())
+            kinds.push_back({&answer});
+        else
+            same->push_back(&answer);
     }
+    std::vector<SweepPanel> panels;
+    for (const auto &kind : kinds)
+        panels.push_back(each ? panel_of_one(result, *kind.front(), units)
+                              : panel_of_kind(result, kind, units));
     return panels;
-}
-
-/// Of many curves some, evenly spread, with the first and the last.
-std::vector<NamedCurve> some_of(const std::vector<NamedCurve> &curves) {
-    if (curves.size() <= most_sweep_curves)
-        return curves;
-    std::vector<NamedCurve> out;
-    for (std::size_t i = 0; i < most_sweep_curves; ++i)
-        out.push_back(curves[i * (curves.size() - 1) / (most_sweep_curves - 1)]);
-    return out;
 }
 
 Range heights_of(const std::vector<NamedCurve> &curves) {
@@ -122,9 +142,8 @@ Figure sweep_figure(const model::Case &scene, const SweepResult &result, const U
     panels.resize(std::min(all, most_sweep_panels));
     std::vector<std::string> names;
     bool left_out = all > panels.size();
-    for (SweepPanel &panel : panels) {
-        left_out = left_out || panel.curves.size() > most_sweep_curves;
-        panel.curves = some_of(panel.curves);
+    for (const SweepPanel &panel : panels) {
+        left_out = left_out || panel.left_out;
         for (const NamedCurve &curve : panel.curves)
             names.push_back(curve.name);
     }
