@@ -27,8 +27,11 @@ std::vector<std::string> paths_of(CheckedTable &table) {
         return {table.text("path").value_or("")};
     std::vector<std::string> paths;
     for (const CheckedEntry &item : entry->items())
-        paths.push_back(item.node.text);
-    if (paths.empty())
+        if (item.node.kind == Node::Kind::text)
+            paths.push_back(item.node.text);
+        else
+            item.fail("expected a numeric entry of the case in quotes, got " + shown(item.node));
+    if (entry->node.items.empty())
         entry->fail("expected at least one numeric entry of the case, got none");
     return paths;
 }
