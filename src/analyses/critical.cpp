@@ -310,6 +310,15 @@ std::vector<results::ResponsePeak> peaks_for_margins(const model::Case &scene,
     }
 }
 
+void add_margins(const model::Case &scene, results::CriticalResult &result) {
+    if (!scene.operation)
+        return;
+    const auto peaks = peaks_for_margins(scene, result.model);
+    result.margins = operation::separation_margins(*scene.operation, result.critical_speeds, peaks,
+                                                   !scene.rotor.bearings_rotation_invariant(),
+                                                   result.model.notes);
+}
+
 } // namespace
 
 void drop_second_directions(std::vector<results::CriticalSpeed> &speeds, int wanted, double top) {
@@ -326,12 +335,7 @@ results::CriticalResult critical_speeds(const model::Case &scene, bool map) {
     results::CriticalResult result = critical_of(scene, true);
     if (result.model.formulation.form != results::Form::hill)
         name_modes(result.critical_speeds, scene, result.model.order);
-    if (scene.operation) {
-        const auto peaks = peaks_for_margins(scene, result.model);
-        result.margins = operation::separation_margins(
-            *scene.operation, result.critical_speeds, peaks,
-            !scene.rotor.bearings_rotation_invariant(), result.model.notes);
-    }
+    add_margins(scene, result);
     if (map)
         result.map = map_of(scene, result.model);
     note_growing_motions(scene, result.model);
@@ -339,8 +343,12 @@ results::CriticalResult critical_speeds(const model::Case &scene, bool map) {
 }
 
 results::CriticalResult unjudged_critical_speeds(const model::Case &scene,
-                                                 const synchronous::SharedShapes *shapes) {
-    return critical_of(scene, false, shapes);
+                                                 const synchronous::SharedShapes *shapes,
+                                                 bool margins) {
+    results::CriticalResult result = critical_of(scene, false, shapes);
+    if (margins)
+        add_margins(scene, result);
+    return result;
 }
 
 std::optional<synchronous::SharedShapes> shapes_for_samples(const model::Case &scene, int order,

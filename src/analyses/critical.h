@@ -26,10 +26,11 @@ namespace whirl::analyses {
 /// The same with elements of the order given, errors and completeness not judged: for many rotors
 /// that differ a little from one whose errors are known. Of asymmetric rotors each direction of a
 /// motion is listed, as equal ones need not stay equal, and twice as many.
-/// @param shapes  shapes_for_samples() of one of them; none: each rotor's own
+/// @param shapes   shapes_for_samples() of one of them; none: each rotor's own
+/// @param margins  with the separation margins, where the case has operating speeds
 [[nodiscard]] results::CriticalResult
 unjudged_critical_speeds(const model::Case &scene,
-                         const synchronous::SharedShapes *shapes = nullptr);
+                         const synchronous::SharedShapes *shapes = nullptr, bool margins = false);
 
 /// Shapes that serve all rotors which differ a little from a case.
 /// @param order    of the elements

@@ -66,6 +66,7 @@ Command samples_command();
 Command show_command();
 Command simulate_command();
 Command stability_command();
+Command sweep_command();
 
 /// What this program can do: all commands (commands/all.cpp), or one (commands/one.cpp), in the
 /// order of --help.

@@ -87,6 +87,7 @@ model::Case read_case(CheckedTable &root) {
     read_section(root, "balance", read_balance, scene);
     read_section(root, "map", read_map, scene);
     read_section(root, "samples", read_samples, scene);
+    read_section(root, "sweep", read_sweep, scene);
     root.refuse_unknown();
     return scene;
 }

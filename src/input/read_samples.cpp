@@ -14,24 +14,8 @@ namespace whirl::input {
 namespace {
 
 const std::vector<std::string> distribution_words{"normal", "uniform", "values"};
-const std::vector<std::string> answer_words{"critical", "peaks", "ends", "residual"};
-
-/// The value that the case gives all of the entries. NaN where one is no number, which is told
-/// where it stands; none where one is not given, or they differ.
-std::optional<double> value_in_case(const NumericEntries &entries, const Node &tree) {
-    std::optional<double> value;
-    for (const std::string &path : entries.paths) {
-        const Node *own = find_path(tree, path);
-        if (!own)
-            return std::nullopt;
-        constexpr double wrong = std::numeric_limits<double>::quiet_NaN();
-        const double given = number_of(*own, entries.quantity).value_or(wrong);
-        if (value && given != *value)
-            return std::nullopt;
-        value = given;
-    }
-    return value;
-}
+const std::vector<std::string> answer_words{"critical", "peaks",   "ends",
+                                            "residual", "damping", "margins"};
 
 void read_normal(CheckedTable &table, const NumericEntries &entries, model::UncertainInput &input) {
     const Quantity quantity = entries.quantity;
@@ -110,25 +94,6 @@ void read_inputs(CheckedTable &table, model::SamplesSettings &samples) {
         samples.vary.push_back(read_input(item, varied));
 }
 
-/// Which answers are wanted.
-void read_wanted(CheckedTable &table, model::SamplesSettings &samples) {
-    const auto list = table.entry("of");
-    if (!list)
-        return;
-    if (list->items().empty())
-        list->fail(fmt::format("expected a list of \"{}\", got {}",
-                               fmt::join(answer_words, "\" or \""), shown(list->node)));
-    const std::array wanted{&samples.critical, &samples.peaks, &samples.ends, &samples.residual};
-    samples.critical = false;
-    for (const CheckedEntry &item : list->items()) {
-        const auto found = std::ranges::find(answer_words, item.node.text);
-        if (found != answer_words.end())
-            *wanted[static_cast<std::size_t>(found - answer_words.begin())] = true;
-        else
-            item.fail(one_of(answer_words, item.node));
-    }
-}
-
 void read_quantiles(CheckedTable &table, model::SamplesSettings &samples) {
     if (!table.has("quantiles"))
         return;
@@ -143,11 +108,55 @@ void read_quantiles(CheckedTable &table, model::SamplesSettings &samples) {
 
 } // namespace
 
+std::optional<double> value_in_case(const NumericEntries &entries, const Node &tree) {
+    std::optional<double> value;
+    for (const std::string &path : entries.paths) {
+        const Node *own = find_path(tree, path);
+        if (!own)
+            return std::nullopt;
+        constexpr double wrong = std::numeric_limits<double>::quiet_NaN();
+        const double given = number_of(*own, entries.quantity).value_or(wrong);
+        if (value && given != *value)
+            return std::nullopt;
+        value = given;
+    }
+    return value;
+}
+
+void read_wanted(CheckedTable &table, const model::Case &scene, model::WantedAnswers &wanted) {
+    if (const auto list = table.entry("of")) {
+        if (list->items().empty())
+            list->fail(fmt::format("expected a list of \"{}\", got {}",
+                                   fmt::join(answer_words, "\" or \""), shown(list->node)));
+        const std::array flags{&wanted.critical, &wanted.peaks,   &wanted.ends,
+                               &wanted.residual, &wanted.damping, &wanted.margins};
+        wanted.critical = false;
+        for (const CheckedEntry &item : list->items()) {
+            const auto found = std::ranges::find(answer_words, item.node.text);
+            if (found != answer_words.end())
+                *flags.at(static_cast<std::size_t>(found - answer_words.begin())) = true;
+            else
+                item.fail(one_of(answer_words, item.node));
+        }
+    }
+    if (wanted.margins && !scene.operation)
+        table.fail("of", "expected operating speeds in [operation] for \"margins\", got none");
+    if (table.has("at")) // of the damping alone
+        wanted.at = table.numbers("at", Quantity::speed);
+    else if (scene.operation) {
+        wanted.at = {scene.operation->from, scene.operation->to};
+    } else if (scene.speeds) {
+        wanted.at = {scene.speeds->to};
+    } else if (wanted.damping) {
+        table.fail("at", "missing, expected spin speeds at which the damping is wanted");
+    }
+}
+
 void read_samples(CheckedTable &table, model::Case &scene) {
     model::SamplesSettings samples;
     samples.count = table.whole("count", 1, largest_count);
     samples.seed = table.whole_or("seed", 1, 0, std::numeric_limits<int>::max());
-    read_wanted(table, samples);
+    read_wanted(table, scene, samples.of);
     read_quantiles(table, samples);
     read_inputs(table, samples);
     scene.samples = std::move(samples);

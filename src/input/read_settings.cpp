@@ -86,7 +86,8 @@ std::optional<NumericEntries> numeric_entries(CheckedTable &table, const std::st
         const bool all = std::ranges::all_of(paths, [&](const std::string &own) {
             const auto found = numeric.find(own);
             return found != numeric.end() && found->second == first->second &&
-                   !own.starts_with("map.") && !own.starts_with("samples.");
+                   !own.starts_with("map.") && !own.starts_with("samples.") &&
+                   !own.starts_with("sweep.");
         });
         return first != numeric.end() && all ? std::optional(NumericEntries{paths, first->second})
                                              : std::nullopt;
@@ -97,8 +98,9 @@ std::optional<NumericEntries> numeric_entries(CheckedTable &table, const std::st
     auto found = of_quantity(paths, context.numeric);
     if (!found && !paths.empty()) {
         // An entry that the case leaves out is a number if the case with it has one there.
-        std::erase_if(tree.items,
-                      [](const Node &own) { return own.key == "map" || own.key == "samples"; });
+        std::erase_if(tree.items, [](const Node &own) {
+            return own.key == "map" || own.key == "samples" || own.key == "sweep";
+        });
         ReadContext with_it(tree, context.files);
         with_it.folder = context.folder;
         CheckedTable root({tree, "", with_it});

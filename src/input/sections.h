@@ -37,8 +37,8 @@ void read_imbalances(CheckedTable &root, model::Case &scene);
 void read_forces(CheckedTable &root, model::Rotor &rotor);
 void read_probes(CheckedTable &root, model::Rotor &rotor);
 
-/// Read a section of that name; last [map] and [samples], which may name any numeric entry read
-/// before.
+/// Read a section of that name; last [map], [samples] and [sweep], which may name any numeric entry
+/// read before.
 void read_speeds(CheckedTable &table, model::Case &scene);
 void read_units(CheckedTable &table, model::Case &scene);
 void read_critical_map(CheckedTable &table, model::Case &scene); ///< the bearings must be there
@@ -51,6 +51,7 @@ void read_simulate(CheckedTable &table, model::Case &scene);
 void read_balance(CheckedTable &table, model::Case &scene);
 void read_map(CheckedTable &table, model::Case &scene);
 void read_samples(CheckedTable &table, model::Case &scene);
+void read_sweep(CheckedTable &table, model::Case &scene);
 
 /// Reads of [simulate] what acts on the rotor from outside, and how it starts: start,
 /// [[simulate.imbalance]], [[simulate.force]], [simulate.base]. The rotor must be there already.
@@ -62,14 +63,21 @@ struct NumericEntries {
     Quantity quantity = Quantity::number;
 };
 
-/// What the entry `path` of a table of [map] or [samples] names: all that --set can set to a
-/// number, whether the case gives it or leaves it at its default. None, with a mistake, where it is
-/// nothing of that kind.
+/// What the entry `path` of a table of [map], [samples] or [sweep] names: all that --set can set to
+/// a number, whether the case gives it or leaves it at its default. None, with a mistake, where it
+/// is nothing of that kind.
 /// @param besides  a word that may stand for one: "speed", or empty
 [[nodiscard]] std::optional<NumericEntries>
 numeric_entries(CheckedTable &table, const std::string &path, const std::string &besides);
 
-/// Reads all of a case, the last [map] and [samples].
+/// The value that the case gives all of the entries. NaN where one is no number, which is told
+/// where it stands; none where one is not given, or they differ.
+[[nodiscard]] std::optional<double> value_in_case(const NumericEntries &entries, const Node &tree);
+
+/// Which answers [samples] or [sweep] wants: `of` and `at`.
+void read_wanted(CheckedTable &table, const model::Case &scene, model::WantedAnswers &wanted);
+
+/// Reads all of a case, the last [map], [samples] and [sweep].
 [[nodiscard]] model::Case read_case(CheckedTable &root);
 
 } // namespace whirl::input

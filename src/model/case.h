@@ -7,6 +7,7 @@
 #include "model/rotor.h"
 #include "model/samples.h"
 #include "model/sentence.h"
+#include "model/sweep.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -140,6 +141,7 @@ struct Case {
     BalanceSettings balance;
     std::optional<MapSettings> map;
     std::optional<SamplesSettings> samples;
+    std::optional<SweepSettings> sweep;
     OutputUnits units;             ///< of what is written
     std::vector<Sentence> remarks; ///< what of it is no mistake and looks like one
 };

@@ -25,14 +25,22 @@ struct UncertainInput {
     std::vector<double> values; ///< of values
 };
 
+/// Which answers of many rotors are wanted: `of` and `at` of [samples] and [sweep].
+struct WantedAnswers {
+    bool critical = true;   ///< critical speeds
+    bool peaks = false;     ///< peaks of the response to imbalance
+    bool ends = false;      ///< ends of the unstable bands
+    bool residual = false;  ///< what a motion in time leaves of the unbalanced amplitude
+    bool damping = false;   ///< logarithmic decrements of the whirl modes at `at`
+    bool margins = false;   ///< separation margins of the critical speeds
+    std::vector<double> at; ///< spin speeds, rad/s
+};
+
 /// Entries of [samples].
 struct SamplesSettings {
     int count = 1;
     int seed = 1;
-    bool critical = true;  ///< answers wanted: critical speeds,
-    bool peaks = false;    ///< peaks of the response to imbalance,
-    bool ends = false;     ///< ends of the unstable bands
-    bool residual = false; ///< what a motion in time leaves of the unbalanced amplitude
+    WantedAnswers of;
     std::vector<double> quantiles{0.05, 0.5, 0.95}; ///< ascending, each inside (0, 1)
     std::vector<UncertainInput> vary;
 };

@@ -2,6 +2,7 @@
 
 #include "results/samples.h"
 
+#include "report/answers.h"
 #include "report/common/csv.h"
 #include "report/common/table.h"
 #include "report/common/words.h"
@@ -14,6 +15,15 @@
 
 namespace whirl::report {
 
+std::string answer_text(const results::SampledAnswer &answer, const Units &units) {
+    const std::string name = units.text(answer.name);
+    return answer.of == "critical"   ? "critical " + name
+           : answer.of == "ends"     ? "unstable " + name
+           : answer.of == "residual" ? "residual: " + name
+           : answer.of == "margins"  ? "margin of " + name
+                                     : name;
+}
+
 using results::SampledAnswer;
 using results::SampledInput;
 using results::SampleFailure;
@@ -21,14 +31,6 @@ using results::SampleQuantile;
 using results::SamplesResult;
 
 namespace {
-
-std::string of_and_name(const SampledAnswer &answer, const Units &units) {
-    const std::string name = units.text(answer.name);
-    return answer.of == "critical"   ? "critical " + name
-           : answer.of == "ends"     ? "unstable " + name
-           : answer.of == "residual" ? "residual: " + name
-                                     : name;
-}
 
 /// A quantile with its answer.
 struct SampleLine {
@@ -60,7 +62,7 @@ const Columns<SampledAnswer> answer_columns{
     {"of", &SampledAnswer::of},
     {"name",
      [](const SampledAnswer &answer, const Units &units) { return units.text(answer.name); }},
-    {OnPage("Answer"), InText("answer"), of_and_name},
+    {OnPage("Answer"), InText("answer"), answer_text},
     {"unit", ForReaders("unit"),
      [](const auto &answer, const Units &units) { return units.name(answer.quantity); }},
     {"nominal", OnPage("case as it is", "{:.10g}"), InText("case as is", precise), of_answer,
@@ -83,7 +85,7 @@ const Columns<SampledAnswer> answer_columns{
 
 const Columns<SampleLine> sample_line_columns{
     {OnPage("Answer"), InText("answer"),
-     [](const SampleLine &line, const Units &units) { return of_and_name(line.answer, units); }},
+     [](const SampleLine &line, const Units &units) { return answer_text(line.answer, units); }},
     {ForReaders("quantile"),
      [](const SampleLine &line) { return readable(100 * line.quantile.share) + " %"; }},
     {ForReaders("value"), of_line, of_quantile(&SampleQuantile::value)},
@@ -137,7 +139,7 @@ std::string csv_of(const SamplesResult &result, const Units &units) {
     for (const SampledInput &input : result.inputs)
         lists.push_back({{input.path, input.quantity}, input.values});
     for (const SampledAnswer &answer : result.answers)
-        lists.push_back({{of_and_name(answer, units), answer.quantity}, answer.values});
+        lists.push_back({{answer_text(answer, units), answer.quantity}, answer.values});
     lists.push_back({{"failure"}, failures});
     return csv_lists(lists, units);
 }

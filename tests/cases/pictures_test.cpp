@@ -60,6 +60,8 @@ std::vector<Drawn> drawn_of(const std::string &text) {
         all.push_back({"simulate", {"--set", "speeds.count=1"}});
     if (has("\n[samples]"))
         all.push_back({"samples", {"--set", "samples.count=12"}});
+    if (has("\n[sweep]"))
+        all.push_back({"sweep", {}});
     if (has("\n[operation]")) { // the longest numbers
         all.push_back({"response", {"--set", "speeds.count=7", "--units", "us"}});
         all.push_back({"response", {"--set", "speeds.count=3", "--set", "response.gravity=9.81"}});

@@ -412,6 +412,7 @@ const std::vector<Asked> commands{
     {"balance", {"speeds.count=3", "balance.balanced_position=false", "balance.simulated=0"}},
     {"rigid-limit", {}},
     {"samples", {"samples.count=2"}},
+    {"sweep", {}},
     {"simulate", {"speeds.count=1"}, {"runup_jeffcott", "rodrigues_two_plane"}},
     {"accuracy", {}, {"friswell_5_9_1"}}};
 

@@ -27,9 +27,9 @@ vary = [
     const model::SamplesSettings &samples = *scene.samples;
     EXPECT_EQ(samples.count, 50);
     EXPECT_EQ(samples.seed, 3);
-    EXPECT_FALSE(samples.critical);
-    EXPECT_TRUE(samples.peaks);
-    EXPECT_TRUE(samples.ends);
+    EXPECT_FALSE(samples.of.critical);
+    EXPECT_TRUE(samples.of.peaks);
+    EXPECT_TRUE(samples.of.ends);
     EXPECT_EQ(samples.quantiles, (std::vector<double>{0.1, 0.9}));
     ASSERT_EQ(samples.vary.size(), 5U);
     EXPECT_EQ(samples.vary[0].path, "bearing[0].k");
@@ -55,9 +55,9 @@ TEST(SamplesSettings, HaveDefaults) {
                "vary = [{path = \"bearing[0].c\", distribution = \"values\", values = [1]}]\n");
     ASSERT_TRUE(scene.samples);
     EXPECT_EQ(scene.samples->seed, 1);
-    EXPECT_TRUE(scene.samples->critical);
-    EXPECT_FALSE(scene.samples->peaks);
-    EXPECT_FALSE(scene.samples->ends);
+    EXPECT_TRUE(scene.samples->of.critical);
+    EXPECT_FALSE(scene.samples->of.peaks);
+    EXPECT_FALSE(scene.samples->of.ends);
     EXPECT_EQ(scene.samples->quantiles, (std::vector<double>{0.05, 0.5, 0.95}));
 }
 

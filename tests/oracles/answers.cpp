@@ -13,7 +13,7 @@ Answer answer(const Request &request) {
         {"response", answer_response}, {"stability", answer_stability},
         {"show", answer_show},         {"balance", answer_balance},
         {"simulate", answer_simulate}, {"rigid-limit", answer_rigid_limit},
-        {"samples", answer_samples}};
+        {"samples", answer_samples},   {"sweep", answer_sweep}};
     if (request.rotor.rings_or_rows())
         return answer_carried(request);
     if (request.rotor.mounted())

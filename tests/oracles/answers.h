@@ -43,6 +43,7 @@ struct Answer {
 /// `simulate` of one disc in the middle of a rigid shaft without mass, no balancers.
 [[nodiscard]] Answer answer_transient(const Request &request);
 [[nodiscard]] Answer answer_samples(const Request &request);
+[[nodiscard]] Answer answer_sweep(const Request &request);
 // One for each kind of rotor that the others do not know.
 [[nodiscard]] Answer answer_carried(const Request &request); ///< rings and rows of balls
 [[nodiscard]] Answer answer_mounted(const Request &request); ///< fluid mass and pedestals

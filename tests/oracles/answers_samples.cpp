@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 namespace whirl::oracles {
 
@@ -82,6 +83,36 @@ Answer answer_samples(const Request &request) {
     const auto thousandths = std::lround(1000 * rotor.samples.quantiles.at(quantile));
     const auto rank = static_cast<std::size_t>((thousandths * rotor.samples.count + 999) / 1000);
     return {"closed form of a disc on a spring, sorted", {values.at(rank - 1)}, {}, {}};
+}
+
+Answer answer_sweep(const Request &request) {
+    const CaseRotor &rotor = request.rotor;
+    unsigned answer = 0;
+    unsigned row = 0;
+    if (!rotor.rigid || rotor.supports.size() != 1 || rotor.discs.size() != 1 ||
+        rotor.supports[0].z != rotor.discs[0].z || rotor.sweep.size() != 2 ||
+        std::sscanf(request.path.c_str(), "/answers/%u/values/%u", &answer, &row) != 2)
+        no_answer("sweep: no oracle for " + request.path);
+    std::vector<Real> values;
+    for (const double x : rotor.sweep[0].values) {
+        Real k = rotor.supports[0].k[0][0];
+        Real kt = rotor.supports[0].kt[0][0];
+        Real mass = rotor.discs[0].mass;
+        for (const auto &[axis, value] :
+             {std::pair(rotor.sweep[0], x),
+              std::pair(rotor.sweep[1], rotor.sweep[1].values.at(row))}) {
+            Real &entry = entry_of(axis.path, k, kt, mass);
+            entry = axis.change == "factor"  ? entry * value
+                    : axis.change == "shift" ? entry + value
+                                             : value;
+        }
+        std::vector<Real> speeds{std::sqrt(k / mass), std::sqrt(k / mass),
+                                 std::sqrt(kt / (rotor.discs[0].Id + rotor.discs[0].Ip)),
+                                 std::sqrt(kt / (rotor.discs[0].Id - rotor.discs[0].Ip))};
+        std::sort(speeds.begin(), speeds.end());
+        values.push_back(speeds.at(answer));
+    }
+    return {"closed form of a disc on a spring, sorted", values, {}, {}};
 }
 
 } // namespace whirl::oracles

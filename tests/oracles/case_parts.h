@@ -102,6 +102,12 @@ struct UncertainEntry {
     std::vector<double> values;
 };
 
+/// An axis of [sweep] over one entry.
+struct SweptAxis {
+    std::string path, change;
+    std::vector<double> values;
+};
+
 /// What [samples] says.
 struct SampledCase {
     int count = 0;

@@ -225,6 +225,26 @@ void read_samples(const toml::table &root, CaseRotor &rotor) {
     }
 }
 
+void read_sweep(const toml::table &root, CaseRotor &rotor) {
+    const toml::table &table = part(root, "sweep");
+    for (const char *key : {"x", "y"}) {
+        const toml::table *of = table[key].as_table();
+        if (!of)
+            continue;
+        SweptAxis axis{word(*of, "path"), (*of)["change"].value_or(std::string("value")),
+                       numbers(of->get("values"))};
+        const auto count = static_cast<int>(number(*of, "count"));
+        const bool logarithmic = (*of)["spacing"].value_or(std::string()) == "log";
+        const double from = number(*of, "from");
+        const double to = number(*of, "to");
+        for (int i = 0; i < count; ++i)
+            axis.values.push_back(
+                logarithmic ? std::exp2(std::log2(from) + std::log2(to / from) * i / (count - 1))
+                            : from + (to - from) * i / (count - 1));
+        rotor.sweep.push_back(axis);
+    }
+}
+
 } // namespace
 
 double CaseRotor::length() const {
@@ -264,6 +284,7 @@ CaseRotor read_case(const std::string &file, const std::vector<std::string> &set
     read_attached(root, folder, rotor);
     read_analyses(root, rotor);
     read_samples(root, rotor);
+    read_sweep(root, rotor);
     return rotor;
 }
 

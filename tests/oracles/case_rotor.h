@@ -38,6 +38,7 @@ struct CaseRotor {
     std::vector<std::vector<double>> ball_angles; ///< at the start, one list a balancer
     std::vector<std::vector<std::vector<double>>> other_starts;
     SampledCase samples;
+    std::vector<SweptAxis> sweep;
     std::vector<Probe> probes;
     Operation operation;
 

@@ -7,14 +7,19 @@
 #include "assembly/discretization.h"
 #include "balancers/balanced_position.h"
 #include "linalg/check.h"
+#include "mesh_error/estimate.h"
 #include "model/errors.h"
 #include "model/variants.h"
+#include "modes/formulation.h"
+#include "modes/spectrum.h"
 #include "results/critical.h"
+#include "results/damping.h"
 #include "results/simulate.h"
 #include "stability/rotor_at_speeds.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -31,16 +36,31 @@ constexpr int spare_modes = 4;
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-/// Numbered by sense of whirl. Directions of asymmetric rotors count one by one.
-std::vector<Answer> answers_of(const results::CriticalResult &result, const model::Case &scene) {
+/// Numbers what comes one after the other: of all, or of those of its kind.
+class Names {
+  public:
+    explicit Names(Naming naming) : _naming(naming) {}
+
+    std::string next(const std::string &kind) {
+        return _naming == Naming::by_order ? fmt::format("{}", ++_count[""])
+                                           : fmt::format("{} {}", kind, ++_count[kind]);
+    }
+
+  private:
+    Naming _naming;
+    std::map<std::string, int> _count;
+};
+
+/// Directions of asymmetric rotors count one by one.
+std::vector<Answer> answers_of(const results::CriticalResult &result, const model::Case &scene,
+                               Naming naming) {
     const bool directions = result.model.formulation.form == results::Form::rotating;
     const int modes = (directions ? 2 : 1) * scene.campbell.modes;
     const double top = scene.speeds ? scene.speeds->to : 0;
     std::vector<Answer> out;
-    std::map<results::Whirl, int> count;
+    Names names(naming);
     for (const results::CriticalSpeed &critical : result.critical_speeds) {
-        const std::string name =
-            fmt::format("{} {}", results::whirl_name(critical.whirl), ++count[critical.whirl]);
+        const std::string name = names.next(results::whirl_name(critical.whirl));
         const bool asked_for = std::ssize(out) < modes || critical.speed <= top;
         out.push_back({"critical " + name,
                        "critical",
@@ -52,6 +72,31 @@ std::vector<Answer> answers_of(const results::CriticalResult &result, const mode
                        asked_for,
                        not_known});
     }
+    return out;
+}
+
+/// How far each critical speed that needs a margin is from the operating speeds, %; the least of
+/// them first.
+std::vector<Answer> margins_of(const results::CriticalResult &result, Naming naming) {
+    std::vector<Answer> out;
+    if (!result.margins || result.margins->empty())
+        return out;
+    const auto add = [&out](const std::string &name, double found) {
+        out.push_back({"margins " + name,
+                       "margins",
+                       name,
+                       {},
+                       ", %",
+                       Quantity::number,
+                       found,
+                       true,
+                       not_known});
+    };
+    add("the nearest",
+        std::ranges::min(*result.margins, {}, &results::SeparationMargin::found).found);
+    Names names(naming);
+    for (const results::SeparationMargin &margin : *result.margins)
+        add(names.next(margin.whirl ? results::whirl_name(*margin.whirl) : "peak"), margin.found);
     return out;
 }
 
@@ -146,6 +191,43 @@ model::Case with_order(model::Case scene, int order) {
     return scene;
 }
 
+/// Logarithmic decrements of the whirl modes with the lowest frequencies.
+struct WhirlDamping {
+    results::ModelSummary model;
+    std::vector<Answer> answers;
+};
+
+/// @param order  of the elements; 0: to be found
+/// @param at     spin speeds, rad/s
+WhirlDamping damping_at(const model::Case &scene, int order, const std::vector<double> &at,
+                        Naming naming) {
+    WhirlDamping out;
+    out.model.formulation = modes::choose_formulation(scene);
+    out.model.order = order > 0 ? order : mesh_error::resolve_order(scene, out.model.formulation);
+    const modes::SpectrumSolver solver(scene.rotor, out.model.formulation.form, out.model.order);
+    if (!scene.reduction)
+        solver.take_all_unknowns();
+    out.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
+    out.model.unknowns = solver.unknowns();
+    for (const double speed : at) {
+        Names names(naming);
+        std::optional<double> least;
+        const auto add = [&](const std::string &name, double log_dec) {
+            out.answers.push_back({fmt::format("damping {} {}", speed, name), "damping",
+                                   name + ", log dec at ", speed, "", Quantity::number, log_dec,
+                                   true, not_known, Quantity::speed});
+        };
+        for (const modes::WhirlMode &mode : solver.at(speed, scene.campbell.modes).modes)
+            if (const auto log_dec = results::damping_of(mode.eigenvalue).log_dec) {
+                add("mode " + names.next(results::whirl_name(mode.whirl)), *log_dec);
+                least = std::min(least.value_or(*log_dec), *log_dec);
+            }
+        if (least)
+            add("least damped mode", *least);
+    }
+    return out;
+}
+
 /// By what the ends are looked for.
 results::ModelSummary model_of_ends(const model::Case &scene) {
     const stability::StabilityModel used =
@@ -161,35 +243,47 @@ results::ModelSummary model_of_ends(const model::Case &scene) {
 
 } // namespace
 
-Answers::Answers(const model::Case &scene) : _wanted(*scene.samples) {
+Answers::Answers(const model::Case &scene, model::WantedAnswers wanted, Naming naming)
+    : _wanted(std::move(wanted)), _naming(naming) {
     // The model of the first of them is shown; the notes are those of all.
     const auto take = [this](const results::ModelSummary &model,
                              const std::vector<Answer> &answers) {
         if (_model.order == 0)
             _model = model;
         else
-            _model.notes.insert(_model.notes.end(), model.notes.begin(), model.notes.end());
+            for (const results::Sentence &note : model.notes)
+                if (std::ranges::find(_model.notes, note) == _model.notes.end())
+                    _model.notes.push_back(note);
         append(_nominal, answers);
         return model.order;
     };
-    if (_wanted.critical) {
+    if (_wanted.critical || _wanted.margins) {
         const results::CriticalResult result = critical_speeds(scene);
-        std::vector<Answer> answers =
-            answers_of(unjudged_critical_speeds(with_order(scene, result.model.order)), scene);
-        take_errors(result.critical_speeds, answers);
+        std::vector<Answer> answers;
+        if (_wanted.critical) {
+            answers = answers_of(unjudged_critical_speeds(with_order(scene, result.model.order)),
+                                 scene, naming);
+            take_errors(result.critical_speeds, answers);
+        }
         if (!result.critical_speeds.empty())
-            _shapes = shapes_for_samples(scene, result.model.order, answers.back().value);
+            _shapes =
+                shapes_for_samples(scene, result.model.order, result.critical_speeds.back().speed);
+        append(answers, _wanted.margins ? margins_of(result, naming) : std::vector<Answer>{});
         _critical_order = take(result.model, answers);
     }
     if (_wanted.peaks) {
         const results::ResponseResult result = response_peaks(scene, true);
         _peaks_order = take(result.model, answers_of(result.peaks));
     }
+    if (_wanted.damping) {
+        const WhirlDamping found = damping_at(scene, 0, _wanted.at, naming);
+        _damping_order = take(found.model, found.answers);
+    }
     if (_wanted.ends)
         _ends_order = take(model_of_ends(scene), answers_of(bands_of(scene, true), *scene.speeds));
     if (_wanted.residual) {
         if (scene.rotor.balancers.empty())
-            throw model::BadInput("samples.of: expected a [[balancer]] whose residual to look at, "
+            throw model::BadInput("of: expected a [[balancer]] whose residual to look at, "
                                   "got a rotor without");
         const results::SimulateResult motion = simulate_alone(scene);
         _motion_order = take(motion.model, answers_of(motion));
@@ -198,16 +292,21 @@ Answers::Answers(const model::Case &scene) : _wanted(*scene.samples) {
 
 std::vector<Answer> Answers::of(const model::Case &scene) const {
     std::vector<Answer> out;
-    if (_wanted.critical) {
+    if (_wanted.critical || _wanted.margins) {
         model::Case more = with_order(scene, _critical_order);
         more.campbell.modes += spare_modes;
-        append(out,
-               answers_of(unjudged_critical_speeds(more, _shapes ? &*_shapes : nullptr), scene));
+        const results::CriticalResult result =
+            unjudged_critical_speeds(more, _shapes ? &*_shapes : nullptr, _wanted.margins);
+        if (_wanted.critical)
+            append(out, answers_of(result, scene, _naming));
+        append(out, margins_of(result, _naming));
     }
     if (_wanted.peaks) {
         const model::Case own = with_order(scene, _peaks_order);
         append(out, answers_of(response_peaks(own, false).peaks));
     }
+    if (_wanted.damping)
+        append(out, damping_at(scene, _damping_order, _wanted.at, _naming).answers);
     if (_wanted.ends) {
         const model::Case own = with_order(scene, _ends_order);
         append(out, answers_of(bands_of(own, false), model::required_speeds(own)));

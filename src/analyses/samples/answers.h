@@ -13,24 +13,33 @@ namespace whirl::analyses {
 
 /// A number that a rotor answers with.
 struct Answer {
-    std::string key;         ///< which one: the same for all rotors
-    std::string of;          ///< "critical", "peaks", "ends" or "residual"
-    std::string name;        ///< in front of its place and behind it
-    std::optional<double> z; ///< of a place that has no name, m
+    std::string key;          ///< which one: the same for all rotors
+    std::string of;           ///< "critical", "peaks", "ends", "residual", "damping" or "margins"
+    std::string name;         ///< in front of `at` and behind it
+    std::optional<double> at; ///< between the two: z of a place that has no name, or a speed; SI
     std::string behind;
     model::Quantity quantity = model::Quantity::number;
     double value = 0;
     bool asked_for = true; ///< false: beyond the number of modes that the case wants
     double error = std::numeric_limits<double>::quiet_NaN(); ///< relative; NaN: not known
+    model::Quantity at_quantity = model::Quantity::length;
 };
 
-/// The numbers that [samples] asks for, of a case as it is and of rotors that differ a little from
-/// it. By this process alone.
+/// How critical speeds and modes of many rotors are named.
+enum class Naming {
+    by_whirl, ///< "forward 2": the second of those of its whirl
+    /// "2": the second of all, so that a curve over an entry is one without jumps wherever all
+    /// rotors have as many, also where two change places or the whirl becomes a mixed one
+    by_order
+};
+
+/// The numbers that [samples] or [sweep] asks for, of a case as it is and of rotors that differ a
+/// little from it. By this process alone.
 class Answers {
   public:
     /// Those of the case as it is, with their errors.
     /// @throws model::BadInput, model::AnalysisFailure as the commands do that list them
-    explicit Answers(const model::Case &scene);
+    Answers(const model::Case &scene, model::WantedAnswers wanted, Naming naming);
 
     [[nodiscard]] const std::vector<Answer> &nominal() const { return _nominal; }
     /// Of the case as it is.
@@ -42,11 +51,13 @@ class Answers {
     [[nodiscard]] std::vector<Answer> of(const model::Case &scene) const;
 
   private:
-    model::SamplesSettings _wanted;
+    model::WantedAnswers _wanted;
+    Naming _naming;
     std::vector<Answer> _nominal;
     results::ModelSummary _model;
     std::optional<synchronous::SharedShapes> _shapes; ///< of the case as it is, for its samples
     int _critical_order = 1, _peaks_order = 1, _ends_order = 1, _motion_order = 1;
+    int _damping_order = 1;
 };
 
 } // namespace whirl::analyses

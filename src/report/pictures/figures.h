@@ -31,6 +31,7 @@ struct SamplesResult;
 struct ShowResult;
 struct SimulateResult;
 struct StabilityResult;
+struct SweepResult;
 struct Waterfall;
 } // namespace whirl::results
 
@@ -136,6 +137,11 @@ struct ModeCurves {
 /// intervals, and the case as it is.
 [[nodiscard]] Figure samples_figure(const model::Case &scene, const results::SamplesResult &result,
                                     const Units &units);
+
+/// Answers over the first entry: a panel for those of one kind, a curve each; with two entries a
+/// panel an answer, a curve for each value of the second.
+[[nodiscard]] Figure sweep_figure(const model::Case &scene, const results::SweepResult &result,
+                                  const Units &units);
 
 /// Bands over spin speed for each plane and for all together, flexible above rigid, and below them
 /// the eigenvalues of the joint form, coloured by their sign, on an axis that is logarithmic away

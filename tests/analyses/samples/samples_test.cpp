@@ -141,8 +141,8 @@ TEST(Samples, PeaksAreThoseOfTheJeffcottRotor) {
     scene.rotor.imbalances = {tests::imbalance_at(0.5, mr)};
     scene.speeds = model::SpeedRange{0, 2000, 3};
     scene.samples->count = 20;
-    scene.samples->critical = false;
-    scene.samples->peaks = true;
+    scene.samples->of.critical = false;
+    scene.samples->of.peaks = true;
     scene.samples->vary = {normal_input("k", 1e7, 1e6), normal_input("c", 2000, 200)};
     const SamplesResult result = analyses::samples(scene, varied(scene));
     EXPECT_EQ(result.failed, 0);
@@ -170,8 +170,8 @@ TEST(Samples, BandEndsAreThoseOfTheAnisotropicRotor) {
     scene.rotor.anisotropies = {{"", 0.5, dI, 0}};
     scene.speeds = model::SpeedRange{2000, 4000, 21};
     scene.samples->count = 10;
-    scene.samples->critical = false;
-    scene.samples->ends = true;
+    scene.samples->of.critical = false;
+    scene.samples->of.ends = true;
     scene.samples->vary = {normal_input("kt", 2e6, 5e4)};
     const SamplesResult result = analyses::samples(scene, varied(scene));
     EXPECT_EQ(result.failed, 0);
@@ -262,7 +262,7 @@ TEST(Samples, WithoutTheirSectionAreBadInput) {
     scene.samples.reset();
     EXPECT_THROW((void)analyses::samples(scene, varied(scene)), model::BadInput);
     scene = disc_on_spring();
-    scene.samples->peaks = true; // without an imbalance
+    scene.samples->of.peaks = true; // without an imbalance
     scene.samples->vary = {normal_input("k", 1e7, 1e6)};
     EXPECT_THROW((void)analyses::samples(scene, varied(scene)), model::BadInput);
 }

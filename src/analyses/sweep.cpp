@@ -1,0 +1,74 @@
+#include "analyses/sweep.h"
+
+#include "analyses/samples/answers.h"
+#include "analyses/samples/many_rotors.h"
+#include "model/case.h"
+#include "model/errors.h"
+#include "process/progress.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace whirl::analyses {
+
+namespace {
+
+/// What each rotor has of its own: the first axis runs fastest.
+std::vector<std::vector<std::string>> rotors_of(const std::vector<model::SweepAxis> &axes) {
+    std::vector<std::vector<std::string>> rotors{{}};
+    for (const model::SweepAxis &axis : axes) {
+        std::vector<std::vector<std::string>> more;
+        for (const double value : axis.values)
+            for (std::vector<std::string> overrides : rotors) {
+                for (const model::SweptEntry &entry : axis.entries)
+                    overrides.push_back(fmt::format("{}={}", entry.path, axis.at(entry, value)));
+                more.push_back(std::move(overrides));
+            }
+        rotors = std::move(more);
+    }
+    return rotors;
+}
+
+void add_sweep_notes(results::SweepResult &result) {
+    auto &notes = result.model.notes;
+    if (result.failed > 0)
+        notes.emplace_back("{} of {} rotors have no answer: the table of failures says why",
+                           result.failed, result.count);
+    if (result.answers.empty())
+        notes.emplace_back("neither the case as it is nor any other rotor has an answer of the "
+                           "kinds asked for in the range of speeds");
+    const int sound = result.count - result.failed;
+    if (std::ranges::any_of(result.answers,
+                            [sound](const auto &answer) { return answer.present < sound; }))
+        notes.emplace_back("not every rotor has every answer: answers are numbered in each rotor, "
+                           "so that a curve need not be one and the same motion all along");
+}
+
+} // namespace
+
+results::SweepResult sweep(const model::Case &scene, const CaseWith &with) {
+    if (!scene.sweep)
+        throw model::BadInput(fmt::format("{}: sweep: expected a section [sweep] that says which "
+                                          "entries change, got none",
+                                          scene.file.generic_string()));
+    std::optional<process::Stage> stage(std::in_place, "the case as it is", 0.0, 0.02);
+    const Answers answers(scene, scene.sweep->of, Naming::by_order);
+    results::SweepResult result;
+    result.model = answers.model();
+    result.axes = scene.sweep->axes;
+    const auto rotors = rotors_of(result.axes);
+    result.count = static_cast<int>(rotors.size());
+    stage.emplace("rotors", 0.02, 1.0);
+    ManyRotors found = answers_of_many(answers, rotors, "rotors", with);
+    result.answers = std::move(found.answers);
+    result.failures = std::move(found.failures);
+    result.failed = found.failed;
+    add_sweep_notes(result);
+    return result;
+}
+
+} // namespace whirl::analyses

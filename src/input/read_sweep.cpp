@@ -1,0 +1,139 @@
+#include "input/sections.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string_view>
+
+namespace whirl::input {
+
+namespace {
+
+/// Largest number of rotors of a sweep: as of samples.
+constexpr double most_rotors = 1e6;
+
+/// The texts of `path`: one, or those of a list.
+std::vector<std::string> paths_of(CheckedTable &table) {
+    const auto entry = table.entry("path");
+    if (!entry) {
+        table.fail("path", "missing, expected a numeric entry of the case, or a list of them that "
+                           "change together");
+        return {};
+    }
+    if (!entry->node.is_list())
+        return {table.text("path").value_or("")};
+    std::vector<std::string> paths;
+    for (const CheckedEntry &item : entry->items())
+        if (item.node.kind == Node::Kind::text)
+            paths.push_back(item.node.text);
+        else
+            item.fail("expected a numeric entry of the case in quotes, got " + shown(item.node));
+    if (entry->node.items.empty())
+        entry->fail("expected at least one numeric entry of the case, got none");
+    return paths;
+}
+
+/// All entries that the axis changes; a mistake leaves them out.
+/// @param quantity  gets that of the entries
+void read_entries(CheckedTable &table, model::SweepAxis &axis, std::optional<Quantity> &quantity) {
+    const bool relative = axis.change != model::SweepChange::value;
+    for (const std::string &path : paths_of(table)) {
+        if (path.empty())
+            continue;
+        const auto found = numeric_entries(table, path, "");
+        if (!found)
+            continue;
+        // Factors may change stiffness and damping together; values and shifts are of one kind.
+        if (axis.change != model::SweepChange::factor && quantity && *quantity != found->quantity)
+            table.fail("path", fmt::format("expected entries of one quantity, got {} and {}: "
+                                           "change = \"factor\" scales entries of any kind",
+                                           describe(*quantity), describe(found->quantity)));
+        quantity = found->quantity;
+        for (const std::string &own : found->paths) {
+            if (!relative) {
+                axis.entries.push_back({own, 0});
+                continue;
+            }
+            const auto given = value_in_case({{own}, found->quantity}, table.context().tree);
+            if (!given)
+                table.fail("path",
+                           "expected an entry that the case gives, to change it by a factor "
+                           "or a shift; " +
+                               own + " is left at its default");
+            else
+                axis.entries.push_back({own, *given});
+        }
+    }
+}
+
+void read_range(CheckedTable &table, Quantity quantity, model::SweepAxis &axis) {
+    axis.logarithmic = table.choice("spacing", {"linear", "log"}, 0) == 1;
+    const Range range = axis.logarithmic ? Range::positive() : Range{};
+    const double from = table.number("from", quantity, range);
+    const double to = table.number("to", quantity, range);
+    const int count = table.whole("count", 2, largest_count);
+    if (to <= from)
+        table.fail("to", fmt::format("expected more than from = {}, got {}", from, to));
+    for (int i = 0; i < count; ++i) {
+        const double share = static_cast<double>(i) / (count - 1);
+        axis.values.push_back(i == count - 1     ? to
+                              : axis.logarithmic ? from * std::pow(to / from, share)
+                                                 : from + (to - from) * share);
+    }
+}
+
+void read_values(CheckedTable &table, Quantity quantity, model::SweepAxis &axis) {
+    axis.values = table.numbers("values", quantity);
+    const Node *list = table.find("values");
+    if (list->is_list() && list->items.empty())
+        table.fail("values", "expected at least one value, got none");
+    for (const char *other : {"from", "to", "count", "spacing"})
+        if (table.has(other))
+            table.fail(other, "expected either `values` or `from`, `to` and `count`, got both");
+}
+
+model::SweepAxis read_sweep_axis(CheckedTable &table) {
+    model::SweepAxis axis;
+    axis.change =
+        static_cast<model::SweepChange>(table.choice("change", {"value", "factor", "shift"}, 0));
+    std::optional<Quantity> of_entries;
+    read_entries(table, axis, of_entries);
+    if (!of_entries)
+        return axis;
+    axis.quantity = axis.change == model::SweepChange::factor ? Quantity::number : *of_entries;
+    if (table.has("values"))
+        read_values(table, axis.quantity, axis);
+    else
+        read_range(table, axis.quantity, axis);
+    table.refuse_unknown();
+    return axis;
+}
+
+} // namespace
+
+void read_sweep(CheckedTable &table, model::Case &scene) {
+    model::SweepSettings sweep;
+    read_wanted(table, scene, sweep.of);
+    double points = 1;
+    for (const char *key : {"x", "y"}) {
+        if (auto axis = table.table(key)) {
+            sweep.axes.push_back(read_sweep_axis(*axis));
+            points *= static_cast<double>(sweep.axes.back().values.size());
+        } else if (std::string_view(key) == "x" && !table.has(key)) {
+            table.fail(key, "missing, expected a table {path, from, to, count}");
+        }
+    }
+    std::set<std::string> changed;
+    for (const model::SweepAxis &axis : sweep.axes)
+        for (const model::SweptEntry &entry : axis.entries)
+            if (!changed.insert(entry.path).second)
+                table.fail("expected each entry once, got " + in_quotes(entry.path) + " twice");
+    if (points > most_rotors)
+        table.fail(fmt::format("expected at most {:.0f} rotors, got {:.0f}", most_rotors, points));
+    scene.sweep = std::move(sweep);
+}
+
+} // namespace whirl::input

@@ -1,0 +1,229 @@
+// Report of the command sweep.
+
+#include "results/sweep.h"
+
+#include "report/answers.h"
+#include "report/common/csv.h"
+#include "report/common/table.h"
+#include "report/common/words.h"
+#include "report/pictures/figures.h"
+#include "report/reports.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+namespace whirl::report {
+
+using model::SweepAxis;
+using results::SampledAnswer;
+using results::SampleFailure;
+using results::SweepResult;
+
+namespace {
+
+const char *change_of(const SweepAxis &axis) {
+    switch (axis.change) {
+    case model::SweepChange::factor:
+        return "factor";
+    case model::SweepChange::shift:
+        return "shift";
+    case model::SweepChange::value:
+        break;
+    }
+    return "value";
+}
+
+std::vector<std::string> paths_of(const SweepAxis &axis) {
+    std::vector<std::string> paths;
+    for (const model::SweptEntry &entry : axis.entries)
+        paths.push_back(entry.path);
+    return paths;
+}
+
+const Columns<SweepAxis> axis_columns{
+    {"entries", paths_of},
+    {OnPage("Entries"),
+     [](const SweepAxis &axis) { return fmt::format("{}", fmt::join(paths_of(axis), ", ")); }},
+    {"change", OnPage("change"), change_of},
+    {"unit", OnPage("unit"),
+     [](const SweepAxis &axis, const Units &units) { return units.name(axis.quantity); }},
+    {"values", OfEach{[](const SweepAxis &axis) { return axis.quantity; }}, &SweepAxis::values}};
+
+/// The values of an answer as lists over the first axis, one for each value of the second.
+Json values_of(const SweepResult &result, const SampledAnswer &answer) {
+    if (result.axes.size() < 2)
+        return answer.values;
+    Json lists = Json::array();
+    const std::size_t across = result.axes.front().values.size();
+    for (std::size_t i = 0; i < answer.values.size(); i += across) {
+        Json list = Json::array();
+        for (std::size_t k = i; k < i + across; ++k)
+            list.push_back(answer.values[k] ? Json(*answer.values[k]) : Json());
+        lists.push_back(list);
+    }
+    return lists;
+}
+
+template <class Better> std::optional<double> extreme(const SampledAnswer &answer, Better better) {
+    std::optional<double> best;
+    for (const std::optional<double> &value : answer.values)
+        if (value && (!best || better(*value, *best)))
+            best = value;
+    return best;
+}
+
+const OfEach of_swept_answer{[](const SampledAnswer &answer) { return answer.quantity; }};
+
+Columns<SampledAnswer> swept_answer_columns(const SweepResult &result) {
+    return {{"of", &SampledAnswer::of},
+            {"name", [](const SampledAnswer &answer,
+                        const Units &units) { return units.text(answer.name); }},
+            {OnPage("Answer"), InText("answer"), answer_text},
+            {"unit", ForReaders("unit"),
+             [](const auto &answer, const Units &units) { return units.name(answer.quantity); }},
+            {"nominal", OnPage("case as it is", "{:.6g}"), InText("case as is", "{:.6g}"),
+             of_swept_answer, &SampledAnswer::nominal},
+            {"nominal_error", OnPage("its relative error", "{:.2g}"), Quantity::number,
+             &SampledAnswer::nominal_error},
+            {ForReaders("smallest", "{:.6g}"), of_swept_answer,
+             [](const SampledAnswer &answer) { return extreme(answer, std::less<>()); }},
+            {ForReaders("largest", "{:.6g}"), of_swept_answer,
+             [](const SampledAnswer &answer) { return extreme(answer, std::greater<>()); }},
+            {"present", ForReaders("rotors"), &SampledAnswer::present},
+            {"values", of_swept_answer,
+             [&result](const SampledAnswer &answer) { return values_of(result, answer); }}};
+}
+
+const Columns<SampleFailure> rotor_failure_columns{
+    {"message", OnPage("Why rotors have no answer"), InText("why rotors have no answer"),
+     &SampleFailure::message},
+    {"count", ForReaders("how many"),
+     [](const SampleFailure &failure) { return failure.samples.size(); }},
+    {OnPage("the first (counted from 0)"), InText("the first"),
+     [](const SampleFailure &failure) { return failure.samples.front(); }},
+    {"rotors", &SampleFailure::samples}};
+
+/// What an axis is called: the entry, or the first of those that change together.
+std::string axis_name(const SweepAxis &axis) {
+    const std::string first = axis.entries.empty() ? "" : axis.entries.front().path;
+    const std::string more =
+        axis.entries.size() > 1 ? fmt::format(" and {} more", axis.entries.size() - 1) : "";
+    return axis.change == model::SweepChange::value
+               ? first + more
+               : fmt::format("{} of {}{}", change_of(axis), first, more);
+}
+
+/// The value of an axis at each rotor.
+std::vector<double> along(const SweepResult &result, std::size_t axis) {
+    std::size_t repeat = 1;
+    for (std::size_t i = 0; i < axis; ++i)
+        repeat *= result.axes[i].values.size();
+    const std::vector<double> &values = result.axes[axis].values;
+    std::vector<double> out;
+    for (int i = 0; i < result.count; ++i)
+        out.push_back(values[static_cast<std::size_t>(i) / repeat % values.size()]);
+    return out;
+}
+
+/// Why a rotor has no answer; empty: it has.
+std::string rotor_failure_of(const SweepResult &result, int rotor) {
+    for (const SampleFailure &failure : result.failures)
+        if (std::binary_search(failure.samples.begin(), failure.samples.end(), rotor))
+            return failure.message;
+    return "";
+}
+
+/// A line a rotor; its columns are the entries and answers.
+std::string sweep_csv(const SweepResult &result, const Units &units) {
+    std::vector<CsvList> lists;
+    for (std::size_t i = 0; i < result.axes.size(); ++i)
+        lists.push_back({{axis_name(result.axes[i]), result.axes[i].quantity}, along(result, i)});
+    for (const SampledAnswer &answer : result.answers)
+        lists.push_back({{answer_text(answer, units), answer.quantity}, answer.values});
+    Json failures = Json::array();
+    for (int rotor = 0; rotor < result.count; ++rotor)
+        failures.push_back(rotor_failure_of(result, rotor));
+    lists.push_back({{"failure"}, failures});
+    return csv_lists(lists, units);
+}
+
+Json sweep_json(const SweepResult &result, const Units &units) {
+    return {{"sweep",
+             {{"axes", json_rows(axis_columns, result.axes, units)},
+              {"count", result.count},
+              {"failed", result.failed},
+              {"failures", json_rows(rotor_failure_columns, result.failures, units)}}},
+            {"answers", json_rows(swept_answer_columns(result), result.answers, units)}};
+}
+
+/// A rotor as a row of a table for readers.
+struct SweepRow {
+    std::size_t rotor = 0;
+};
+
+/// Entries and the first answers. @param most  answers
+Columns<SweepRow> table_columns(const SweepResult &result, std::size_t most, const Units &units) {
+    Columns<SweepRow> columns;
+    for (std::size_t i = 0; i < result.axes.size(); ++i)
+        columns.push_back(
+            {ForReaders(axis_name(result.axes[i]), "{:.6g}"), result.axes[i].quantity,
+             [values = along(result, i)](const SweepRow &row) { return values[row.rotor]; }});
+    for (std::size_t i = 0; i < std::min(most, result.answers.size()); ++i) {
+        const SampledAnswer &answer = result.answers[i];
+        columns.push_back({ForReaders(answer_text(answer, units), "{:.6g}"), answer.quantity,
+                           [&answer](const SweepRow &row) { return answer.values[row.rotor]; }});
+    }
+    return columns;
+}
+
+/// At most so many rotors, evenly spread, with the first and the last.
+std::vector<SweepRow> table_rows(const SweepResult &result, std::size_t most) {
+    const auto count = static_cast<std::size_t>(result.answers.empty() ? 0 : result.count);
+    std::vector<SweepRow> rows;
+    for (std::size_t i = 0; i < std::min(count, most); ++i)
+        rows.push_back({count <= most ? i : i * (count - 1) / (most - 1)});
+    return rows;
+}
+
+constexpr std::size_t rows_on_page = 200;
+constexpr std::size_t answers_on_page = 10;
+
+std::vector<Section> sweep_sections(const SweepResult &result, const Units &units) {
+    std::vector<Section> sections{
+        {"Answers", page_table(swept_answer_columns(result), result.answers, units)},
+        {"Values", page_table(table_columns(result, answers_on_page, units),
+                              table_rows(result, rows_on_page), units)},
+        {"What changes", page_table(axis_columns, result.axes, units)}};
+    if (!result.failures.empty())
+        sections.push_back({"Rotors without an answer",
+                            page_table(rotor_failure_columns, result.failures, units)});
+    return sections;
+}
+
+std::string sweep_text(const model::Case &scene, const SweepResult &result, const Units &units) {
+    constexpr std::size_t rows = 16; // so that all stays on one screen
+    constexpr std::size_t answers = 5;
+    std::string text = heading(scene, fmt::format("sweep over {} rotors", result.count));
+    text += result.answers.empty() ? "  no answers\n"
+                                   : text_table(table_columns(result, answers, units),
+                                                table_rows(result, rows), units);
+    if (result.answers.size() > answers || static_cast<std::size_t>(result.count) > rows)
+        text += fmt::format("  {} answers of {} rotors in sweep.csv\n", result.answers.size(),
+                            result.count);
+    return text + text_table("\n", rotor_failure_columns, result.failures, units) +
+           model_text(result.model, units);
+}
+
+} // namespace
+
+Report describe(const model::Case &scene, const SweepResult &result) {
+    return report_of<SweepResult>(
+        "sweep", "Sweep", scene, result,
+        {sweep_json, sweep_csv, sweep_sections, sweep_text, sweep_figure});
+}
+
+} // namespace whirl::report

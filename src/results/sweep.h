@@ -1,0 +1,22 @@
+#pragma once
+
+#include "model/sweep.h"
+#include "results/model_summary.h"
+#include "results/samples.h"
+
+#include <vector>
+
+namespace whirl::results {
+
+/// Answers over one or two entries of the case (analyses/sweep.h).
+struct SweepResult {
+    ModelSummary model; ///< of the case as it is
+    std::vector<model::SweepAxis> axes;
+    /// One value a rotor, without quantiles: the first axis runs fastest.
+    std::vector<SampledAnswer> answers;
+    std::vector<SampleFailure> failures; ///< by the numbers of the rotors, from 0
+    int count = 0;
+    int failed = 0;
+};
+
+} // namespace whirl::results
