@@ -35,6 +35,26 @@ std::optional<std::size_t> support_of(const CheckedEntry &entry, const model::Ro
     return std::nullopt;
 }
 
+/// Reads a [[level1.stage]].
+void read_stage(CheckedTable &table, model::Stage &stage) {
+    stage.name = table.text("name").value_or("");
+    stage.axial = table.choice("kind", {"centrifugal", "axial"}, 0) == 1;
+    stage.power = table.number("power", Quantity::power, Range::positive());
+    stage.speed = table.optional_number("speed", Quantity::speed, Range::positive());
+    stage.diameter = table.number("diameter", Quantity::length, Range::positive());
+    stage.width = table.number("width", Quantity::length, Range::positive());
+    const auto ratio = table.optional_number("density_ratio", Quantity::number, Range::positive());
+    if (ratio && stage.axial)
+        table.fail("density_ratio", "expected none of an axial stage, whose cross coupling does "
+                                    "not depend on it");
+    stage.density_ratio = ratio.value_or(1);
+    if (stage.width >= stage.diameter)
+        table.fail("width",
+                   fmt::format("expected less than diameter = {}, got {}",
+                               as_written(table.find("diameter"), stage.diameter, "m", stage.width),
+                               as_written(table.find("width"), stage.width, "m", stage.diameter)));
+}
+
 } // namespace
 
 void read_operation(CheckedTable &table, model::Case &scene) {
@@ -63,6 +83,11 @@ void read_level1(CheckedTable &table, model::Case &scene) {
     level1.count = table.whole_or("count", level1.count, 2, 10000);
     level1.anticipated =
         table.optional_number("anticipated", Quantity::stiffness, Range::positive());
+    level1.gas_density = table.optional_number("gas_density", Quantity::density, Range::positive());
+    read_each(table, "stage", level1.stages, read_stage);
+    if (level1.anticipated && !level1.stages.empty())
+        table.fail("anticipated", "expected either this or [[level1.stage]], from which it is "
+                                  "calculated, got both");
     scene.level1 = level1;
     if (!table.context().tree.find("operation"))
         table.fail("expected a section [operation], at whose highest speed cross coupling is "

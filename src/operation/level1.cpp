@@ -10,9 +10,13 @@
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
 #include "model/errors.h"
+#include "model/variants.h"
+#include "operation/level1_verdict.h"
 #include "reduction/planar_shapes.h"
 #include "results/damping.h"
 #include "results/sentence.h"
+#include "rigid/shaft.h"
+#include "synchronous/critical_speeds.h"
 
 #include <fmt/format.h>
 
@@ -62,6 +66,30 @@ double stiffness_scale(const model::Rotor &rotor) {
     for (const model::Bearing &bearing : rotor.bearings)
         sum += bearing.rows.front().k.cwiseAbs().trace() / 2;
     return sum > 0 ? sum : 1;
+}
+
+/// The maximum continuous speed over the first undamped critical speed on rigid supports, without
+/// seals and pedestals; 0 of a rigid shaft. None of a rotor that two supports do not hold.
+std::optional<double> critical_speed_ratio(const model::Rotor &rotor, int order, double speed) {
+    constexpr double rigid = 1e6; // of the shaft's stiffness: critical speeds off by 1e-6
+    if (rotor.shaft.rigid)
+        return 0;
+    model::Rotor held = model::with_support_stiffness(model::isotropic_without_damping(rotor), {},
+                                                      {rigid * rigid::bending_stiffness(rotor)});
+    std::erase_if(held.bearings, [](const model::Bearing &bearing) { return bearing.seal; });
+    for (model::Bearing &bearing : held.bearings)
+        bearing.pedestal.reset();
+    if (held.bearings.size() < 2)
+        return std::nullopt;
+    try {
+        const assembly::Discretization d(held, order);
+        for (const modes::WhirlMode &mode :
+             synchronous::synchronous_modes(d, results::Form::planar, speed, 2))
+            if (mode.whirl == results::Whirl::forward && mode.eigenvalue.imag() > 0)
+                return speed / mode.eigenvalue.imag();
+    } catch (const linalg::SolverError &) { // said to be unknown
+    }
+    return std::nullopt;
 }
 
 /// The rotor at its maximum continuous speed under cross coupling q, which takes the place of the
@@ -201,13 +229,20 @@ class Answer {
         _out.z = _settings.z;
         _out.speed = _speed;
         _out.anticipated = _settings.anticipated;
+        for (const model::Stage &stage : _settings.stages) {
+            _out.stages.push_back(stage_of(stage, _speed));
+            _out.anticipated = _out.anticipated.value_or(0) + _out.stages.back().cross_coupling;
+        }
+        _out.gas_density = _settings.gas_density;
+        if (_out.gas_density && _out.anticipated)
+            _out.critical_speed_ratio = critical_speed_ratio(scene.rotor, order, _speed);
     }
 
     results::Level1 found() {
         const Complex without = rotor(0, least * _scale).least_damped(0);
         if (without.real() > 0) {
-            _notes.emplace_back("level1: the rotor is unstable at maximum continuous speed "
-                                "without any added cross coupling");
+            say_none("a motion grows at the maximum continuous speed without any added cross "
+                     "coupling");
             add_without_threshold(without);
         } else if (const auto driven = without.real() == 0 ? grows_at_once() : std::nullopt) {
             _out.critical_cross_coupling = 0;
@@ -216,6 +251,7 @@ class Answer {
         } else if (!add_threshold()) {
             add_without_threshold(without);
         }
+        add_verdict(_out, _searched);
         return std::move(_out);
     }
 
@@ -235,6 +271,13 @@ class Answer {
     double _scale; ///< N/m
     std::vector<results::Sentence> &_notes;
     results::Level1 _out;
+    Searched _searched;
+
+    /// Why there is no critical cross coupling.
+    void say_none(results::Sentence why) {
+        _notes.emplace_back("level1: {}", why);
+        _out.no_critical = std::move(why);
+    }
 
     [[nodiscard]] CoupledRotor rotor(double from, double to) const {
         return {_d, {_speed, _settings.z, from, to}, _counted};
@@ -269,9 +312,9 @@ class Answer {
             add_end(coupled.range(), *first, found.roots);
             return true;
         }
-        _notes.emplace_back("level1: stable up to the largest added cross coupling tried, "
-                            "{}",
-                            results::as::stiffness(from, 3));
+        _searched.never_below = from;
+        say_none({"no added cross coupling up to {} makes a motion grow",
+                  results::as::stiffness(from, 3)});
         return false;
     }
 
@@ -280,6 +323,7 @@ class Answer {
         const CouplingRange &range = coupled.range();
         for (const results::Interval &step : found.doubtful)
             if (step.to < end && coupled.least_damped(range.q(step.to)).real() > 0) {
+                _searched.grows_with = range.q(step.to);
                 _notes.emplace_back("level1: some modes could not be followed over the added cross "
                                     "coupling, and one is unstable at {}: the threshold may be "
                                     "lower than stated",
@@ -330,13 +374,13 @@ class Answer {
 
     /// Without a threshold the curve goes as far as the case says.
     void add_without_threshold(Complex without) {
-        const double none = _settings.anticipated.value_or(0);
+        const double none = _out.anticipated.value_or(0);
         add_curve({0, without}, _settings.to.value_or(none));
     }
 
     /// The motion of `start` from none up to a coupling, and with that anticipated.
     void add_curve(const State &start, double to) {
-        const double anticipated = _settings.anticipated.value_or(0);
+        const double anticipated = _out.anticipated.value_or(0);
         const double all = std::max({start.q, to, anticipated, in_sight * _scale});
         const CoupledRotor coupled = rotor(0, all);
         const int count = to > 0 ? _settings.count : 1;
@@ -347,7 +391,7 @@ class Answer {
         std::vector<std::pair<double, int>> places; // -1: with that anticipated
         for (int i = 0; i < count; ++i)
             places.emplace_back(_out.q[static_cast<std::size_t>(i)], i);
-        if (_settings.anticipated)
+        if (_out.anticipated)
             places.emplace_back(anticipated, -1);
         std::ranges::sort(places);
         const auto above =

@@ -9,7 +9,23 @@ inline std::vector<BrokenCase> broken_operation() {
     const std::string &base = sound_case;
     const std::string running = base + "[operation]\nfrom = 100\nto = 200\n"; // next is line 11
     const std::string seal = base + "[[seal]]\nz = 0.5\n";                    // on line 10
+    const std::string stage = running + "[level1]\nz = 0.5\n[[level1.stage]]\npower = 1e6\n"
+                                        "diameter = 0.4\n"; // next is line 16
     return {
+        {"stage without a width", 13, "level1.stage[0].width", "missing, expected a length", stage},
+        {"stage wider than it is large", 16, "level1.stage[0].width",
+         "expected less than diameter = 0.4 m, got 12 m", stage + "width = 12\n"},
+        {"blades of a density ratio", 18, "level1.stage[0].density_ratio",
+         "expected none of an axial stage",
+         stage + "width = 0.01\nkind = \"axial\"\ndensity_ratio = 1.2\n"},
+        {"stage of another kind", 17, "level1.stage[0].kind",
+         "expected \"centrifugal\" or \"axial\", got \"radial\"",
+         stage + "width = 0.01\nkind = \"radial\"\n"},
+        {"stage without power", 14, "level1.stage[0].power", "greater than 0, got 0",
+         running + "[level1]\nz = 0.5\n[[level1.stage]]\npower = 0\ndiameter = 1\nwidth = 0.1\n"},
+        {"stages and what they sum up to", 13, "level1.anticipated", "got both",
+         running + "[level1]\nz = 0.5\nanticipated = 1e5\n[[level1.stage]]\npower = 1e6\n"
+                   "diameter = 0.4\nwidth = 0.01\n"},
         {"operation without an end", 8, "operation.to", "missing, expected an angular speed",
          base + "[operation]\nfrom = 100\n"},
         {"operation that ends before it starts", 10, "operation.to", "more than from = 200 rad/s",

@@ -23,6 +23,30 @@ TEST(Operation, IsReadInAnyUnit) {
     EXPECT_DOUBLE_EQ(*scene.level1->anticipated, 1e5);
 }
 
+TEST(Operation, StagesAreReadInAnyUnit) {
+    const model::Case scene =
+        load_text(sound_case + "[operation]\nfrom = 100\nto = 400\n[level1]\nz = 0.2\n"
+                               "gas_density = \"0.05 g/cm3\"\n"
+                               "[[level1.stage]]\nname = \"first\"\npower = \"900 kW\"\n"
+                               "diameter = \"42 cm\"\nwidth = \"14 mm\"\ndensity_ratio = 1.25\n"
+                               "[[level1.stage]]\nkind = \"axial\"\npower = \"1000 hp\"\n"
+                               "speed = \"3000 rpm\"\ndiameter = 1\nwidth = 0.1\n");
+    const auto &stages = scene.level1->stages;
+    ASSERT_EQ(stages.size(), 2U);
+    EXPECT_DOUBLE_EQ(*scene.level1->gas_density, 50);
+    EXPECT_EQ(stages[0].name, "first");
+    EXPECT_FALSE(stages[0].axial);
+    EXPECT_DOUBLE_EQ(stages[0].power, 9e5);
+    EXPECT_FALSE(stages[0].speed.has_value());
+    EXPECT_DOUBLE_EQ(stages[0].diameter, 0.42);
+    EXPECT_DOUBLE_EQ(stages[0].width, 0.014);
+    EXPECT_EQ(stages[0].density_ratio, 1.25);
+    EXPECT_TRUE(stages[1].axial);
+    EXPECT_NEAR(stages[1].power, 745699.87, 1); // another horsepower has another last digit
+    EXPECT_DOUBLE_EQ(*stages[1].speed, 3000 * rpm);
+    EXPECT_EQ(stages[1].density_ratio, 1);
+}
+
 TEST(Operation, IsNotThereUnlessNamed) {
     EXPECT_FALSE(load_text(sound_case).operation.has_value());
     EXPECT_FALSE(load_text(sound_case).level1.has_value());

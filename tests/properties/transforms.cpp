@@ -140,6 +140,13 @@ void scale_operation(model::Case &scene, const Factors &f) {
         for (auto *stiffness : {&level1->to, &level1->anticipated})
             if (*stiffness)
                 **stiffness *= f.stiffness;
+        for (model::Stage &stage : level1->stages) {
+            stage.power *= f.stiffness * f.length * f.length * f.speed;
+            stage.diameter *= f.length;
+            stage.width *= f.length;
+            if (stage.speed)
+                *stage.speed *= f.speed;
+        }
     }
 }
 

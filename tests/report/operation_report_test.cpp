@@ -112,12 +112,28 @@ TEST_F(OperationReport, AddedCouplingWithoutARoot) {
     level1.q = {0, 1e6};
     level1.log_dec = {0.3, std::numeric_limits<double>::quiet_NaN()};
     level1.frequency = level1.log_dec;
+    level1.no_critical = "a motion grows without";
+    level1.anticipated = 1e5;
+    level1.stages = {{"impeller", false, 1e6, 200, 0.4, 0.01, 1.2, 1e5}};
+    level1.checks = {{"decrement", 0.05, 0.1, false, {}}, {"ratio", {}, 2, {}, "nobody knows"}};
+    level1.level_two = true;
+    level1.verdict = {"level II required: decrement {}", results::as::number(0.05)};
     const model::Case scene = running_case();
     const Files files = write_report(scene, result, folder);
     const nlohmann::json json = expect_whole_report(files, folder, "stability");
     EXPECT_TRUE(json.at("level1").at("critical_cross_coupling").is_null());
     EXPECT_TRUE(json.at("level1").at("log_dec")[1].is_null());
-    EXPECT_EQ(describe(scene, result).text({}).find("nan"), std::string::npos);
+    EXPECT_EQ(json.at("level1").at("no_critical"), "a motion grows without");
+    EXPECT_EQ(json.at("level1").at("level_two"), true);
+    EXPECT_EQ(json.at("level1").at("checks")[0].at("passes"), false);
+    EXPECT_TRUE(json.at("level1").at("checks")[1].at("passes").is_null());
+    EXPECT_EQ(json.at("level1").at("stages")[0].at("cross_coupling"), 1e5);
+    const std::string text = describe(scene, result).text({});
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+    for (const std::string &reader : {text, content_of(folder / "report.html")})
+        for (const char *words : {"level II required: decrement 0.05", "not judged", "nobody knows",
+                                  "impeller", "a motion grows without"})
+            EXPECT_NE(reader.find(words), std::string::npos) << words;
     EXPECT_TRUE(std::filesystem::exists(folder / "level1.csv"));
 }
 

@@ -3,7 +3,9 @@
 #include "results/stability.h"
 
 #include "report/common/csv.h"
+#include "report/common/html.h"
 #include "report/common/table.h"
+#include "report/common/text_width.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
@@ -81,6 +83,10 @@ std::optional<double> reserve(const Level1 &level1) {
                : std::nullopt;
 }
 
+std::optional<std::string> known_text(const results::Sentence &sentence, const Units &units) {
+    return known_name(units.text(sentence));
+}
+
 std::optional<double> without_coupling(const Level1 &level1) {
     return level1.log_dec.empty() ? std::nullopt : std::optional(level1.log_dec.front());
 }
@@ -95,6 +101,8 @@ const Columns<Level1> level1_columns{
      &Level1::critical_cross_coupling},
     {"error", OnPage("Relative error", "{:.2g}"), InText("its relative error", rough),
      Quantity::number, &Level1::error},
+    {"no_critical", OnPage("Why there is none"), InText("why there is none"),
+     [](const auto &level1, const Units &units) { return known_text(level1.no_critical, units); }},
     {"critical_frequency", OnPage("Frequency there"), InText("frequency there"),
      Quantity::frequency, &Level1::critical_frequency},
     {"anticipated", OnPage("Anticipated cross coupling"), InText("anticipated cross coupling"),
@@ -103,9 +111,74 @@ const Columns<Level1> level1_columns{
      InText("log. decrement with that"), Quantity::number, &Level1::anticipated_log_dec},
     {"ratio", OnPage("Critical over anticipated", "{:.4g}"),
      InText("critical over anticipated", "{:.4g}"), Quantity::number, reserve},
+    {"gas_density", OnPage("Gas density"), InText("gas density"), Quantity::density,
+     &Level1::gas_density},
+    {"critical_speed_ratio", OnPage("Critical speed ratio", "{:.4g}"),
+     InText("critical speed ratio", "{:.4g}"), Quantity::number, &Level1::critical_speed_ratio},
+    {"level_two", &Level1::level_two},
+    {"verdict", [](const auto &level1, const Units &units) { return units.text(level1.verdict); }},
     {"q", Quantity::stiffness, &Level1::q},
     {"log_dec", Quantity::number, &Level1::log_dec},
     {"frequency", Quantity::frequency, &Level1::frequency}};
+
+const Columns<results::Level1Stage> stage_columns{
+    {"name", OnPage("Stage"), InText("stage"), &results::Level1Stage::name},
+    {"kind", OnPage("Kind"), InText("kind"),
+     [](const auto &stage) { return stage.axial ? "axial" : "centrifugal"; }},
+    {"power", OnPage("Power"), InText("power"), Quantity::power, &results::Level1Stage::power},
+    {"speed", OnPage("Spin speed"), InText("spin speed"), Quantity::speed,
+     &results::Level1Stage::speed},
+    {"diameter", OnPage("Diameter"), InText("diameter"), Quantity::length,
+     &results::Level1Stage::diameter},
+    {"width", OnPage("Width"), InText("width"), Quantity::length, &results::Level1Stage::width},
+    {"density_ratio", OnPage("Density ratio"), InText("density ratio"), Quantity::number,
+     &results::Level1Stage::density_ratio},
+    {"cross_coupling", OnPage("Cross coupling"), InText("cross coupling"), Quantity::stiffness,
+     &results::Level1Stage::cross_coupling}};
+
+const char *passing(const results::Level1Check &check) {
+    return !check.passes ? "not judged" : *check.passes ? "passes" : "fails";
+}
+
+const Columns<results::Level1Check> check_columns{
+    {"name", OnPage("Level I (API 617)"), InText(""), &results::Level1Check::name},
+    {"value", OnPage("Value", "{:.4g}"), InText("value", "{:.4g}"), Quantity::number,
+     &results::Level1Check::value},
+    {"limit", OnPage("At least", "{:.4g}"), InText("at least", "{:.4g}"), Quantity::number,
+     &results::Level1Check::limit},
+    {"passes", &results::Level1Check::passes},
+    {OnPage("Verdict"), InText(""), passing},
+    {"why", OnPage("Why"), InText("why"),
+     [](const auto &check, const Units &units) { return known_text(check.why, units); }}};
+
+Json level1_json(const Level1 &level1, const Units &units) {
+    Json json = json_row(level1_columns, level1, units);
+    json["stages"] = json_rows(stage_columns, level1.stages, units);
+    json["checks"] = json_rows(check_columns, level1.checks, units);
+    return json;
+}
+
+std::vector<Section> level1_sections(const Level1 &level1, const Units &units) {
+    std::vector<Section> sections{
+        {"Level-I stability: added cross coupling",
+         element("p", units.text(level1.verdict)) +
+             (level1.checks.empty() ? "" : page_table(check_columns, level1.checks, units)) +
+             page_properties(level1_columns, level1, units)}};
+    if (!level1.stages.empty())
+        sections.push_back({"Anticipated cross coupling of the stages",
+                            page_table(stage_columns, level1.stages, units)});
+    return sections;
+}
+
+std::string level1_text(const Level1 &level1, const Units &units) {
+    return "\nLevel-I stability (API 617): " + printable(units.text(level1.verdict)) + "\n" +
+           text_table("", without_empty(check_columns, level1.checks), level1.checks, units) +
+           "added cross coupling:\n" +
+           text_table(properties(without_empty(level1_columns, std::vector{level1}), level1,
+                                 &Column<Level1>::text, "-", units)) +
+           text_table("anticipated, of the stages:\n", without_empty(stage_columns, level1.stages),
+                      level1.stages, units);
+}
 
 Picture level1_picture(const model::Case &scene, const Level1 &level1, const Units &units) {
     return {"level1", level1_figure(scene, level1, units), [&level1](const Units &files) {
@@ -163,7 +236,7 @@ Json json_of(const StabilityResult &result, const Units &units) {
             {"harmonics", result.harmonics},
             {"family", result.family ? family_json(*result.family, units) : Json()},
             {"map", result.map ? map_json(*result.map, units) : Json()},
-            {"level1", result.level1 ? json_row(level1_columns, *result.level1, units) : Json()}};
+            {"level1", result.level1 ? level1_json(*result.level1, units) : Json()}};
 }
 
 std::string csv_of(const StabilityResult &result, const Units &units) {
@@ -228,8 +301,8 @@ std::vector<Section> sections_of(const StabilityResult &result, const Units &uni
         sections.push_back({"Permissible inertial anisotropy",
                             page_table(permissible_columns, result.permissible, units)});
     if (result.level1)
-        sections.push_back({"Level-I stability: added cross coupling",
-                            page_properties(level1_columns, *result.level1, units)});
+        for (Section &section : level1_sections(*result.level1, units))
+            sections.push_back(std::move(section));
     if (!result.family)
         return sections;
     const results::ArrangementFamily &family = *result.family;
@@ -282,9 +355,7 @@ std::string text_of(const model::Case &scene, const StabilityResult &result, con
                            : "\nPermissible inertial anisotropy over this range:\n",
                        permissible_columns, result.permissible, units);
     if (result.level1)
-        text += "\nLevel-I stability, added cross coupling:\n" +
-                text_table(
-                    properties(level1_columns, *result.level1, &Column<Level1>::text, "-", units));
+        text += level1_text(*result.level1, units);
     return text + model_text(result.model, units);
 }
 
