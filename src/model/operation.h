@@ -9,8 +9,8 @@ namespace whirl::model {
 struct Operation {
     double from = 0;              ///< minimum operating speed, rad/s
     double to = 0;                ///< maximum continuous speed, rad/s
-    std::optional<double> normal; ///< at which it runs as a rule, rad/s
     std::optional<double> trip;   ///< at which an independent device shuts down, rad/s
+    std::optional<double> normal; ///< at which it runs as a rule, rad/s
 };
 
 /// A limit of vibration as it is read: the sine that just reaches it has an amplitude of its own.
