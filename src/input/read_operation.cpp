@@ -1,9 +1,6 @@
 #include "input/sections.h"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
-
-#include <ranges>
 
 namespace whirl::input {
 
@@ -47,10 +44,12 @@ void need_operation(const CheckedTable &table, const std::string &why) {
 /// A word that must be there.
 std::size_t needed_choice(CheckedTable &table, const std::string &key,
                           const std::vector<std::string> &words, const char *why) {
-    if (!table.has(key))
-        table.fail(key,
-                   fmt::format("missing, expected {}: {}",
-                               fmt::join(words | std::views::transform(in_quotes), " or "), why));
+    if (!table.has(key)) {
+        std::string quoted;
+        for (const std::string &word : words)
+            quoted += (quoted.empty() ? "" : " or ") + in_quotes(word);
+        table.fail(key, fmt::format("missing, expected {}: {}", quoted, why));
+    }
     return table.choice(key, words, 0);
 }
 

@@ -65,8 +65,8 @@ struct Probe {
     bool on_pedestal = false;
     /// Of the shaft: against what holds the bearing, or in the fixed frame. None: not said; then it
     /// reads in the fixed frame, and limits count for both.
-    std::optional<bool> relative;
-    std::optional<std::size_t> bearing; ///< among the supports; none: the nearest
+    std::optional<bool> relative{};
+    std::optional<std::size_t> bearing{}; ///< among the supports; none: the nearest
 };
 
 /// A small static imbalance fixed in the rotor.

@@ -7,10 +7,10 @@ namespace whirl::model {
 
 /// Entries of [operation]: the speeds at which the machine runs.
 struct Operation {
-    double from = 0;              ///< minimum operating speed, rad/s
-    double to = 0;                ///< maximum continuous speed, rad/s
-    std::optional<double> trip;   ///< at which an independent device shuts down, rad/s
-    std::optional<double> normal; ///< at which it runs as a rule, rad/s
+    double from = 0;                ///< minimum operating speed, rad/s
+    double to = 0;                  ///< maximum continuous speed, rad/s
+    std::optional<double> trip{};   ///< at which an independent device shuts down, rad/s
+    std::optional<double> normal{}; ///< at which it runs as a rule, rad/s
 };
 
 /// A limit of vibration as it is read: the sine that just reaches it has an amplitude of its own.

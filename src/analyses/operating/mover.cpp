@@ -55,7 +55,8 @@ class ForcedMover : public Mover {
         if (!with_error && forced::solves(_quick, speed) &&
             _quick.rounding() <= forced::resonance_rounding)
             return true;
-        _full = _motion_at(speed);
+        if (const auto solved = _motion_at(speed))
+            _full.emplace(*solved);
         return _full.has_value();
     }
 

@@ -343,7 +343,8 @@ std::vector<OperatingRow> rows_of(const std::vector<Spot> &spots, const model::C
         motion.solve(speed, true);
         for (const Spot &spot : spots) {
             const Moving moving = motion.of(spot.motion, {});
-            OperatingRow row{spot};
+            OperatingRow row;
+            static_cast<OperatingPlace &>(row) = spot;
             row.speed = speed;
             row.at = name;
             row.amplitude = moving.amplitude;
@@ -414,7 +415,8 @@ void add_worst(OperatingResponse &out, const std::vector<Watch> &watches,
                Motion &motion, const std::vector<double> &also, const Doubt &doubt) {
     const std::vector<Largest> found = Search(motion, from, to, also).largest(watches);
     for (std::size_t i = 0; i < watches.size(); ++i) {
-        OperatingWorst worst{*watches[i].spot};
+        OperatingWorst worst;
+        static_cast<OperatingPlace &>(worst) = *watches[i].spot;
         worst.what = watches[i].what;
         worst.from = from;
         worst.to = to;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "report/common/json.h"
 #include "report/report.h"
 #include "results/response.h"
 
