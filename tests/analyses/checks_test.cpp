@@ -104,7 +104,7 @@ model::Case sound() {
     scene.limits->shaft = 60e-6;
     scene.limits->velocity = 10e-3;
     scene.limits->clearance = 0.75;
-    scene.limits->scale_most = 1.5;
+    scene.limits->scale_most = 1.2;
     return scene;
 }
 

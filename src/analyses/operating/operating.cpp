@@ -404,10 +404,11 @@ void find_scale(OperatingResponse &out, const std::vector<Spot> &spots, const mo
                                 : Sentence("the probes read nothing under the imbalances");
         return;
     }
-    double scale = std::max(1.0, largest->value / most);
-    if (scene.limits->scale_most)
-        scale = std::min(scale, *scene.limits->scale_most);
-    out.scale = scale;
+    // API 617 has 0.5 to 6 (theory.md, "Operating speeds"); here the imbalance is never made less.
+    constexpr double least = 1;
+    constexpr double usual_most = 6;
+    out.scale = std::clamp(largest->value / most, least,
+                           scene.limits->scale_most.value_or(usual_most));
 }
 
 void add_worst(OperatingResponse &out, const std::vector<Watch> &watches,
