@@ -3,6 +3,7 @@
 #include "results/error_parts.h"
 #include "results/margins.h"
 #include "results/model_summary.h"
+#include "results/operating.h"
 #include "results/orbits.h"
 
 #include <optional>
@@ -183,6 +184,8 @@ struct ResponseResult : HarmonicMotion { ///< to the imbalances
     std::vector<ClearanceUse> clearances; ///< of every bearing and seal with one
     /// Where the case has operating speeds, as in CriticalResult.
     std::optional<std::vector<SeparationMargin>> margins;
+    /// Where the case has operating speeds and something that drives the rotor.
+    std::optional<OperatingResponse> operating;
     /// Where the case asks for it; the lists above are empty without an imbalance.
     std::optional<GravityResponse> gravity;
     /// Forces of each frequency of their own: the motions add, their amplitudes do not.

@@ -9,6 +9,7 @@
 #include "report/reports.h"
 #include "report/response/gravity.h"
 #include "report/response/marks.h"
+#include "report/response/operating.h"
 #include "report/response/orbits.h"
 #include "report/response/receptance.h"
 #include "report/response/tables.h"
@@ -236,6 +237,7 @@ Json force_json(const Speeds &speeds, const ForceResponse &response, const Units
 
 Json json_of(const ResponseResult &result, const Units &units) {
     Json json{{"speeds", written(units, Quantity::speed, result.speeds)}};
+    add_operating(json, result, units);
     // Without an imbalance the first of the forces, so that a motion is always at the same place.
     const HarmonicMotion *first = &result;
     if (result.nodes.empty() && !result.forces.empty())
@@ -397,8 +399,10 @@ std::vector<Part> parts_of(const model::Case &scene, const ResponseResult &resul
     return parts;
 }
 
-std::vector<Section> sections_of(const std::vector<Part> &parts, const Units &units) {
-    std::vector<Section> sections;
+/// @param first  what comes before
+std::vector<Section> sections_of(std::vector<Section> first, const std::vector<Part> &parts,
+                                 const Units &units) {
+    std::vector<Section> sections = std::move(first);
     for (const Part &part : parts)
         for (Section &section : part.sections(units))
             sections.push_back(std::move(section));
@@ -411,6 +415,7 @@ std::string text_of(const model::Case &scene, const ResponseResult &result, cons
                               (result.receptance && parts.size() == 1
                                    ? range_text({result.receptance->speed}, units)
                                    : range_text(result.speeds, units))) +
+           operating_text(result, units) +
            joined(parts, "\n", [&units](const Part &part) { return part.text(units); }) +
            model_text(result.model, units);
 }
@@ -453,12 +458,21 @@ Report describe(const model::Case &scene, const ResponseResult &result) {
                                               {json_of, {}, {}, text_of, {}});
     report.csv = parts.front().csv;
     report.figure = parts.front().figure;
-    report.sections = [parts](const Units &units) { return sections_of(parts, units); };
+    report.sections = [parts, &result](const Units &units) {
+        return sections_of(operating_sections(result, units), parts, units);
+    };
+    if (result.operating)
+        report.tables = [&result] {
+            return std::vector<TableFile>{{"response_operating", [&result](const Units &units) {
+                                               return operating_csv(result, units);
+                                           }}};
+        };
     report.pictures = [&scene, &result](const Units &units) {
         return pictures_of(scene, result, units);
     };
     report.pictures_heading = pictures_heading(parts, result);
-    report.pictures_after = result.nodes.empty() ? 0 : 2;
+    report.pictures_after =
+        result.nodes.empty() ? 0 : 2 + operating_sections(result, Units()).size();
     return report;
 }
 
