@@ -98,7 +98,7 @@ TEST(Continued, APairThatCrossesIsAMeetingWithBothOrdersKnown) {
     ASSERT_EQ(found.coalescences.size(), 1U);
     const Coalescence &meeting = found.coalescences[0];
     EXPECT_TRUE(meeting.ordered);
-    EXPECT_EQ(meeting.copies, 0);
+    EXPECT_EQ(meeting.aliases, 0);
     EXPECT_EQ(meeting.from, 3);
     EXPECT_EQ(meeting.to, 4);
     EXPECT_EQ(meeting.first_from, 10. * i);
@@ -191,7 +191,7 @@ TEST(Continued, CopiesOfAPeriodicSystemMeetToo) {
             one.repeats = 8;
     const Continuation found = continued(0, from, 1, to);
     ASSERT_EQ(found.coalescences.size(), 1U);
-    EXPECT_EQ(found.coalescences[0].copies, 1);
+    EXPECT_EQ(found.coalescences[0].aliases, 1);
     EXPECT_EQ(found.coalescences[0].second_from, 11. * i);
     EXPECT_EQ(found.coalescences[0].second_to, 13. * i);
 }
