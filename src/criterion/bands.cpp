@@ -247,6 +247,7 @@ void judge_band_ends(const BalanceScene &scene, BalanceForm &form, results::Bala
             sharp_bands(fine, points.critical, points.pinned[i], scene.from, scene.to).size();
         if (there != each[i]->bands.size())
             notes.emplace_back(
+                model::Weight::warning,
                 "{}: {} bands here, {} on a finer model: some are narrower than the error of the "
                 "mesh",
                 name(i), each[i]->bands.size(), there);

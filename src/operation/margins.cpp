@@ -264,6 +264,7 @@ void note_growing(const std::vector<CriticalSpeed> &critical_speeds,
     for (const CriticalSpeed &critical : critical_speeds)
         if (critical.speed > 0 && grows(critical))
             notes.emplace_back(
+                model::Weight::warning,
                 "margins: the {} motion grows at its critical speed {} (damping ratio {}): an "
                 "amplification factor has no meaning there, and it does not pass whatever its "
                 "margin; `stability` finds where it begins to grow",
@@ -297,7 +298,8 @@ void note_unknown_damping(const std::vector<CriticalSpeed> &critical_speeds,
     if (std::ranges::any_of(critical_speeds, [](const CriticalSpeed &critical) {
             return !critical.damping.known();
         }))
-        notes.emplace_back("margins: of the peaks of the response alone, as the critical speeds of "
+        notes.emplace_back(model::Weight::information,
+                           "margins: of the peaks of the response alone, as the critical speeds of "
                            "this rotor are those without its damping");
 }
 

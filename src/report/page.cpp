@@ -83,6 +83,12 @@ std::string escaped_lines(const std::string &text) {
     return html;
 }
 
+/// Comments in front of the case.
+std::string overrides_of(const Provenance &provenance) {
+    return joined(provenance.set, "",
+                  [](const std::string &entry) { return "# --set \"" + entry + "\"\n"; });
+}
+
 std::string script_element(std::string_view script) {
     return std::string("<script>").append(script).append("</script>\n");
 }
@@ -134,7 +140,8 @@ std::string to_html(const Report &report, const std::string &still, const std::s
          {"sections", sections_of(report, pictures)},
          {"model", formulation(*report.model, readers)},
          {"date", report.provenance.date},
-         {"case_text", escaped_lines(report.provenance.case_text)},
+         {"case_text",
+          escaped_lines(overrides_of(report.provenance) + report.provenance.case_text)},
          {"json", json_for_script(to_page_json(report))},
          {"scripts", scripts}}));
 }

@@ -199,7 +199,8 @@ model::Case rigid_limit_scene(const model::Case &scene, std::vector<results::Sen
                 i));
     }
     if (tables)
-        notes.emplace_back("bearing tables are read at zero speed, on both sides");
+        notes.emplace_back(model::Weight::information,
+                           "bearing tables are read at zero speed, on both sides");
     return out;
 }
 
@@ -228,7 +229,8 @@ RigidForms rigid_forms(const model::Case &scene) {
         add_permissible(forms, scene);
     }
     if (rotor.damped())
-        forms.notes.emplace_back("critical and additional speeds are those without damping, on "
+        forms.notes.emplace_back(model::Weight::information,
+                                 "critical and additional speeds are those without damping, on "
                                  "both sides");
     return forms;
 }

@@ -329,6 +329,7 @@ void Run::fill(results::SimulateResult &result) {
         result.audit.impact_gain = _dry->created();
         if (_dry->lifted())
             result.model.notes.emplace_back(
+                model::Weight::warning,
                 "a ball was pulled off its race for a time: the normal force there was below 0, "
                 "which resistance to rolling does not know");
     }

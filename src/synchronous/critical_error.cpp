@@ -255,12 +255,14 @@ std::vector<results::ErrorParts> errors_by_finer_model(const assembly::Discretiz
             errors[i] = found[i].value_or(unknown);
             if (!found[i])
                 notes.emplace_back(
+                    model::Weight::warning,
                     "the critical speed of {} has no counterpart on a finer model (order {}): it "
                     "may come from the mesh, and its error is not known",
                     results::as::speed(list.modes[i].eigenvalue.imag()), finer.order());
         }
     } catch (const linalg::SolverError &) {
-        notes.emplace_back("the errors of the critical speeds are not known: the finer model "
+        notes.emplace_back(model::Weight::warning,
+                           "the errors of the critical speeds are not known: the finer model "
                            "that they are judged against could not be solved");
     }
     return errors;
