@@ -102,7 +102,8 @@ std::string to_html(const Report &report, const std::string &still, const std::s
     std::string notes;
     const Units readers = Units::of_readers(report.scene->units);
     for (const model::Sentence &note : report.model->notes)
-        notes += element("p", readers.text(note), "note");
+        notes += element("p", readers.text(note),
+                         note.weight() == model::Weight::information ? "note quiet" : "note");
     const std::string title = title_of(*report.scene);
     std::string plot =
         moves ? fmt::format("<figure aria-label=\"{}; the numbers are in the tables below\">"

@@ -34,8 +34,8 @@ namespace {
 /// Significant digits of a format without a fixed number of decimals; 0 of others.
 int digits_of(const std::string &format) {
     const std::size_t dot = format.find('.');
-    return dot != std::string::npos && format.ends_with("g}") ? std::atoi(format.c_str() + dot + 1)
-                                                              : 0;
+    const bool significant = format.size() > 1 && format[format.size() - 2] == 'g';
+    return dot != std::string::npos && significant ? std::atoi(format.c_str() + dot + 1) : 0;
 }
 
 } // namespace
