@@ -46,6 +46,7 @@ model::Case undamped(model::Case scene) {
 void note_damping(results::Form form, bool damped, results::ModelSummary &model) {
     if (damped)
         model.notes.emplace_back(
+            model::Weight::information,
             form == results::Form::rotating
                 ? "critical speeds of the asymmetric rotor are those without damping; with it a "
                   "root is zero at the ends of the unstable ranges, which stability lists"
@@ -57,7 +58,8 @@ void note_damping(results::Form form, bool damped, results::ModelSummary &model)
 
 void note_balls_held(results::Form form, results::ModelSummary &model) {
     if (form == results::Form::rotating)
-        model.notes.emplace_back("forward critical speeds only, the balls of balancers held in "
+        model.notes.emplace_back(model::Weight::information,
+                                 "forward critical speeds only, the balls of balancers held in "
                                  "place; stability lists the speeds at which they are free");
 }
 
@@ -124,9 +126,11 @@ results::CriticalResult critical_of_hill(const model::Case &scene, bool judged) 
     }
     if (!same)
         result.model.notes.emplace_back(
+            model::Weight::warning,
             "finer elements have another number of critical speeds in the range: errors are not "
             "known; raise shaft.order");
     result.model.notes.emplace_back(
+        model::Weight::information,
         "rotor and bearings both differ between their directions: critical speeds are those in the "
         "range of speeds at which a free motion has the frequency of the spin, and the ends of "
         "ranges over which it keeps it");
@@ -156,14 +160,17 @@ void note_completeness(const synchronous::SynchronousModes &found, bool more_wan
     for (const auto &[from, to] : found.doubtful)
         if (more_wanted || from <= std::max(top, last))
             notes.emplace_back(
+                model::Weight::warning,
                 "critical speeds from {} may be missing: the count there is not certain",
                 as::speed.range(from, to));
     if (more_wanted && std::isinf(found.complete_to) && found.doubtful.empty())
-        notes.emplace_back(rigid ? "the rotor has no more critical speeds than the ones listed"
+        notes.emplace_back(model::Weight::information,
+                           rigid ? "the rotor has no more critical speeds than the ones listed"
                                  : "the model has no more critical speeds than the ones listed "
                                    "(all were counted); a finer mesh can have more");
     else if (!std::isinf(found.complete_to) && (more_wanted || found.complete_to < last))
-        notes.emplace_back("the list is complete up to {}", as::speed(found.complete_to));
+        notes.emplace_back(model::Weight::information, "the list is complete up to {}",
+                           as::speed(found.complete_to));
 }
 
 /// A shaft that does not bend: what its bearings let it do is lost in the rounding of its
@@ -178,6 +185,7 @@ void note_rounding(const model::Rotor &rotor, results::CriticalResult &result) {
                                           [](const auto &c) { return !(c.error < 1e-6); });
     if (lost && bearings > 0 && shaft > far * bearings)
         result.model.notes.emplace_back(
+            model::Weight::warning,
             "the shaft (48 EI/L^3 = {}) is {} times as stiff as its bearings: rounding hides the "
             "slow motions, critical speeds can be wrong by their errors or missing; shaft.rigid = "
             "true gives those of the rigid rotor",

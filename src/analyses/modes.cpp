@@ -281,14 +281,16 @@ results::ModesResult mode_shapes(const model::Case &scene) {
     for (std::size_t i = 0; i < spectrum.modes.size(); ++i)
         result.modes.push_back(shapes.of(spectrum, i));
     for (const double root : spectrum.growing)
-        result.model.notes.emplace_back("divergence (static instability): a real eigenvalue of {}, "
+        result.model.notes.emplace_back(model::Weight::warning,
+                                        "divergence (static instability): a real eigenvalue of {}, "
                                         "motion grows without whirling",
                                         as::rate(root).with_sign());
     if (static_cast<int>(result.modes.size()) < scene.campbell.modes)
         result.model.notes.emplace_back("{} modes were asked for, the rotor has {} that oscillate",
                                         scene.campbell.modes, result.modes.size());
     if (result.model.formulation.form == results::Form::hill)
-        result.model.notes.emplace_back("where modes dissipate is not given for rotors and "
+        result.model.notes.emplace_back(model::Weight::information,
+                                        "where modes dissipate is not given for rotors and "
                                         "bearings that both differ between their directions");
     result.model.notes.insert(result.model.notes.end(), critical_notes.begin(),
                               critical_notes.end());

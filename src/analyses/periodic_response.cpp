@@ -354,6 +354,7 @@ void note_resonances(results::ResponseResult &result, const std::vector<double> 
     const std::vector<double> speeds = forced::speeds_without_limit(result.speeds, amplitudes);
     if (!speeds.empty())
         result.model.notes.emplace_back(
+            model::Weight::warning,
             "no steady motion at {}: a resonance without damping, or a series that does not settle",
             as::speed.list(speeds));
 }
@@ -617,6 +618,7 @@ results::ResponseResult periodic_response(const model::Case &scene) {
     if (bare.operation && !bare.rotor.imbalances.empty())
         add_operating(all, result);
     result.model.notes.emplace_back(
+        model::Weight::information,
         "rotor and bearings both differ between their directions: the motion has many multiples of "
         "the spin speed; amplitudes are the largest over a turn, ellipses and phases those of 1x");
     return result;

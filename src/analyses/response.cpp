@@ -225,6 +225,7 @@ void note_resonances(results::ResponseResult &result, const results::HarmonicMot
         forced::speeds_without_limit(result.speeds, motion.nodes.front().amplitude);
     if (!speeds.empty())
         result.model.notes.emplace_back(
+            model::Weight::warning,
             "no steady motion at {}: the rotor is at a resonance without damping, or free to move "
             "under its {}; amplitudes there have no limit, or are not determined where the "
             "{} does not drive that mode",

@@ -43,14 +43,17 @@ const char *name_of(model::TorqueKind kind) {
 
 void note_shaft(const model::Shaft &shaft, std::vector<results::Sentence> &notes) {
     if (shaft.alpha != 0 || shaft.beta != 0)
-        notes.emplace_back("the shaft has damping that does not turn: alpha = {} of its mass, beta "
+        notes.emplace_back(model::Weight::information,
+                           "the shaft has damping that does not turn: alpha = {} of its mass, beta "
                            "= {} of its stiffness",
                            as::rate(shaft.alpha), as::time(shaft.beta));
     if (!shaft.modal_damping.empty())
-        notes.emplace_back("damping ratios of the lowest modes at rest in each plane: {}",
+        notes.emplace_back(model::Weight::information,
+                           "damping ratios of the lowest modes at rest in each plane: {}",
                            as::number.list(shaft.modal_damping));
     if (shaft.axial_torque != 0)
-        notes.emplace_back("the shaft carries a torque of {}, {} at its ends",
+        notes.emplace_back(model::Weight::information,
+                           "the shaft carries a torque of {}, {} at its ends",
                            as::moment(shaft.axial_torque), name_of(shaft.torque_kind));
 }
 
@@ -61,17 +64,20 @@ void note_bearings(std::span<const model::Bearing> bearings, const char *kind,
         const std::string name = b.name.empty() ? fmt::format("{}[{}]", kind, i) : b.name;
         const Eigen::Matrix2d &m = b.rows.front().m;
         if (model::isotropic(m) && m(0, 0) > 0)
-            notes.emplace_back("{}: mass coefficient {}, no part of the mass above", name,
+            notes.emplace_back(model::Weight::information,
+                               "{}: mass coefficient {}, no part of the mass above", name,
                                as::mass(m(0, 0)));
         else if (!m.isZero(0))
-            notes.emplace_back("{}: mass coefficients mxx = {}, mxy = {}, myx = {}, myy = {}, no "
+            notes.emplace_back(model::Weight::information,
+                               "{}: mass coefficients mxx = {}, mxy = {}, myx = {}, myy = {}, no "
                                "part of the mass above",
                                name, as::mass(m(0, 0)), as::mass(m(0, 1)), as::mass(m(1, 0)),
                                as::mass(m(1, 1)));
         if (!b.pedestal)
             continue;
         const model::Pedestal &p = *b.pedestal;
-        notes.emplace_back("{}: on a pedestal of k = {} in x, {} in y, mass {}, c = {}", name,
+        notes.emplace_back(model::Weight::information,
+                           "{}: on a pedestal of k = {} in x, {} in y, mass {}, c = {}", name,
                            as::stiffness(p.k(0)), as::stiffness(p.k(1)),
                            as::mass.list({p.mass(0), p.mass(1)}),
                            as::damping.list({p.c(0), p.c(1)}));
@@ -90,7 +96,8 @@ void add_static_sag(results::ShowResult &result, const model::Case &scene,
     const auto supports = scene.rotor.supports();
     if (result.sag && std::ranges::any_of(
                           supports, [](const auto &bearing) { return bearing.depends_on_speed(); }))
-        result.model.notes.emplace_back("static sag: with the first row of the bearing tables");
+        result.model.notes.emplace_back(model::Weight::information,
+                                        "static sag: with the first row of the bearing tables");
 }
 
 } // namespace

@@ -163,7 +163,8 @@ void search_zero_roots(const stability::BandFinder &finder, const std::vector<do
             result.zero_root_speeds.push_back(standing.speed);
     sharpen(result, free);
     if (failed)
-        result.model.notes.emplace_back("critical or additional speeds could not be resolved "
+        result.model.notes.emplace_back(model::Weight::warning,
+                                        "critical or additional speeds could not be resolved "
                                         "beside the other roots: they are not listed");
 }
 
@@ -257,7 +258,8 @@ void add_level1(const model::Case &scene, const stability::StabilityModel &model
     } catch (const model::AnalysisFailure &failure) {
         result.model.notes.push_back(failure.sentence());
     } catch (const model::BadInput &failure) { // all else is answered
-        result.model.notes.emplace_back("no answer to {}", failure.sentence());
+        result.model.notes.emplace_back(model::Weight::warning, "no answer to {}",
+                                        failure.sentence());
     }
 }
 
@@ -265,12 +267,15 @@ void add_notes(const model::Case &scene, const stability::StabilityModel &model,
                results::StabilityResult &result) {
     std::vector<results::Sentence> &notes = result.model.notes;
     if (model.conservative)
-        notes.emplace_back("undamped with a positive definite stiffness: the energy is conserved "
+        notes.emplace_back(model::Weight::information,
+                           "undamped with a positive definite stiffness: the energy is conserved "
                            "and bounds the motion at every speed");
     if (result.speeds.size() == 1)
-        notes.emplace_back("one speed: stable or unstable there; bands need a range of [speeds]");
+        notes.emplace_back(model::Weight::information,
+                           "one speed: stable or unstable there; bands need a range of [speeds]");
     if (model.form == results::Form::hill)
         notes.emplace_back(
+            model::Weight::information,
             "critical speeds are not listed: with bearings that differ between their directions "
             "nothing stands still in rotating axes");
     if (model.from > 0)
@@ -290,7 +295,8 @@ void add_notes(const model::Case &scene, const stability::StabilityModel &model,
         notes.emplace_back("balls are placed against the imbalance of their own balancer; "
                            "[[imbalance]] entries move them in `simulate` only");
     if (result.neutral_pairs > 0)
-        notes.emplace_back("balls beyond two, and on one diameter beyond one, can move without "
+        notes.emplace_back(model::Weight::information,
+                           "balls beyond two, and on one diameter beyond one, can move without "
                            "changing the balance: that many neutral pairs 0, -h beside the "
                            "eigenvalues computed");
 }

@@ -109,6 +109,12 @@ void add_options(CLI::App &app, const Command &command, Arguments &arguments) {
     add_own_options(app, command, arguments);
     add_unit_options(app, arguments);
     add_json_units_option(app, arguments);
+    app.add_option("--digits", arguments.digits,
+                   "significant digits of the text on standard output (5)")
+        ->check(CLI::Range(2, 15))
+        ->type_name("N");
+    app.add_flag("--errors", arguments.errors, "errors in the text, even below the digits shown");
+    app.add_flag("--all", arguments.all, "all rows in the text, not 25 lines");
     app.add_flag("--quiet", arguments.quiet, "no text on standard output");
     finish(app, reads_text(command.settings), command.examples);
 }

@@ -12,10 +12,13 @@ struct Arguments {
     std::string command;         ///< "show", "campbell", ...
     std::filesystem::path scene; ///< case folder or .toml file
     std::optional<std::filesystem::path> out;
-    std::string speed;  ///< of --speed, as it was written
-    bool json = false;  ///< the JSON result alone on standard output
-    bool quiet = false; ///< nothing on standard output
-    bool map = false;   ///< balance: over plane positions; critical: over support stiffness as well
+    std::string speed;   ///< of --speed, as it was written
+    bool json = false;   ///< the JSON result alone on standard output
+    int digits = 5;      ///< of numbers on standard output
+    bool errors = false; ///< columns of errors there, even below the digits shown
+    bool all = false;    ///< all rows of all tables there
+    bool quiet = false;  ///< nothing on standard output
+    bool map = false; ///< balance: over plane positions; critical: over support stiffness as well
     std::vector<std::string> overrides; ///< "path.to.key=value"
     std::vector<std::string> compared;  ///< compare: a command, cases, results
 };

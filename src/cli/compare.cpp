@@ -45,7 +45,8 @@ report::ComparedResult computed(const std::string &name, const Command &command,
     const Run work{arguments, file, scene, [&](report::Report report) {
                        if (process::process_rank() != 0) // the first has all of it
                            return;
-                       report.provenance.case_text = file.text(arguments.overrides);
+                       report.provenance.case_text = file.text();
+                       report.provenance.set = arguments.overrides;
                        result.json = report::Json::parse(report::to_si_json(report));
                    }};
     command.run(work);
@@ -100,12 +101,14 @@ void compare_results(const Arguments &arguments) {
         files = report::write_comparison(comparison, folder, asked);
     if (arguments.json)
         say(report::json_text(report::comparison_json(comparison, report::Units::of_json(asked))));
-    else if (!arguments.quiet)
-        say(report::comparison_text(comparison, report::Units::of_readers(asked)) +
+    else if (!arguments.quiet) {
+        const report::TextStyle style{0, true, 0}; // small differences need digits
+        say(report::comparison_text(comparison, report::Units::of_readers(asked).styled(style)) +
             (files.front().extension() == ".svg"
                  ? fmt::format("picture: {}\n", files.front().string())
                  : std::string("note: gnuplot is not installed: no picture\n")) +
             fmt::format("report:  {}\n", files.back().string()));
+    }
 }
 
 } // namespace whirl::cli

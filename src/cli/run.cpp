@@ -31,21 +31,26 @@ namespace whirl::cli {
 
 namespace {
 
+/// Where the rest is, and what is missing there.
 std::string files_text(const report::Files &files) {
     std::string text;
     for (const std::string &note : files.notes)
-        text += fmt::format("note: {}\n", note);
-    for (const auto &[what, ending] : {std::pair("picture: ", ".svg"), {"report:  ", ".html"}})
-        for (const std::filesystem::path &path : files.paths)
-            if (path.extension() == ending)
-                text += what + path.string() + "\n";
+        text += "note: " + note + "\n";
+    for (const std::filesystem::path &path : files.paths)
+        if (path.extension() == ".html")
+            text += "report:  " + path.string();
     return text;
 }
 
 /// What the run starts from.
 report::Provenance provenance_of(const input::CaseFile &file, const Arguments &arguments) {
-    return {fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))),
-            file.text(arguments.overrides)};
+    return {fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))), file.text(),
+            arguments.overrides};
+}
+
+report::TextStyle style_of(const Arguments &arguments) {
+    constexpr int lines = 25; // of a terminal
+    return {arguments.digits, arguments.errors, arguments.all ? 0 : lines};
 }
 
 /// Files, and text or JSON on standard output, from the first process.
@@ -59,7 +64,7 @@ void deliver(const Run &run, const report::Report &report) {
     if (arguments.json)
         say(report::to_json(report));
     else if (!arguments.quiet)
-        say(report::to_text(report) + files_text(files));
+        say(report::to_text(report, style_of(arguments), files_text(files)));
 }
 
 /// An option of other commands changes nothing here: better said than found out.

@@ -247,7 +247,8 @@ void judge_band_ends(const BalanceScene &scene, BalanceForm &form, results::Bala
         const std::size_t there =
             sharp_bands(fine, points.critical, points.pinned[i], scene.from, scene.to).size();
         if (there != each[i]->bands.size())
-            notes.emplace_back("{}: {} bands on this mesh, {} on a finer one: some are "
+            notes.emplace_back(model::Weight::warning,
+                               "{}: {} bands on this mesh, {} on a finer one: some are "
                                "narrower than the error of the mesh",
                                name(i), each[i]->bands.size(), there);
     }

@@ -241,15 +241,18 @@ std::vector<results::PendulumBalance> pendulum_balance(const model::Case &scene,
                                      "axial torque, which couples x and y; leave out "
                                      "shaft.axial_torque");
     if (shared.rotor.rotating_anisotropy())
-        notes.emplace_back("the pendulum part takes the mean of the rotor's inertias and bending "
+        notes.emplace_back(model::Weight::information,
+                           "the pendulum part takes the mean of the rotor's inertias and bending "
                            "stiffnesses about its two axes");
     PendulumShaft shaft(model::with_mean_bearings(shared.rotor), shared.order, pendulums,
                         drive_of(scene, pendulums, notes));
     if (!scene.rotor.bearings_isotropic())
         notes.emplace_back(
+            model::Weight::information,
             "the pendulum part takes the mean of the bearings' x and y coefficients");
     if (scene.rotor.bearings_depend_on_speed())
         notes.emplace_back(
+            model::Weight::information,
             "the planar equivalent and the stability of the pendulums take the bearings as at {}",
             as::speed(shared.from));
     for (std::size_t j = 0; j < pendulums.size(); ++j) {

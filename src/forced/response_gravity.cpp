@@ -178,7 +178,8 @@ void add_gravity_response(results::ResponseResult &result, const assembly::Discr
     const std::vector<double> infinite =
         speeds_without_limit(result.speeds, out.stations.front().twice);
     if (!infinite.empty())
-        result.model.notes.emplace_back("no steady motion under the weight at {}: a resonance "
+        result.model.notes.emplace_back(model::Weight::warning,
+                                        "no steady motion under the weight at {}: a resonance "
                                         "without damping at twice the spin speed",
                                         results::as::speed.list(infinite));
     const process::Stage stage("peaks at twice the spin speed", 0.6, 1.0);
@@ -187,6 +188,7 @@ void add_gravity_response(results::ResponseResult &result, const assembly::Discr
                   {drive, true, scene.reduction});
     else
         result.model.notes.emplace_back(
+            model::Weight::information,
             "the shaft is equally stiff in all directions: its weight "
             "causes a static sag and no response at twice the spin speed");
 }

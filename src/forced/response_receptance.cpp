@@ -213,6 +213,7 @@ void add_receptances(results::ResponseResult &result, const assembly::Discretiza
     infinite.erase(std::unique(infinite.begin(), infinite.end()), infinite.end());
     if (!infinite.empty())
         result.model.notes.emplace_back(
+            model::Weight::warning,
             "receptances are unbounded at {}: a resonance without damping, "
             "or a rotor that is free to move",
             results::as::frequency.list(infinite));

@@ -181,17 +181,32 @@ void check_tables(const model::Case &scene, Remarks &remarks) {
         return;
     const double low = std::min(scene.speeds->from, scene.speeds->to);
     const double high = std::max(scene.speeds->from, scene.speeds->to);
-    for (std::size_t i = 0; i < scene.rotor.bearings.size(); ++i) {
-        const model::Bearing &bearing = scene.rotor.bearings[i];
-        if (!bearing.depends_on_speed() ||
-            (low >= bearing.speeds.front() && high <= bearing.speeds.back()))
+    const std::size_t others = scene.rotor.supports().size();
+    const auto &bearings = scene.rotor.bearings;
+    const auto reach = [&](std::size_t i) {
+        return std::pair(bearings[i].speeds.front(), bearings[i].speeds.back());
+    };
+    const auto too_short = [&](std::size_t i) {
+        return bearings[i].depends_on_speed() && (low < reach(i).first || high > reach(i).second);
+    };
+    for (std::size_t i = 0; i < bearings.size(); ++i) {
+        if (!too_short(i))
             continue;
-        const std::size_t others = scene.rotor.supports().size();
-        remarks.add("[speeds] reach from {}, the table of {}[{}] from {}: outside of it the "
-                    "coefficients are those at its end",
-                    as::speed.range(low, high), bearing.seal ? "seal" : "bearing",
-                    bearing.seal ? i - others : i,
-                    as::speed.range(bearing.speeds.front(), bearing.speeds.back()));
+        std::string tables; // all of the same reach, said at the first
+        bool first = true;
+        for (std::size_t k = 0; k < bearings.size(); ++k) {
+            if (!too_short(k) || reach(k) != reach(i))
+                continue;
+            first = first && k >= i;
+            tables += fmt::format("{}{}[{}]", tables.empty() ? "" : ", ",
+                                  bearings[k].seal ? "seal" : "bearing",
+                                  bearings[k].seal ? k - others : k);
+        }
+        if (first)
+            remarks.add("[speeds] reach from {}, the table of {} from {}: outside of it the "
+                        "coefficients are those at its end",
+                        as::speed.range(low, high), tables,
+                        as::speed.range(reach(i).first, reach(i).second));
     }
 }
 

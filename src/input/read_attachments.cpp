@@ -121,10 +121,10 @@ double read_rule(CheckedTable &table, const model::Case &scene) {
     const double mr = share * (graded ? grade.value_or(0) * millimetre * mass / speed
                                       : 0.00635 * mass / (speed * model::rpm));
     namespace as = model::as;
-    table.context().remarks.emplace_back("{}: {}, {} of {} at {}", table.path(), as::imbalance(mr),
-                                         graded ? fmt::format("G {:.3g}", grade.value_or(0))
-                                                : "4W/N",
-                                         as::mass(mass), as::speed(speed));
+    table.context().remarks.emplace_back(
+        model::Weight::information, "{}: {}, {} of {} at {}", table.path(), as::imbalance(mr),
+        graded ? fmt::format("G {:.3g}", grade.value_or(0)) : "4W/N", as::mass(mass),
+        as::speed(speed));
     return mr;
 }
 

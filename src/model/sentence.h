@@ -67,6 +67,10 @@ inline constexpr ValueOf inverse_mass{Quantity::inverse_mass};
 /// The units in which a sentence is written.
 using UnitOf = std::function<Unit(Quantity)>;
 
+/// How much a note matters to whoever reads it: what was taken into account and how is information;
+/// what makes an answer doubtful, or a machine unfit, is a warning.
+enum class Weight { information, usual, warning };
+
 /// What a result says in words: words and numbers that know what they are, so that each reader gets
 /// them in units of his own. Numbers never stand in the words.
 ///
@@ -85,6 +89,13 @@ class Sentence {
     Sentence(std::string_view pattern, const First &first, const More &...more) {
         take(pattern, {Sentence::part(first), Sentence::part(more)...});
     }
+
+    /// One that matters less, or more, than is usual.
+    template <class... Values>
+    Sentence(Weight weight, std::string_view pattern, const Values &...values) : _weight(weight) {
+        take(pattern, {Sentence::part(values)...});
+    }
+    [[nodiscard]] Weight weight() const { return _weight; }
 
     /// In SI.
     [[nodiscard]] std::string text() const;
@@ -125,6 +136,7 @@ class Sentence {
     static Sentence part(double) = delete; // say what it is: as::number(x), as::speed(x)
 
     Pieces _pieces;
+    Weight _weight = Weight::usual;
 };
 
 /// Sentences one after another, with words between.

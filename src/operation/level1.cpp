@@ -241,8 +241,9 @@ class Answer {
     results::Level1 found() {
         const Complex without = rotor(0, least * _scale).least_damped(0);
         if (without.real() > 0) {
-            say_none("a motion grows at the maximum continuous speed without any added cross "
-                     "coupling");
+            say_none({model::Weight::warning,
+                      "a motion grows at the maximum continuous speed without any added cross "
+                      "coupling"});
             add_without_threshold(without);
         } else if (const auto driven = without.real() == 0 ? grows_at_once() : std::nullopt) {
             _out.critical_cross_coupling = 0;
@@ -275,7 +276,7 @@ class Answer {
 
     /// Why there is no critical cross coupling.
     void say_none(results::Sentence why) {
-        _notes.emplace_back("level1: {}", why);
+        _notes.emplace_back(why.weight(), "level1: {}", why);
         _out.no_critical = std::move(why);
     }
 
@@ -324,7 +325,8 @@ class Answer {
         for (const results::Interval &step : found.doubtful)
             if (step.to < end && coupled.least_damped(range.q(step.to)).real() > 0) {
                 _searched.grows_with = range.q(step.to);
-                _notes.emplace_back("level1: some modes could not be followed over the added cross "
+                _notes.emplace_back(model::Weight::warning,
+                                    "level1: some modes could not be followed over the added cross "
                                     "coupling, and one is unstable at {}: the threshold may be "
                                     "lower than stated",
                                     results::as::stiffness(range.q(step.to)));

@@ -285,7 +285,8 @@ void note_growing(const std::vector<CriticalSpeed> &critical_speeds,
                   std::vector<results::Sentence> &notes) {
     for (const CriticalSpeed &critical : critical_speeds)
         if (critical.speed > 0 && grows(critical))
-            notes.emplace_back("margins: the {} mode is unstable at its critical speed {} "
+            notes.emplace_back(model::Weight::warning,
+                               "margins: the {} mode is unstable at its critical speed {} "
                                "(damping ratio {}): it has no amplification factor and fails "
                                "whatever its margin; `stability` finds the onset speed",
                                results::whirl_name(critical.whirl), as::speed(critical.speed),
@@ -317,7 +318,8 @@ void note_unknown_damping(const std::vector<CriticalSpeed> &critical_speeds,
     if (std::ranges::any_of(critical_speeds, [](const CriticalSpeed &critical) {
             return !critical.damping.known();
         }))
-        notes.emplace_back("margins: judged by response peaks alone, as the damping of "
+        notes.emplace_back(model::Weight::information,
+                           "margins: judged by response peaks alone, as the damping of "
                            "the critical speeds of this rotor is not known");
 }
 

@@ -32,7 +32,9 @@ std::string page_bands(const Bands &bands, const Units &units) {
     return bands_text(bands, "{:.8g}", " … ", "; ", units);
 }
 std::string terminal_bands(const Bands &bands, const Units &units) {
-    return bands_text(bands, "{:.6g}", " to ", ", ", units);
+    const std::string end =
+        fmt::format("{{:.{}g}}", units.style().digits > 0 ? units.style().digits : 6);
+    return bands_text(bands, end.c_str(), " to ", ", ", units);
 }
 
 /// Largest error of an end.

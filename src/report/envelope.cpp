@@ -1,7 +1,9 @@
 // What every result begins with in JSON.
 
+#include "report/common/fitted_text.h"
 #include "report/common/json.h"
 #include "report/common/units.h"
+#include "report/common/words.h"
 #include "report/report.h"
 #include "results/model_summary.h"
 
@@ -32,7 +34,8 @@ Json whole_json(const Report &report, const Units &units) {
                              {"trip", written(units, Quantity::speed, operation->trip)}};
     json["provenance"] = {{"version", program_version()},
                           {"date", report.provenance.date},
-                          {"case", report.provenance.case_text}};
+                          {"case", report.provenance.case_text},
+                          {"set", report.provenance.set}};
     take_entries(json, report.json(units));
     return json;
 }
@@ -58,8 +61,10 @@ std::string to_page_json(const Report &report) {
 
 std::string to_si_json(const Report &report) { return json_text(whole_json(report, {})); }
 
-std::string to_text(const Report &report) {
-    return report.text(Units::of_readers(report.scene->units));
+std::string to_text(const Report &report, const TextStyle &style, const std::string &last) {
+    const Units units = Units::of_readers(report.scene->units).styled(style);
+    return fitted_text(report.text(units), note_lines(report.model->notes, units), last,
+                       style.lines);
 }
 
 } // namespace whirl::report

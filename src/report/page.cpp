@@ -83,6 +83,12 @@ std::string escaped_lines(const std::string &text) {
     return html;
 }
 
+/// Comments in front of the case.
+std::string overrides_of(const Provenance &provenance) {
+    return joined(provenance.set, "",
+                  [](const std::string &entry) { return "# --set \"" + entry + "\"\n"; });
+}
+
 std::string script_element(std::string_view script) {
     return std::string("<script>").append(script).append("</script>\n");
 }
@@ -96,7 +102,8 @@ std::string to_html(const Report &report, const std::string &still, const std::s
     std::string notes;
     const Units readers = Units::of_readers(report.scene->units);
     for (const model::Sentence &note : report.model->notes)
-        notes += element("p", readers.text(note), "note");
+        notes += element("p", readers.text(note),
+                         note.weight() == model::Weight::information ? "note quiet" : "note");
     const std::string title = title_of(*report.scene);
     std::string plot =
         moves ? fmt::format("<figure aria-label=\"{}; the numbers are in the tables below\">"
@@ -134,7 +141,8 @@ std::string to_html(const Report &report, const std::string &still, const std::s
          {"sections", sections_of(report, pictures)},
          {"model", formulation(*report.model, readers)},
          {"date", report.provenance.date},
-         {"case_text", escaped_lines(report.provenance.case_text)},
+         {"case_text",
+          escaped_lines(overrides_of(report.provenance) + report.provenance.case_text)},
          {"json", json_for_script(to_page_json(report))},
          {"scripts", scripts}}));
 }

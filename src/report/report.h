@@ -41,8 +41,9 @@ struct TableFile {
 
 /// What a result was computed from and when; the program's version joins them.
 struct Provenance {
-    std::string date{};      ///< UTC: "2026-03-01T12:00:00Z"
-    std::string case_text{}; ///< the case file as it was used, TOML
+    std::string date{};             ///< UTC: "2026-03-01T12:00:00Z"
+    std::string case_text{};        ///< the case file, TOML
+    std::vector<std::string> set{}; ///< entries overridden: "path.to.key=value"
 };
 
 /// A result for all its readers. What is written comes from functions of the units in which it is,
@@ -112,8 +113,10 @@ template <class Result>
 [[nodiscard]] std::string to_page_json(const Report &report);
 /// The same always in SI.
 [[nodiscard]] std::string to_si_json(const Report &report);
-/// The text for the terminal, in the units that were asked for.
-[[nodiscard]] std::string to_text(const Report &report);
+/// The text for the terminal, in the units that were asked for, with its notes.
+/// @param last  where the rest is
+[[nodiscard]] std::string to_text(const Report &report, const TextStyle &style = {},
+                                  const std::string &last = "");
 
 /// One self-contained page: nothing is loaded from elsewhere.
 /// @param still     SVG shown where no script can draw

@@ -338,7 +338,7 @@ std::string text_of(const model::Case &scene, const ShowResult &result, const Un
     if (const auto &sag = result.sag)
         text += sag_heading(*sag, units) + "\n" + text_table(load_columns, sag->bearings, units) +
                 "\n" + text_table(sag_columns, sag->stations, units) + "\n";
-    return text + forms_text(result) + notes_text(result.model, units);
+    return text + forms_text(result);
 }
 
 } // namespace

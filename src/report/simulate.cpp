@@ -318,7 +318,7 @@ std::string text_of(const model::Case &scene, const SimulateResult &result, cons
             "from another start ({}): {}{}\n", text_angles(start.start_angles, units),
             results::outcome_name(start.outcome),
             start.residual_ratio ? fmt::format(", residual {:.4g}", *start.residual_ratio) : "");
-    return text + quality_text(result, units) + notes_text(result.model, units);
+    return text + quality_text(result, units);
 }
 
 } // namespace

@@ -9,5 +9,6 @@ namespace as = model::as;
 using model::joined;
 using model::Sentence;
 using model::Value;
+using model::Weight;
 
 } // namespace whirl::results

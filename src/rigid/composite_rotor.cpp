@@ -220,9 +220,9 @@ void add_place(results::BalancerNumbers &numbers, const Placed &placed,
     const auto kind = placed.kind();
     const bool positions = !kind->circled().empty();
     if (!positions)
-        notes.emplace_back("{}: inertias are those of the {} {}; E = {}", placed.label,
-                           kind->parts(), placed.held ? "where they are held" : "at rest",
-                           kind->reach().formula);
+        notes.emplace_back(
+            model::Weight::information, "{}: inertias are those of the {} {}; E = {}", placed.label,
+            kind->parts(), placed.held ? "where they are held" : "at rest", kind->reach().formula);
     if (placed.held) {
         const balancers::HeldParts parts = placed.parts();
         numbers.D =
@@ -261,7 +261,8 @@ void add_position(results::BalancerNumbers &numbers, const Placed &placed, const
     numbers.D_interval = ends(balancers::second_harmonic_interval(balancer), 1);
     numbers.dA_interval = ends(balancers::anisotropy_interval(balancer), A_m0 + A_m);
     if (!numbers.D_interval && std::ssize(kind->circled()) > balancers::largest_searched_count)
-        notes.emplace_back("{}: the intervals over all balanced positions are searched "
+        notes.emplace_back(model::Weight::information,
+                           "{}: the intervals over all balanced positions are searched "
                            "for up to {} {}",
                            placed.label, balancers::largest_searched_count, kind->parts());
     numbers.curves = composite_curves(parts, *numbers.D, numbers.dA_interval);
@@ -290,7 +291,8 @@ std::vector<results::BalancerNumbers> show_balancers(const model::Rotor &rotor,
     if (!why.empty())
         notes.emplace_back("no dimensionless stiffness and damping: {}", why);
     if (all.size() > 1)
-        notes.emplace_back("the dimensionless numbers of each balancer count the other "
+        notes.emplace_back(model::Weight::information,
+                           "the dimensionless numbers of each balancer count the other "
                            "balancers as masses of the bare rotor");
     return all;
 }

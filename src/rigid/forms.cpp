@@ -200,7 +200,8 @@ model::Case rigid_limit_scene(const model::Case &scene, std::vector<results::Sen
                 i));
     }
     if (tables)
-        notes.emplace_back("bearing tables are read at zero speed in both models");
+        notes.emplace_back(model::Weight::information,
+                           "bearing tables are read at zero speed in both models");
     return out;
 }
 
@@ -229,7 +230,8 @@ RigidForms rigid_forms(const model::Case &scene) {
         add_permissible(forms, scene);
     }
     if (rotor.damped())
-        forms.notes.emplace_back("critical and additional speeds are undamped in both models");
+        forms.notes.emplace_back(model::Weight::information,
+                                 "critical and additional speeds are undamped in both models");
     return forms;
 }
 

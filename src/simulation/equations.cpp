@@ -217,7 +217,8 @@ void add_notes(const model::Case &scene, MotionScene &motion) {
                                              : Sentence("{}", b.name);
         const auto kind = balancers::kind_of(b);
         if (!kind->circled().empty() && balancers::capacity(b) < 1)
-            motion.notes.emplace_back("{} cannot balance its imbalance: capacity E = {} is below 1",
+            motion.notes.emplace_back(model::Weight::warning,
+                                      "{} cannot balance its imbalance: capacity E = {} is below 1",
                                       name, as::number(balancers::capacity(b), 4));
         if (!kind->damped())
             motion.notes.emplace_back("{} has no damping: its {} cannot come to rest in the rotor",
@@ -232,7 +233,8 @@ void add_notes(const model::Case &scene, MotionScene &motion) {
                                   as::angle(out_of_place));
     if (std::ranges::any_of(scene.rotor.balancers,
                             [](const model::Balancer &b) { return !b.tilt_inertia; }))
-        motion.notes.emplace_back("the tilting inertia of the balls is neglected");
+        motion.notes.emplace_back(model::Weight::information,
+                                  "the tilting inertia of the balls is neglected");
 }
 
 int element_order(const model::Case &scene) {

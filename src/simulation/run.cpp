@@ -329,9 +329,9 @@ void Run::fill(results::SimulateResult &result) {
         result.audit.impact_gain = _dry->created();
         if (_dry->lifted())
             result.model.notes.emplace_back(
-                "a ball lifted off its race for a time (negative normal "
-                "force), which the model of rolling resistance does not "
-                "describe");
+                model::Weight::warning, "a ball lifted off its race for a time (negative normal "
+                                        "force), which the model of rolling resistance does not "
+                                        "describe");
     }
     for (std::size_t i = 0; i < _motion.parts().free.size(); ++i) {
         result.balancers.emplace_back();

@@ -254,13 +254,15 @@ std::vector<results::ErrorParts> errors_by_finer_model(const assembly::Discretiz
         for (std::size_t i = 0; i < errors.size(); ++i) {
             errors[i] = found[i].value_or(unknown);
             if (!found[i])
-                notes.emplace_back("the critical speed of {} has no counterpart on a finer mesh "
+                notes.emplace_back(model::Weight::warning,
+                                   "the critical speed of {} has no counterpart on a finer mesh "
                                    "(order {}): it may be spurious, and its error is not known",
                                    results::as::speed(list.modes[i].eigenvalue.imag()),
                                    finer.order());
         }
     } catch (const linalg::SolverError &) {
-        notes.emplace_back("the errors of the critical speeds are not known, as the finer "
+        notes.emplace_back(model::Weight::warning,
+                           "the errors of the critical speeds are not known, as the finer "
                            "mesh could not be solved");
     }
     return errors;

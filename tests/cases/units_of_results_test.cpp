@@ -425,7 +425,7 @@ struct Written {
         in_units.units = asked;
         of.scene = &in_units;
         page = read(report::to_page_json(of));
-        text = report::to_text(of);
+        text = report::to_text(of, {10, true, 0}); // all there is
         for (const report::Section &section : of.sections(units))
             html += "<h2>" + section.heading + "</h2>" + section.html;
         in_units.units.json = true;

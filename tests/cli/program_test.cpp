@@ -168,17 +168,21 @@ TEST_F(Program, ResultHoldsTheCaseItWasComputedFrom) {
     const std::string date = from.at("date");
     EXPECT_EQ(date.size(), std::string("2026-03-01T12:00:00Z").size()) << date;
     EXPECT_EQ(date.back(), 'Z');
+    std::ifstream file(drum + "/case.toml", std::ios::binary);
+    const std::string text((std::istreambuf_iterator<char>(file)), {});
+    EXPECT_EQ(from.at("case"), text); // as it was written, with its comments
+    EXPECT_EQ(from.at("set"), nlohmann::json({changes[1], changes[3]}));
     std::ofstream("again.toml") << from.at("case").get<std::string>();
-    const ProgramRun again = run({"critical", "again.toml", "--json"});
+    std::vector<std::string> repeated{"critical", "again.toml", "--json"};
+    for (const nlohmann::json &entry : from.at("set"))
+        repeated.insert(repeated.end(), {"--set", entry.get<std::string>()});
+    const ProgramRun again = run(repeated);
     ASSERT_EQ(again.status, 0) << again.errors;
     const auto same = nlohmann::json::parse(again.output);
     EXPECT_EQ(same.at("critical_speeds"), json.at("critical_speeds")); // to the last digit
     EXPECT_EQ(same.at("title"), "\"odd\" <title>");
-    // Without changes it is the file itself, with its comments.
-    std::ifstream file(drum + "/case.toml", std::ios::binary);
-    const std::string text((std::istreambuf_iterator<char>(file)), {});
-    const ProgramRun plain = run({"show", drum, "--json"});
-    EXPECT_EQ(nlohmann::json::parse(plain.output).at("provenance").at("case"), text);
+    const ProgramRun units = run({"show", drum, "--json", "--units", "us"});
+    EXPECT_EQ(nlohmann::json::parse(units.output).at("provenance").at("case"), text);
 }
 
 TEST_F(Program, JsonWithOutGivesBothAndTheSame) {
@@ -195,9 +199,14 @@ TEST_F(Program, TextNamesFormulationPictureAndReport) {
     ASSERT_EQ(result.status, 0) << result.errors;
     EXPECT_EQ(result.errors, "");
     for (const char *part :
-         {"85.3893712", "815.408", "backward", "planar form",
-          "out/friswell_5_9_1/campbell/campbell.svg", "out/friswell_5_9_1/campbell/report.html"})
+         {"85.389", "815.4", "backward", "planar form", "out/friswell_5_9_1/campbell/report.html"})
         EXPECT_TRUE(contains(result.output, part)) << part << "\n" << result.output;
+    EXPECT_FALSE(contains(result.output, "85.38937")) << result.output;
+    EXPECT_FALSE(contains(result.output, "error")) << result.output; // far below these digits
+    const ProgramRun precise = run(with_few({"campbell", rotor, "--digits", "10", "--errors"}));
+    for (const char *part : {"85.3893712", "error"})
+        EXPECT_TRUE(contains(precise.output, part)) << part << "\n" << precise.output;
+    EXPECT_EQ(run({"campbell", rotor, "--digits", "99"}).status, 2);
     EXPECT_TRUE(fs::exists("out/friswell_5_9_1/campbell/campbell.json"));
     const ProgramRun quiet = run({"critical", rotor, "--quiet"});
     EXPECT_EQ(quiet.status, 0);
@@ -205,10 +214,26 @@ TEST_F(Program, TextNamesFormulationPictureAndReport) {
     EXPECT_TRUE(fs::exists("out/friswell_5_9_1/critical/critical.csv"));
 }
 
+/// The answer fits on a terminal; --all is all there is.
+TEST_F(Program, TextHasNoMoreThan25Lines) {
+    const std::string compressor = std::string(WHIRL_ROOT) + "/cases/compressor_margins";
+    for (const char *command : {"response", "critical", "stability", "campbell", "modes", "show"}) {
+        const std::vector<std::string> asked{command, compressor, "--set", "speeds.count=7"};
+        const ProgramRun result = run(asked);
+        ASSERT_EQ(result.status, 0) << result.errors;
+        EXPECT_LE(lines(result.output), 25) << result.output;
+        EXPECT_TRUE(contains(result.output, "/report.html\n")) << result.output;
+        std::vector<std::string> all = asked;
+        all.emplace_back("--all");
+        EXPECT_GE(lines(run(all).output), lines(result.output));
+        EXPECT_FALSE(contains(run(all).output, "more rows"));
+    }
+}
+
 TEST_F(Program, StationsWithoutNamesAreListedBesideNamedOnes) {
     // The only disc has no name, both bearings have one.
     const ProgramRun result =
-        run(with_few({"response", std::string(WHIRL_ROOT) + "/cases/nelson_mcvaugh"}));
+        run(with_few({"response", std::string(WHIRL_ROOT) + "/cases/nelson_mcvaugh", "--all"}));
     ASSERT_EQ(result.status, 0) << result.errors;
     for (const char *station : {"\n  z = 0 m ", "\n  z = 0.0889 m ", "\n  left (z = 0.1651 m) "})
         EXPECT_TRUE(contains(result.output, station)) << station << result.output;

@@ -36,13 +36,18 @@ TEST(Json, SaysWhatItWasComputedFrom) {
     const model::Case scene = sample_case();
     const results::CampbellResult result = sample_campbell();
     Report report = describe(scene, result);
-    report.provenance = {"2026-03-01T12:00:00Z", "title = \"</pre><b>\"\n# second line\n"};
+    report.provenance = {"2026-03-01T12:00:00Z",
+                         "title = \"</pre><b>\"\n# second line\n",
+                         {"title=\"<i>\"", "units.preset=us"}};
     const AnyJson told = AnyJson::parse(to_json(report)).at("provenance");
     EXPECT_EQ(told.at("version"), program_version());
     EXPECT_EQ(told.at("date"), "2026-03-01T12:00:00Z");
     EXPECT_EQ(told.at("case"), report.provenance.case_text);
+    EXPECT_EQ(told.at("set"), AnyJson(report.provenance.set));
     const std::string page = to_html(report, "");
     EXPECT_NE(page.find("title = \"&lt;/pre&gt;&lt;b&gt;\"\n# second line\n</pre></details>"),
+              std::string::npos);
+    EXPECT_NE(page.find("# --set \"title=\"&lt;i&gt;\"\"\n# --set \"units.preset=us\"\ntitle"),
               std::string::npos);
     EXPECT_NE(page.find("2026-03-01T12:00:00Z"), std::string::npos);
 }

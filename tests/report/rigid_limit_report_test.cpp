@@ -81,7 +81,7 @@ TEST_F(RigidLimitReport, RowsAreInTheUnitsAskedFor) {
     EXPECT_NE(csv.find(",6,6,"), std::string::npos) << csv; // 3 kg in halves
     (void)write_report(scene, result, folder);
     for (const std::string &text :
-         {to_text(describe(scene, result)), content_of(folder / "report.html")}) {
+         {to_text(describe(scene, result), {10, true, 0}), content_of(folder / "report.html")}) {
         EXPECT_NE(text.find("critical speed (rpm)"), std::string::npos) << text;
         EXPECT_NE(text.find("954.9296586"), std::string::npos) << text;
         EXPECT_NE(text.find("mass (lb)"), std::string::npos) << text;

@@ -56,6 +56,30 @@ TEST(Table, EachReaderSeesItsColumnsAndItsOwnWordForWhatIsMissing) {
     EXPECT_EQ(json_lists(columns, rows, {}).at("name").dump(), R"(["1F","a, \"b\" <c>","10B",""])");
 }
 
+struct Measured {
+    double speed = 0, factor = 0, error = 0;
+};
+const Columns<Measured> measured{
+    {"speed", InText("speed", "{:.8g}").and_si(precise), Quantity::speed, &Measured::speed},
+    {"factor", InText("AF", "{:.4g}"), Quantity::number, &Measured::factor},
+    {"error", InText("error", rough), Quantity::speed, &Measured::error}};
+
+/// Five digits, or as many as are asked for; errors only where they change these, or on request.
+TEST(Table, TheTerminalHasAsManyDigitsAsAreAskedFor) {
+    const std::vector<Measured> sure{{1234.56789012, 1.23456, 1e-3}};
+    EXPECT_EQ(text_table(measured, sure, {}), "  speed rad/s      AF\n"
+                                              "  1234.6        1.235\n");
+    const std::string ten = text_table(measured, sure, Units().styled({10, false, 0}));
+    for (const char *part : {"  1234.56789    ", "  1.23456  ", "error rad/s", "  1.0e-03\n"})
+        EXPECT_NE(ten.find(part), std::string::npos) << part << "\n" << ten;
+    // A thousandth is below the five digits of 1234.6, which stand for 0.05 and more.
+    EXPECT_EQ(text_table(measured, sure, Units().styled({5, true, 0})),
+              "  speed rad/s      AF   error rad/s\n"
+              "  1234.6        1.235       1.0e-03\n");
+    const std::vector<Measured> unsure{{1234.5, 1, 0.5}};
+    EXPECT_NE(text_table(measured, unsure, {}).find("5.0e-01"), std::string::npos);
+}
+
 TEST(Table, PageIsMarkupWithEveryCellEscaped) {
     pugi::xml_document document;
     ASSERT_TRUE(document.load_string(page_table(columns, rows, {}).c_str()));

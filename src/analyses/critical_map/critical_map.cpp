@@ -281,7 +281,8 @@ std::vector<CriticalMapCrossing> crossings_of(const MapScene &map, const model::
     const SynchronousModes found =
         synchronous::all_synchronous_modes(d, map.form, static_cast<int>(2 * map.kept()), highest);
     for (const auto &[from, to] : found.doubtful)
-        notes.emplace_back("critical speed map: crossings from {} may be missing",
+        notes.emplace_back(model::Weight::warning,
+                           "critical speed map: crossings from {} may be missing",
                            as::speed.range(from, to));
     const auto errors = synchronous::errors_by_finer_model(d, map.form, found, notes);
     std::vector<CriticalMapCrossing> out;
@@ -346,7 +347,7 @@ void add_notes(const model::Rotor &rotor, const MapScene &map, const CriticalMap
         });
     const bool other_axes = !rotor.bearings_isotropic() && (map.varied || !rotor.seals().empty());
     notes.emplace_back(
-        "critical speed map: without damping and cross coupling{}{}{}",
+        model::Weight::information, "critical speed map: without damping and cross coupling{}{}{}",
         rotor.shaft.axial_torque != 0 ? " and without the axial torque" : "",
         unlike_pedestals
             ? "; pedestals, and supports that do not vary, have the mean of their x and y "
@@ -359,6 +360,7 @@ void add_notes(const model::Rotor &rotor, const MapScene &map, const CriticalMap
             : "");
     if (!map.varied && (out.bearings.size() > 1 || !rotor.bearings_isotropic()))
         notes.emplace_back(
+            model::Weight::information,
             "critical speed map: a crossing is a critical speed of the rotor on bearings that all "
             "have that stiffness in every direction, not of the rotor itself, whose bearings "
             "differ");

@@ -74,7 +74,8 @@ void note_growing(results::CampbellResult &result) {
         return;
     const std::size_t more = lines.size() - std::min(listed, lines.size());
     lines.resize(std::min(listed, lines.size()));
-    result.model.notes.emplace_back("unstable: motion grows (negative damping) at speeds of {}{}; "
+    result.model.notes.emplace_back(model::Weight::warning,
+                                    "unstable: motion grows (negative damping) at speeds of {}{}; "
                                     "`stability` finds where it begins",
                                     joined(lines, ", "),
                                     more > 0 ? fmt::format(" and {} more modes", more) : "");
@@ -116,6 +117,7 @@ void note_real(results::CampbellResult &result, const std::vector<modes::Spectru
     if (diverging > 0) {
         const auto worst = std::ranges::max_element(divergence); // none is less than any
         result.model.notes.emplace_back(
+            model::Weight::warning,
             "divergence (static instability) at {} of {} speeds, with a "
             "real eigenvalue of {} at {}",
             diverging, spectra.size(), as::rate(**worst).with_sign(),
@@ -126,6 +128,7 @@ void note_real(results::CampbellResult &result, const std::vector<modes::Spectru
         overdamped = std::max(overdamped, spectrum.overdamped.size() - spectrum.growing.size());
     if (overdamped > 0)
         result.model.notes.emplace_back(
+            model::Weight::information,
             "up to {} modes at a speed are overdamped (real eigenvalue, or "
             "damping ratio above {}) and have no line and no crossings",
             overdamped, as::number(modes::overdamped_ratio, 4));

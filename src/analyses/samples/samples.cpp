@@ -31,7 +31,8 @@ std::string distribution_name(model::Distribution distribution) {
 void add_notes(results::SamplesResult &result) {
     auto &notes = result.model.notes;
     if (result.failed > 0)
-        notes.emplace_back("{} of {} samples failed: quantiles are those of the others",
+        notes.emplace_back(model::Weight::warning,
+                           "{} of {} samples failed: quantiles are those of the others",
                            result.failed, result.count);
     if (result.answers.empty())
         notes.emplace_back("neither the case as it is nor any sample has an answer of the kinds "

@@ -21,7 +21,8 @@ struct Shown {
     std::optional<std::string> heading;  ///< none: the column is not there
     std::string format = "{:.6g}";       ///< of its numbers
     std::optional<std::string> infinite; ///< in place of infinity; none: as what is missing
-    std::string si_format;               ///< of a second column in SI; empty: there is none
+    int digits = 0;        ///< significant ones, in place of the format; 0: as the format says
+    std::string si_format; ///< of a second column in SI; empty: there is none
 
     Shown() = default;
     Shown(std::string shown_heading, std::string shown_format = "{:.6g}",

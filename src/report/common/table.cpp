@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace whirl::report {
 
@@ -17,7 +18,8 @@ std::string shown(const Json &value, const Shown &as, const std::string &missing
     if (value.is_number_float()) {
         const double number = value.get<double>();
         if (std::isfinite(number)) {
-            std::string text = fmt::format(fmt::runtime(as.format), number);
+            std::string text = as.digits > 0 ? model::readable(number, as.digits)
+                                             : fmt::format(fmt::runtime(as.format), number);
             if (text.starts_with('-') && text.find_first_of("123456789") == std::string::npos)
                 text.erase(0, 1); // rounded to nothing
             return text;
@@ -25,6 +27,35 @@ std::string shown(const Json &value, const Shown &as, const std::string &missing
         return std::isinf(number) ? as.infinite.value_or(missing) : missing;
     }
     return value.is_null() ? missing : value.dump();
+}
+
+namespace {
+
+/// Significant digits of a format without a fixed number of decimals; 0 of others.
+int digits_of(const std::string &format) {
+    const std::size_t dot = format.find('.');
+    const bool significant = format.size() > 1 && format[format.size() - 2] == 'g';
+    return dot != std::string::npos && significant ? std::atoi(format.c_str() + dot + 1) : 0;
+}
+
+} // namespace
+
+Shown for_terminal(Shown as, const TextStyle &style) {
+    if (style.digits == 0)
+        return as;
+    // Numbers of fewer digits are rough by nature: percents and factors of four, errors.
+    constexpr int usual = TextStyle{}.digits;
+    constexpr int factors = 4;
+    const int digits = digits_of(as.format);
+    if (digits >= usual || (digits >= factors && style.digits > usual))
+        as.digits = style.digits;
+    else
+        as.digits = std::min(digits, style.digits);
+    return as;
+}
+
+bool above_digits(double error, double value, const TextStyle &style) {
+    return std::abs(error) > 0.5 * std::pow(10, -style.digits) * std::abs(value);
 }
 
 void add_column(Texts &table, const std::string &heading, const std::vector<Json> &values,

@@ -2,7 +2,9 @@
 
 #include "report/common/column.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,10 @@ using Texts = std::vector<std::vector<std::string>>;
 
 /// A value for readers: `missing` for what is null or not a number.
 [[nodiscard]] std::string shown(const Json &value, const Shown &as, const std::string &missing);
+/// The column as the terminal shows it.
+[[nodiscard]] Shown for_terminal(Shown as, const TextStyle &style);
+/// Whether an error changes the digits that are shown of a value, whatever its leading digit.
+[[nodiscard]] bool above_digits(double error, double value, const TextStyle &style);
 /// HTML; cells are escaped here.
 [[nodiscard]] std::string page_table(const Texts &table);
 /// Columns as wide as their widest entry: the first to the left, the others to the right.
@@ -24,6 +30,32 @@ void add_column(Texts &table, const std::string &heading, const std::vector<Json
 /// A heading with its unit: "Spin speed (rpm)" on a page, "spin speed rpm" on the terminal.
 [[nodiscard]] std::string heading_of(const Shown &column, const model::Unit &unit, bool on_page);
 
+/// Whether a column of errors is left out on the terminal: where none was asked for and all are
+/// below the digits shown. Errors with a unit are compared with the largest number of a row in that
+/// unit, others are relative.
+template <class Row, class Rows>
+[[nodiscard]] bool left_out(const Column<Row> &errors, const Columns<Row> &columns,
+                            const Rows &rows, const TextStyle &style) {
+    if (errors.text.format != rough || style.errors)
+        return false;
+    for (std::size_t index = 0; const Row &row : rows) {
+        const auto number = [&](const Column<Row> &column) {
+            const Json value = column.value(row, index, {});
+            return value.is_number() ? value.template get<double>() : 0.0;
+        };
+        const Quantity quantity = errors.of(row);
+        double value = quantity == Quantity::number ? 1 : 0;
+        for (const Column<Row> &column : columns)
+            if (quantity != Quantity::number && column.text.heading && column.of(row) == quantity &&
+                column.text.format != rough)
+                value = std::max(value, std::abs(number(column)));
+        if (above_digits(number(errors), value, style))
+            return false;
+        ++index;
+    }
+    return true;
+}
+
 /// The columns that a reader sees. @param reader  &Column<Row>::page or &Column<Row>::text
 template <class Row, class Rows>
 [[nodiscard]] Texts texts_of(const Columns<Row> &columns, const Rows &rows,
@@ -34,16 +66,18 @@ template <class Row, class Rows>
     Texts table(1 + rows.size());
     for (const Column<Row> &column : columns) {
         Shown as = column.*reader;
-        if (!as.heading)
+        if (!as.heading || (!on_page && left_out(column, columns, rows, units.style())))
             continue;
         const auto add = [&](const Units &in) {
             std::vector<Json> values;
             for (std::size_t index = 0; const Row &row : rows)
                 values.push_back(column.written(row, index++, in));
-            add_column(table, heading_of(as, in.unit(column.quantity), on_page), values, as,
-                       missing);
+            add_column(table, heading_of(as, in.unit(column.quantity), on_page), values,
+                       on_page ? as : for_terminal(as, units.style()), missing);
         };
-        const bool beside_si = !as.si_format.empty() && !units.asked(column.quantity);
+        // All digits are in SI, where they are asked for.
+        const bool beside_si = !as.si_format.empty() && !units.asked(column.quantity) &&
+                               (on_page || !units.style().few_digits());
         if (!as.si_format.empty() && !beside_si)
             as.format = as.si_format;
         add(units);
@@ -76,9 +110,11 @@ template <class Row>
                                Shown Column<Row>::*reader, const std::string &missing,
                                const Units &units) {
     Texts lines;
+    const bool on_page = reader == &Column<Row>::page;
     for (const Column<Row> &column : columns) {
-        const Shown &as = column.*reader;
-        if (!as.heading)
+        const Shown as = on_page ? column.*reader : for_terminal(column.*reader, units.style());
+        if (!as.heading ||
+            (!on_page && left_out(column, columns, std::span(&row, 1), units.style())))
             continue;
         const Json value = column.written(row, 0, units);
         const std::string text = shown(value, as, missing);

@@ -15,6 +15,16 @@ namespace whirl::report {
 using model::Quantity;
 using model::Unit;
 
+/// How much stands on the terminal.
+struct TextStyle {
+    int digits = 5;      ///< significant ones of a number; 0: as many as each column has
+    bool errors = false; ///< columns of errors that are below those digits, too
+    int lines = 0;       ///< at most; 0: all there is
+
+    /// No more than is usual.
+    [[nodiscard]] bool few_digits() const { return digits > 0 && digits <= 5; }
+};
+
 /// The units of all quantities for one kind of reader, handed to whoever writes: the one place
 /// where numbers in SI are turned into those that are written.
 class Units {
@@ -54,11 +64,20 @@ class Units {
     [[nodiscard]] std::string text(Quantity quantity, double si, int digits = 6) const;
     [[nodiscard]] std::string text(const model::Sentence &sentence) const;
 
+    /// Of texts for the terminal.
+    [[nodiscard]] const TextStyle &style() const { return _style; }
+    [[nodiscard]] Units styled(const TextStyle &style) const {
+        Units out = *this;
+        out._style = style;
+        return out;
+    }
+
   private:
     void ask(const model::OutputUnits &asked);
 
     std::array<Unit, model::quantities> _units = si_units();
     std::array<bool, model::quantities> _asked{};
+    TextStyle _style;
 
     [[nodiscard]] static std::array<Unit, model::quantities> si_units();
 };

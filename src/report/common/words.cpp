@@ -65,19 +65,24 @@ std::string heading(const model::Case &scene, const std::string &what) {
 }
 
 std::string model_text(const results::ModelSummary &model, const Units &units) {
-    const std::string kind =
-        model.order == 1 ? "the classical kind" : fmt::format("order {}", model.order);
-    return fmt::format("\nmodel: {} form ({})\n       {} elements of {}, {} unknowns, {}\n",
-                       results::form_name(model.formulation.form), model.formulation.why,
-                       model.elements, kind, model.unknowns,
-                       units.text(Quantity::time, model.seconds, 3)) +
-           notes_text(model, units);
+    return fmt::format("\nmodel: {} form, {} elements of order {}, {} unknowns, {}\n",
+                       results::form_name(model.formulation.form), model.elements, model.order,
+                       model.unknowns, units.text(Quantity::time, model.seconds, 3));
 }
 
-std::string notes_text(const results::ModelSummary &model, const Units &units) {
-    return joined(model.notes, "", [&units](const model::Sentence &note) {
-        return fmt::format("note: {}\n", printable(units.text(note)));
-    });
+std::vector<std::string> note_lines(const std::vector<model::Sentence> &notes, const Units &units) {
+    std::vector<std::string> lines;
+    for (const model::Weight weight :
+         {model::Weight::warning, model::Weight::usual, model::Weight::information})
+        for (const model::Sentence &note : notes) {
+            if (note.weight() != weight)
+                continue;
+            std::string line = (weight == model::Weight::warning ? "warning: " : "note: ") +
+                               printable(units.text(note));
+            if (std::ranges::find(lines, line) == lines.end())
+                lines.push_back(std::move(line));
+        }
+    return lines;
 }
 
 std::string bands_text(const std::vector<results::Interval> &bands, const char *end, const char *to,

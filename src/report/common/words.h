@@ -50,10 +50,11 @@ inline constexpr auto place_of = [](const auto &row, const Units &units) {
 
 /// For the terminal: title of the case and what was computed.
 [[nodiscard]] std::string heading(const model::Case &scene, const std::string &what);
-/// For the terminal: the model behind a result, and its notes.
+/// For the terminal: the model behind a result.
 [[nodiscard]] std::string model_text(const results::ModelSummary &model, const Units &units);
-/// For the terminal: the notes alone.
-[[nodiscard]] std::string notes_text(const results::ModelSummary &model, const Units &units);
+/// For the terminal: each note once, the worst first, information last.
+[[nodiscard]] std::vector<std::string> note_lines(const std::vector<model::Sentence> &notes,
+                                                  const Units &units);
 
 /// Bands of speeds in one cell; @param end  format of an end
 [[nodiscard]] std::string bands_text(const std::vector<results::Interval> &bands, const char *end,

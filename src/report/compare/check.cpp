@@ -249,6 +249,9 @@ void check_result(const Json &json, const std::string &name) {
     const Value provenance = result.key("provenance");
     for (const char *key : {"date", "case"})
         provenance.key(key).text();
+    if (const auto set = provenance.maybe("set"))
+        for (const Value &entry : set->items())
+            entry.text();
     // Commands that nothing is compared of are refused by name.
     if (const auto check = checks.find(json.at("command").get<std::string>());
         check != checks.end())

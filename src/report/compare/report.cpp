@@ -90,7 +90,10 @@ std::string page_of(const Comparison &comparison, const Units &units, const std:
     for (const ComparedResult &result : comparison.results)
         if (const auto found = result.json.find("provenance"); found != result.json.end()) {
             date = found->value("date", "");
-            cases += "# " + result.name + "\n" + found->value("case", "") + "\n";
+            cases += "# " + result.name + "\n";
+            for (const Json &entry : found->value("set", Json::array()))
+                cases += "# --set \"" + entry.get<std::string>() + "\"\n";
+            cases += found->value("case", "") + "\n";
         }
     return with_contents(
         filled(embedded("page.html"),

@@ -59,15 +59,24 @@ std::string end_labels(const Units &units, const results::BalanceBands &bands, d
     return out;
 }
 
-/// A mark for each motion in time: a full one where it ends balanced, else a cross.
+constexpr const char *undecided_colour = "#7A7A7A";
+
+/// A mark for each motion in time: a full one where it ends balanced, an empty one where that is
+/// not decided, else a cross.
 std::string outcome_marks(const Units &units, const std::vector<results::SimulatedSpeed> &runs,
                           double y) {
     std::string out;
     for (const auto &run : runs) {
         const bool balanced = run.outcome == "balanced";
+        const bool undecided = run.outcome == "undecided";
         out += fmt::format("set label '' at first {:.9g},{} point pt {} ps 1.3 lc rgb '{}' front\n",
-                           units(Quantity::speed, run.speed), y, balanced ? 7 : 2,
-                           balanced ? stable_colour : unbalanced_colour);
+                           units(Quantity::speed, run.speed), y,
+                           balanced    ? 7
+                           : undecided ? 6
+                                       : 2,
+                           balanced    ? stable_colour
+                           : undecided ? undecided_colour
+                                       : unbalanced_colour);
     }
     return out;
 }
@@ -86,6 +95,10 @@ Curves bands_key(const BalanceResult &result) {
         key.add(fmt::format("NaN with points pt 7 ps 1.3 lc rgb '{}' title 'in time: balanced', "
                             "NaN with points pt 2 ps 1.3 lc rgb '{}' title 'not'",
                             stable_colour, unbalanced_colour));
+    if (std::ranges::any_of(result.simulated,
+                            [](const auto &run) { return run.outcome == "undecided"; }))
+        key.add(fmt::format("NaN with points pt 6 ps 1.3 lc rgb '{}' title 'undecided'",
+                            undecided_colour));
     if (!result.critical_speeds.empty())
         key.add("NaN with lines dt (4,4) lc rgb '#777777' title 'critical speed'");
     return key;

@@ -91,8 +91,25 @@ std::string curve_labels(const Units &units, const CriticalMap &map, Range y) {
     return labels;
 }
 
-/// Crossings as circles with their numbers in the table, where there is room for these, and lines
-/// that lead to them.
+/// Up to where a critical speed matters for a machine that runs (API 617, of its maximum continuous
+/// speed).
+constexpr double of_interest = 1.26;
+
+/// Crossings of forward motions, up to the speeds of interest where the case says how fast the
+/// machine runs; the table has the others too.
+std::vector<PlotPoint> drawn_crossings(const model::Case &scene, const Units &units,
+                                       const CriticalMap &map) {
+    const double highest = scene.operation ? of_interest * scene.operation->to : HUGE_VAL;
+    std::vector<PlotPoint> drawn;
+    for (const auto &at : map.crossings)
+        if (at.whirl == Whirl::forward && at.speed <= highest)
+            drawn.push_back(
+                {units(Quantity::stiffness, at.stiffness), units(Quantity::speed, at.speed)});
+    return drawn;
+}
+
+/// Crossings as circles with their speeds, where there is room for these, and lines that lead to
+/// them.
 std::string crossing_marks(const std::vector<PlotPoint> &crossings, Range x, Range y) {
     LabelPlacer placer;
     for (const PlotPoint &at : crossings)
@@ -101,11 +118,14 @@ std::string crossing_marks(const std::vector<PlotPoint> &crossings, Range x, Ran
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         const double u = along(crossings[i].x, x);
         const double v = along(*crossings[i].y, y);
-        const auto box = placer.place(u, v, i < 9 ? 0.013 : 0.022, 0.032);
+        const std::string speed = drawn_number(*crossings[i].y);
+        constexpr double letter = 0.0072; // of this font, of the panel
+        const auto box =
+            placer.place(u, v, letter * static_cast<double>(speed.size()) + 0.006, 0.032);
         if (box)
             labels +=
                 fmt::format("set label '{}' at graph {:.5g},graph {:.5g} center font ',10' front\n",
-                            i + 1, box->x + box->width / 2, box->y + box->height / 2) +
+                            speed, box->x + box->width / 2, box->y + box->height / 2) +
                 leader(*box, u, v);
     }
     return labels;
@@ -123,19 +143,17 @@ std::string map_panel(const model::Case &scene, const Units &units, const Critic
         const bool first = i == 0 || map.curves[i - 1].whirl != curve.whirl;
         drawn.add(points_over(map.stiffness, units.factor(Quantity::stiffness), curve.speed,
                               units.factor(Quantity::speed)),
-                  line_look(style, 2), first ? "'" + style.name + "'" : "");
+                  line_look(style, curve.whirl == Whirl::forward ? 2 : 0.8),
+                  first ? "'" + style.name + "'" : "");
     }
     if (map.curves.empty())
         drawn.add("NaN notitle");
     add_bearings(scene, units, map, drawn);
     drawn.add(operation_key(scene, units, y));
-    std::vector<PlotPoint> crossings;
-    for (const auto &at : map.crossings)
-        crossings.push_back(
-            {units(Quantity::stiffness, at.stiffness), units(Quantity::speed, at.speed)});
+    const std::vector<PlotPoint> crossings = drawn_crossings(scene, units, map);
     if (!crossings.empty())
         drawn.add(crossings, "with points pt 6 ps 1.2 lw 1.4 lc rgb '#000000'",
-                  "'crossing, number in the table'");
+                  "'forward crossing, its speed'");
     return panel_margins(map_left, map_right, 330 * pixel, 1 - 112 * pixel) + axes_over(x, y) +
            fmt::format("set logscale xy\nset format x '10^{{%L}}'\nset format y '{}'\n"
                        "set xlabel {}\nset ylabel {}\n{}"

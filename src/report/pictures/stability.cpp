@@ -103,8 +103,15 @@ std::string growth_range(const StabilityResult &result) {
     const bool flat = high - low <= rounding * std::max(std::abs(low), std::abs(high));
     const double centre = flat ? low : 0; // of a growth that does not change
     const double reach = centre == 0 ? 1 : 0.5 * std::abs(centre);
-    if (!flat)
-        return fmt::format("set format y '%.{}g'\n", digits_between(low, high));
+    if (!flat) { // zero, the border of stability, is always there
+        const double margin = 0.08 * (std::max(high, 0.0) - std::min(low, 0.0));
+        std::string range;
+        if (high < 0)
+            range = fmt::format("set yrange [{}:{}]\n", low - margin, margin);
+        else if (low > 0)
+            range = fmt::format("set yrange [{}:{}]\n", -margin, high + margin);
+        return range + fmt::format("set format y '%.{}g'\n", digits_between(low, high));
+    }
     return fmt::format("set yrange [{}:{}]\n", std::min(0.0, centre) - reach,
                        std::max(0.0, centre) + reach);
 }
@@ -128,10 +135,11 @@ std::string growth_panel(const model::Case &scene, const Units &units,
         drawn.add(growth_points(units, result, result.resolved_growth, result.resolved_unstable),
                   fmt::format("with {} lw 2 lc rgb '#009E73'", one ? "points pt 7" : "lines dt 2"),
                   "'growth of motions that the elements resolve'");
+    drawn.add("NaN with lines lw 1.6 lc rgb '#B0305C' title 'zero: above it motion grows'");
     add_growth_keys(scene, result, drawn);
     drawn.add(operation_key(scene, units, x));
     return text + grid +
-           "set xzeroaxis lc rgb '#555555' lw 1\n"
+           "set xzeroaxis lt 1 lc rgb '#B0305C' lw 1.6\n"
            "set xlabel " +
            axis_text(units, "Spin speed", Quantity::speed) + "\nset ylabel " +
            axis_text(units, "Growth, largest real part", Quantity::rate) +

@@ -322,7 +322,8 @@ std::string speeds_text(const std::string &title, const std::vector<double> &spe
                         const Units &units) {
     std::string text = title + ":";
     for (const double speed : speeds)
-        text += fmt::format(" {:#.10g}", units(Quantity::speed, speed));
+        text += " " + readable(units(Quantity::speed, speed),
+                               units.style().digits > 0 ? units.style().digits : 10);
     return speeds.empty() ? "" : text + " " + units.name(Quantity::speed) + "\n";
 }
 

@@ -3,16 +3,18 @@ const rows = result.planes.map((p, i) => ({name: placed(p.name || "plane " + (i 
 if (result.planes.length > 1) rows.push({name: "all planes together", of: result.joint});
 if (result.balanced_position) rows.push({name: "real balancers stable", of: {stable: result.balanced_position.bands,
   some: result.balanced_position.arrangements > 1 ? result.balanced_position.with_some : []}});
-const ended = (kept, symbol, colour, name) => {
-  const runs = result.simulated.filter(run => (run.outcome === "balanced") === kept);
+const ended = (kind, symbol, colour, name) => {
+  const runs = result.simulated.filter(run => (["balanced", "undecided"].includes(run.outcome) ? run.outcome : "other") === kind);
+  if (!runs.length && kind === "undecided") return;
   traces.push({x: runs.map(run => run.speed), y: runs.map(() => "motions in time"), mode: "markers", name, hoverinfo: "text",
     marker: {symbol, color: colour, size: 10}, text: runs.map(run => `${said(run.speed, "speed", 7)}: ${run.outcome}` +
       (run.residual_ratio === null ? "" : `<br>left of the amplitude: ${short(run.residual_ratio, 3)}`) +
       (run.growth === null ? "" : `<br>growth about balance: ${said(run.growth, "rate", 3)}`))});
 };
 if (result.simulated.length) {
-  ended(true, "circle", "#0072B2", "in time: ends balanced");
-  ended(false, "x", orange, "in time: does not");
+  ended("balanced", "circle", "#0072B2", "in time: ends balanced");
+  ended("other", "x", orange, "in time: does not");
+  ended("undecided", "circle-open", "#7A7A7A", "in time: undecided");
 }
 const bars = (key, kind, colour) => {
   const trace = {type: "bar", orientation: "h", name: kind, base: [], x: [], y: [], text: [], hoverinfo: "text",

@@ -41,7 +41,7 @@ function operating(layout) {
   return {shapes: shapes.concat(layout.shapes || []), annotations: (layout.annotations || []).concat(names)};
 }
 function draw(traces, layout, place = "plot") {
-  Plotly.newPlot(place, traces, Object.assign({margin: {l: 75, r: 30, t: 30, b: 60}, height: 620,
+  Plotly.newPlot(place, traces, Object.assign({margin: {l: 75, r: 45, t: 30, b: 60}, modebar: {orientation: "v"}, height: 620,
     hovermode: "closest", separators: ".", plot_bgcolor: "#fff", paper_bgcolor: "#fff",
     legend: {orientation: "h", y: 1.02, yanchor: "bottom"}}, layout, operating(layout)), {responsive: true, displaylogo: false});
 }

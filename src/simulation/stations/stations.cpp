@@ -76,7 +76,8 @@ void add_steady_response(const model::Case &scene, int order, results::SimulateR
         if (result.speed != 0)
             add_last_speed(d, form, own, result);
     } catch (const linalg::SolverError &) {
-        result.model.notes.emplace_back("no steady motion at {} to compare with: the rotor is at a "
+        result.model.notes.emplace_back(model::Weight::warning,
+                                        "no steady motion at {} to compare with: the rotor is at a "
                                         "resonance without damping, or free to move{}",
                                         as::speed(result.speed), judged);
     } catch (const model::AnalysisFailure &failure) { // the motion is worth having all the same
