@@ -7,6 +7,7 @@
 #include "model/rotor.h"
 #include "model/samples.h"
 #include "model/sentence.h"
+#include "model/weights.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -140,9 +141,15 @@ struct Case {
     BalanceSettings balance;
     std::optional<MapSettings> map;
     std::optional<SamplesSettings> samples;
+    std::optional<WeightsSettings> weights;
     OutputUnits units;             ///< of what is written
     std::vector<Sentence> remarks; ///< what of it is no mistake and looks like one
 };
+
+/// A case of measurements alone has no shaft: nothing but correction weights can be computed.
+[[nodiscard]] inline bool has_shaft(const Case &scene) {
+    return !scene.rotor.shaft.segments.empty();
+}
 
 /// The spin speeds of a case.
 /// @throws BadInput where it has no [speeds].

@@ -14,6 +14,7 @@ struct SamplesResult;
 struct ShowResult;
 struct SimulateResult;
 struct StabilityResult;
+struct WeightsResult;
 } // namespace whirl::results
 
 namespace whirl::report {
@@ -30,5 +31,6 @@ namespace whirl::report {
 [[nodiscard]] Report describe(const model::Case &scene, const results::ShowResult &result);
 [[nodiscard]] Report describe(const model::Case &scene, const results::SimulateResult &result);
 [[nodiscard]] Report describe(const model::Case &scene, const results::StabilityResult &result);
+[[nodiscard]] Report describe(const model::Case &scene, const results::WeightsResult &result);
 
 } // namespace whirl::report

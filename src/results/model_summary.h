@@ -10,6 +10,7 @@ namespace whirl::results {
 
 /// What every result says of the model behind it.
 struct ModelSummary {
+    bool none = false; ///< readings alone: nothing below but seconds, notes and why
     Formulation formulation;
     int order = 0;               ///< of the shaft elements; 1: classical
     int elements = 0;            ///< of the shaft

@@ -65,6 +65,8 @@ std::string heading(const model::Case &scene, const std::string &what) {
 }
 
 std::string model_text(const results::ModelSummary &model, const Units &units) {
+    if (model.none)
+        return "\n" + model.formulation.why + "\n" + notes_text(model, units);
     const std::string kind =
         model.order == 1 ? "the classical kind" : fmt::format("order {}", model.order);
     return fmt::format("\nmodel: {} form ({})\n       {} elements of {}, {} unknowns, {}\n",

@@ -32,6 +32,7 @@ struct ShowResult;
 struct SimulateResult;
 struct StabilityResult;
 struct Waterfall;
+struct WeightsResult;
 } // namespace whirl::results
 
 namespace whirl::report {
@@ -180,5 +181,10 @@ struct ModeCurves {
 /// The same with a line of mass, centre of mass and inertias, and the centre of mass marked.
 [[nodiscard]] Drawing show_drawing(const model::Case &scene, const results::ShowResult &result,
                                    const Units &units);
+
+/// Polar plots: readings before and after, a panel a speed (the first ones), and the weights in
+/// their planes; from the model the amplitudes over speed below.
+[[nodiscard]] Figure weights_figure(const model::Case &scene, const results::WeightsResult &result,
+                                    const Units &units);
 
 } // namespace whirl::report
