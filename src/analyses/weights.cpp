@@ -548,6 +548,11 @@ WeightsResult correction_weights(const model::Case &scene) {
     if (!scene.weights)
         refuse(scene, "weights: missing, expected a section [weights]");
     const WeightsSettings &settings = *scene.weights;
+    if (!settings.trials.empty() && settings.places.empty())
+        refuse(scene, "weights.readings: missing, expected the table with the readings of the "
+                      "trial runs");
+    if (scene.rotor.planes.empty())
+        refuse(scene, "plane: missing, expected at least one [[plane]] for correction weights");
     WeightsResult result = empty_result(settings);
     Known known;
     if (result.measured)

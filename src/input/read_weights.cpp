@@ -149,9 +149,6 @@ class WeightsReader {
         if (!_settings.trials.empty() && _table.has("influence"))
             _table.fail("influence", "expected either trial weights, [[trial]], or coefficients "
                                      "from a table, got both");
-        if (!_settings.trials.empty() && !_table.has("readings"))
-            _table.fail("readings", "missing, expected the table with the readings of the trial "
-                                    "runs");
     }
 
     void read_trial(CheckedTable &table) {

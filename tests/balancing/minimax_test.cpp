@@ -149,14 +149,12 @@ TEST(LeastSquares, WithinBoundsIsOptimal) {
 TEST(LeastSquares, OfMorePlanesThanPlacesIsTheShortest) {
     Random random(5);
     const Balance balance = random_balance(random, 2, 4);
-    for (const Solution &found :
-         {balancing::least_squares(balance), balancing::minimax(balance)}) {
+    for (const Solution &found : {balancing::least_squares(balance), balancing::minimax(balance)}) {
         EXPECT_FALSE(found.unique);
         EXPECT_LT(balance.residual(found.w).norm(), 1e-12 * balance.a.norm());
         // Orthogonal to all that moves nothing: w = H^H of something.
         const Eigen::MatrixXcd gram = balance.H * balance.H.adjoint();
-        const Eigen::VectorXcd shortest =
-            -balance.H.adjoint() * gram.fullPivLu().solve(balance.a);
+        const Eigen::VectorXcd shortest = -balance.H.adjoint() * gram.fullPivLu().solve(balance.a);
         EXPECT_LT((found.w - shortest).norm(), 1e-10 * shortest.norm());
     }
 }
@@ -180,14 +178,12 @@ TEST(LeastSquares, WithFactorsIsThatOfRowsRepeated) {
 TEST(LeastSquares, OfNothingIsNothing) {
     Balance balance{Eigen::MatrixXcd::Zero(3, 2), Eigen::VectorXcd::Zero(3),
                     Eigen::VectorXd::Ones(3), Eigen::VectorXd::Constant(2, no_bound)};
-    for (const Solution &found :
-         {balancing::least_squares(balance), balancing::minimax(balance)}) {
+    for (const Solution &found : {balancing::least_squares(balance), balancing::minimax(balance)}) {
         EXPECT_EQ(found.w.norm(), 0);
         EXPECT_EQ(found.value, 0);
     }
     balance.a.setConstant(1e-5); // planes that move nothing
-    for (const Solution &found :
-         {balancing::least_squares(balance), balancing::minimax(balance)}) {
+    for (const Solution &found : {balancing::least_squares(balance), balancing::minimax(balance)}) {
         EXPECT_TRUE(found.w.allFinite());
         EXPECT_EQ(found.w.norm(), 0);
         EXPECT_FALSE(found.unique);

@@ -36,9 +36,9 @@ std::vector<Phasor> numbers_of(const json &list) {
 
 void expect_same(Phasor found, Phasor given, const std::string &what) {
     EXPECT_LE(std::abs(found - given), (five_digits + of_phase) * std::abs(given) + 1e-12)
-        << what << ": " << std::abs(found) << " at "
-        << std::arg(found) * 180 / std::numbers::pi << " deg in place of " << std::abs(given)
-        << " at " << std::arg(given) * 180 / std::numbers::pi;
+        << what << ": " << std::abs(found) << " at " << std::arg(found) * 180 / std::numbers::pi
+        << " deg in place of " << std::abs(given) << " at "
+        << std::arg(given) * 180 / std::numbers::pi;
 }
 
 /// Readings and coefficients of a problem at one speed, as tables: in µm and g mm.
@@ -86,10 +86,10 @@ model::Case case_of(const json &problem, bool minimax, const std::string &phase 
         const bool kept = !data.value("trial_removed", true);
         for (std::size_t p = 0; p < data.at("trial_weights").size(); ++p) {
             const json &weight = data.at("trial_weights")[p];
-            tables.trials += fmt::format(
-                "[[trial]]\nrun = \"t{0}\"\nplane = \"p{0}\"\nmr = \"{1} g mm\"\n"
-                "phase = \"{2} deg\"\nkept = {3}\n",
-                p + 1, weight.at(0).get<double>(), weight.at(1).get<double>(), kept);
+            tables.trials +=
+                fmt::format("[[trial]]\nrun = \"t{0}\"\nplane = \"p{0}\"\nmr = \"{1} g mm\"\n"
+                            "phase = \"{2} deg\"\nkept = {3}\n",
+                            p + 1, weight.at(0).get<double>(), weight.at(1).get<double>(), kept);
         }
         tables.planes = data.at("trial_weights").size();
     } else {
@@ -100,8 +100,8 @@ model::Case case_of(const json &problem, bool minimax, const std::string &phase 
         if (data.contains("cap") && data.at("cap").is_array())
             text += fmt::format("max = \"{} g mm\"\n", data.at("cap")[p].get<double>());
     }
-    return measured_case(text + tables.trials, {{"runs.csv", tables.readings},
-                                                {"influence.csv", tables.influence}});
+    return measured_case(text + tables.trials,
+                         {{"runs.csv", tables.readings}, {"influence.csv", tables.influence}});
 }
 
 std::vector<Phasor> weights_of(const results::WeightsResult &result) {
@@ -176,8 +176,8 @@ TEST_P(PublishedWeights, AreFoundToTheDigitsGiven) {
         // Printed with four digits.
         EXPECT_NEAR(squares.condition.value_or(0), answer.at("condition").get<double>(), 5e-3);
         for (std::size_t p = 0; p < squares.weights.size(); ++p)
-            EXPECT_NEAR(squares.weights[p].significance,
-                        answer.at("significance")[p].get<double>(), 5e-5);
+            EXPECT_NEAR(squares.weights[p].significance, answer.at("significance")[p].get<double>(),
+                        5e-5);
     }
 }
 

@@ -165,7 +165,8 @@ TEST(SimulatedReadings, WithRunoutGiveTheSame) {
         std::vector<std::string> lines;
         std::vector<Phasor> runout;
         for (std::size_t i = 0; i < probes; ++i)
-            runout.push_back(polar_degrees(5 + static_cast<double>(i), 40.0 * static_cast<double>(i)));
+            runout.push_back(
+                polar_degrees(5 + static_cast<double>(i), 40.0 * static_cast<double>(i)));
         const std::vector<std::pair<std::string, std::vector<Phasor>>> runs{
             {"initial", {0, 0}}, {"t1", {trial[0], 0}}, {"t2", {0, trial[1]}}};
         for (const auto &[run, weights] : runs)
@@ -214,11 +215,10 @@ Coverage coverage(int draws, const std::string &settings, int times) {
         std::vector<Phasor> w;
         for (std::size_t p = 0; p < planes; ++p) {
             ++out.weights;
-            out.weights_within +=
-                std::abs(found.weights[p].weight - exact.weights[p].weight) <=
-                        *found.weights[p].scatter
-                    ? 1
-                    : 0;
+            out.weights_within += std::abs(found.weights[p].weight - exact.weights[p].weight) <=
+                                          *found.weights[p].scatter
+                                      ? 1
+                                      : 0;
             w.push_back(1e6 * found.weights[p].weight);
         }
         for (std::size_t i = 0; i < places; ++i) {
@@ -302,9 +302,9 @@ TEST(SimulatedReadings, WithWeightsThatDoNotTellPlanesApartAreRefused) {
 /// A grade for a rotor of 100 kg at 3000 rpm: G 2.5 gives 2.5e-3 * 100 / 314.16 kg m, half of it in
 /// each of two planes.
 TEST(SimulatedReadings, WithAGradeSayWhatMayStay) {
-    const auto result = answer(head + "grade = \"G 2.5\"\nmass = 100\ngrade_speed = \"3000 rpm\"\n" +
-                                   two_trials,
-                               joined(readings_of(Machine(1))));
+    const auto result =
+        answer(head + "grade = \"G 2.5\"\nmass = 100\ngrade_speed = \"3000 rpm\"\n" + two_trials,
+               joined(readings_of(Machine(1))));
     EXPECT_NEAR(*result.weights[0].permissible, 2.5e-3 * 100 / (100 * std::numbers::pi) / 2, 1e-15);
 }
 

@@ -8,6 +8,7 @@
 #include "broken_rotating.h"
 #include "broken_samples.h"
 #include "broken_shafts.h"
+#include "broken_weights.h"
 
 #include <filesystem>
 #include <fstream>
@@ -19,7 +20,7 @@ inline std::vector<BrokenCase> broken_cases() {
     std::vector<BrokenCase> all = broken_shafts();
     for (const auto &part :
          {broken_attachments(), broken_bearings(), broken_rotating_parts(), broken_settings(),
-          broken_samples(), broken_operation(), broken_maps(), broken_motion()})
+          broken_samples(), broken_operation(), broken_maps(), broken_motion(), broken_weights()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }
