@@ -428,7 +428,7 @@ class Answer {
             _result.model.notes.emplace_back(
                 "the weights of {} nearly do the same: without {} the root mean square is {} in "
                 "place of {}, and the largest weight {} in place of {}",
-                fmt::format("{}", fmt::join(dependent.planes, " and ")), dependent.leave_out,
+                fmt::format("{}", fmt::join(dependent.planes, ", ")), dependent.leave_out,
                 as::amplitude(dependent.rms, 4), as::amplitude(_result.rms, 4),
                 as::imbalance(dependent.largest_without, 4),
                 as::imbalance(dependent.largest_weight, 4));

@@ -68,7 +68,7 @@ Solution least_squares(const Balance &balance) {
         return out;
     out.w = bounded_least_squares(of, free.w);
     out.value = of.residual(out.w).norm();
-    out.bound = least_squares_bound(of, out.w);
+    out.bound = std::min(least_squares_bound(of, out.w), out.value); // but for rounding
     out.bounded = true;
     return out;
 }
@@ -89,7 +89,7 @@ Solution minimax(const Balance &balance) {
     const Certified least = least_largest(held, out.w);
     out.w = least.w;
     out.value = of.residual(out.w).lpNorm<Eigen::Infinity>();
-    out.bound = least.bound;
+    out.bound = std::min(least.bound, out.value); // but for rounding
     constexpr double at_bound = 1e-6;
     out.bounded = (out.w.array().abs() >= (1 - at_bound) * of.largest.array()).any();
     return out;

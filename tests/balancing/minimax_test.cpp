@@ -2,6 +2,9 @@
 #include "balancing/weights.h"
 #include "support/random.h"
 
+#include <Eigen/LU>
+#include <Eigen/QR>
+
 #include <gtest/gtest.h>
 
 #include <cmath>

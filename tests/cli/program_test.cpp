@@ -53,8 +53,9 @@ std::vector<std::string> with_few(std::vector<std::string> arguments) {
 TEST_F(Program, HelpAndVersionGoToStandardOutput) {
     const ProgramRun help = run({"--help"});
     EXPECT_EQ(help.status, 0);
-    for (const char *command : {"show", "campbell", "critical", "stability", "response", "balance",
-                                "rigid-limit", "simulate", "accuracy", "samples", "modes"})
+    for (const char *command :
+         {"show", "campbell", "critical", "stability", "response", "balance", "rigid-limit",
+          "simulate", "accuracy", "samples", "modes", "weights"})
         EXPECT_TRUE(contains(help.output, command)) << command;
     const ProgramRun of_command = run({"campbell", "--help"});
     EXPECT_EQ(of_command.status, 0);

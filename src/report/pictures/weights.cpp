@@ -21,12 +21,12 @@ constexpr int head_height = 90;
 constexpr int curves_height = 380;
 constexpr std::size_t most_speeds = 3; ///< with a panel of readings each
 
-/// A round number at or above a value: 1, 2 or 5 times a power of ten.
+/// A round number at or above a value.
 double round_above(double value) {
     if (!(value > 0) || !std::isfinite(value))
         return 1;
     const double power = std::pow(10, std::floor(std::log10(value)));
-    for (const double digit : {1.0, 2.0, 5.0})
+    for (const double digit : {1.0, 1.2, 1.6, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
         if (digit * power >= value * (1 - 1e-9))
             return digit * power;
     return 10 * power;
@@ -49,7 +49,7 @@ std::string polar_axes(double radius, const std::string &unit) {
             0.03 * radius, (0.5 * share + 0.045) * radius);
     for (const auto &[text, x, y, where] : {std::tuple("0°", 1.03, 0.04, "left"),
                                             {"90°", -0.03, 1.05, "right"},
-                                            {"180°", -1.0, 0.05, "left"},
+                                            {"180°", -1.03, 0.04, "right"},
                                             {"270°", -0.03, -1.07, "right"}})
         script += fmt::format("set label '{}' at first {},first {} {} font ',10' textcolor "
                               "'#777777'\n",
