@@ -93,7 +93,7 @@ class WeightsReader {
     model::Case &_scene;
     std::vector<std::string> _planes, _probes;
     model::WeightsSettings _settings;
-    std::vector<std::string> _unit_less; ///< columns in SI for want of a unit
+    bool _trials_sound = true; ///< no trial weight in a plane that is not known
 
     void read_plain_entries() {
         _settings.method = static_cast<model::WeightsMethod>(
@@ -170,7 +170,8 @@ class WeightsReader {
             table.fail(table.has("mr") ? "mr" : "mass",
                        "expected a trial weight other than 0, which moves nothing, got 0");
         trial.kept = table.flag_or("kept", false);
-        if (run.empty() || !known)
+        _trials_sound = _trials_sound && known;
+        if (run.empty())
             return;
         if (!place_in(_settings.runs, run))
             _settings.runs.push_back(run);
@@ -179,7 +180,8 @@ class WeightsReader {
                                           "another, as the runs came, got {} again",
                                           in_quotes(run)));
         trial.run = *place_in(_settings.runs, run) + 1;
-        _settings.trials.push_back(trial);
+        if (known)
+            _settings.trials.push_back(trial);
     }
 
     static std::string required_text(CheckedTable &table, const char *key, const char *what) {
@@ -213,7 +215,6 @@ class WeightsReader {
     }
 
     void read_tables() {
-        std::vector<ReadRow> rows;
         std::optional<CsvTable> readings = table_of("readings", {{"speed", Quantity::speed},
                                                                  {"probe", {}},
                                                                  {"run", {}},
@@ -226,6 +227,10 @@ class WeightsReader {
         } else if (!_table.has("readings")) {
             check_without_readings();
         }
+        if (_table.has("readings") && !_table.has("influence") && !_root.has("trial") &&
+            !_root.has("shaft"))
+            _table.fail("influence", "missing, expected a table of influence coefficients, trial "
+                                     "weights ([[trial]]), or a rotor with a section [shaft]");
         std::optional<CsvTable> influence =
             table_of("influence", {{"speed", Quantity::speed},
                                    {"probe", {}},
@@ -240,7 +245,7 @@ class WeightsReader {
         if (_table.has("influence"))
             _table.fail("readings", "missing, expected the table with the readings of the initial "
                                     "run");
-        else if (!model::has_shaft(_scene))
+        else if (!_root.has("shaft"))
             _table.fail("readings", "missing, expected a table of readings, or a rotor with a "
                                     "section [shaft]");
     }
@@ -407,10 +412,10 @@ class WeightsReader {
         if (missing > told_one_by_one)
             csv.fail("run", fmt::format("{} more readings of trial runs are missing",
                                         missing - told_one_by_one));
-        if (_settings.runs.empty())
+        if (_settings.runs.empty() || !_trials_sound)
             return;
         for (std::size_t i = 0; i < _planes.size(); ++i)
-            if (!_planes[i].empty() &&
+            if (!_planes[i].empty() && place_in(_planes, _planes[i]) == i &&
                 std::ranges::none_of(_settings.trials, [i](const model::TrialWeight &trial) {
                     return trial.plane == i;
                 })) {

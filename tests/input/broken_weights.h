@@ -28,9 +28,12 @@ inline std::vector<BrokenCase> broken_weights() {
     const std::string base = sound_case; // next is line 8
     return {
         {"weights without planes", 1, "plane", "expected at least one [[plane]]",
-         "format = 1\n[weights]\nreadings = \"r.csv\"\n", readings(initial)},
+         base + "[weights]\n"},
         {"weights of a plane without a name", 4, "plane[0].name", "missing, expected a name",
-         "format = 1\n[weights]\nreadings = \"r.csv\"\n[[plane]]\nz = 1\n", readings(initial)},
+         "format = 1\n[weights]\nreadings = \"r.csv\"\n[[plane]]\nz = 1\n[[plane]]\nname = "
+         "\"a\"\n" +
+             trial,
+         readings(both)},
         {"weights of a plane named twice", 7, "plane[1].name", "each name once, got \"a\" twice",
          one + "[[plane]]\nname = \"a\"\n" + trial, readings(both)},
         {"weights without readings", 2, "weights.readings", "missing, expected a table of readings",
@@ -41,7 +44,7 @@ inline std::vector<BrokenCase> broken_weights() {
          "[[plane]]\nname = \"a\"\n" +
              trial,
          readings(both)},
-        {"readings without a column", 1, "run", "expected a column of that name", one,
+        {"readings without a column", 1, "run", "expected a column of that name", one + trial,
          readings("probe,amplitude,phase\np,1,2\n"), "r.csv"},
         {"reading that is no number", 2, "amplitude", "expected an amplitude in m", one + trial,
          readings(head + "100,p,initial,NaN,10\n100,p,t,6,20\n"), "r.csv"},
@@ -65,6 +68,8 @@ inline std::vector<BrokenCase> broken_weights() {
          one + "[[trial]]\nrun = \"initial\"\nplane = \"a\"\nmr = 1e-4\n" + trial, readings(both)},
         {"plane that was never tried", 6, "plane[1]", "its influence is not known", start + trial,
          readings(both)},
+        {"weights without coefficients", 2, "weights.influence", "missing, expected a table of",
+         one, readings(initial)},
         {"trials without weights", 8, "trial", "expected a section [weights]", base + trial},
         {"factor of an unknown probe", 7, "weights.probe.q", "expected the name of a probe",
          "format = 1\n[weights]\nreadings = \"r.csv\"\n[[plane]]\nname = \"a\"\n"
