@@ -1,6 +1,7 @@
 // Correction weights of a model: a compressor with hidden imbalance, whose response `response`
 // computes.
 
+#include "analyses/critical.h"
 #include "analyses/response.h"
 #include "analyses/weights.h"
 #include "balancing/measured_case.h"
@@ -185,6 +186,49 @@ TEST(WeightsOfACompressor, AreNothingWhereTheyAreSet) {
     for (std::size_t p = 0; p < plane_places.size(); ++p)
         EXPECT_LE(std::abs(second.weights[p].weight), 1e-8 * std::abs(first.weights[p].weight));
     EXPECT_NEAR(second.rms_before, first.rms, 1e-8 * first.rms);
+}
+
+/// A uniform shaft on springs with imbalance all along: below its second bending speed N = 1 motion
+/// bends it, and with N + 2 = 3 planes, found at a slow speed and beside the first critical one,
+/// next to nothing is left at the bearings over the whole range; N planes leave the rigid motions.
+TEST(WeightsOfAUniformShaft, NeedTwoPlanesMoreThanItHasBendingMotions) {
+    std::string text = "format = 1\n[material.s]\nE = 2.1e11\nnu = 0.3\nrho = 7800\n"
+                       "[shaft]\nsegments = [{length = 1.0, outer = 0.04, elements = 4}]\n"
+                       "[[bearing]]\nz = 0\nk = 1e8\nc = 5e3\n"
+                       "[[bearing]]\nz = 1\nk = 1e8\nc = 5e3\n"
+                       "[[probe]]\nname = \"left\"\nz = 0\n[[probe]]\nname = \"right\"\nz = 1\n"
+                       "[campbell]\nmodes = 2\n";
+    for (int i = 1; i <= 9; ++i)
+        text += fmt::format("[[imbalance]]\nz = {}\nmr = {}\nphase = {}\n", 0.1 * i,
+                            1e-5 * (1 + i % 3), 2.0 * i);
+    const model::Case bare = input::load_case(written_folder(text, {}) / "case.toml");
+    const results::CriticalResult critical = analyses::critical_speeds(bare, false);
+    ASSERT_GE(critical.critical_speeds.size(), 2U);
+    const double first = critical.critical_speeds[0].speed;
+    const double second = critical.critical_speeds[1].speed;
+    const auto left_with = [&](const std::vector<double> &places) {
+        model::Case scene = bare;
+        for (std::size_t p = 0; p < places.size(); ++p) {
+            model::CorrectionPlane plane;
+            plane.name = fmt::format("{}", p);
+            plane.z = places[p];
+            scene.rotor.planes.push_back(plane);
+        }
+        scene.weights = model::WeightsSettings{};
+        // Of the size that forces have at each: amplitudes grow with the square of the speed.
+        scene.weights->speeds = {0.3 * first, 0.97 * first};
+        scene.speeds = model::SpeedRange{0.1 * first, 0.5 * second, 60};
+        const results::WeightsResult result = analyses::correction_weights(scene);
+        double before = 0, after = 0;
+        for (const results::VibrationCurve &curve : result.curves)
+            for (std::size_t i = 0; i < curve.before.size(); ++i) {
+                before = std::max(before, *curve.before[i]);
+                after = std::max(after, *curve.after[i]);
+            }
+        return after / before;
+    };
+    EXPECT_LT(left_with({0.2, 0.5, 0.8}), 0.02);
+    EXPECT_GT(left_with({0.5}), 0.05);
 }
 
 /// What has no coefficients, no speeds, no probes or nothing to balance.
