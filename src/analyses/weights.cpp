@@ -513,15 +513,16 @@ class Answer {
                 speed = scene.operation->to;
         }
         if (!(speed > 0))
-            refuse(scene, "weights.grade_speed: missing, expected the angular speed in rad/s at "
-                          "which the grade holds");
+            refuse(scene,
+                   "weights.grade_speed: missing, expected the speed at which the grade holds");
         constexpr double millimetre = 1e-3; // m
         const double mass =
             settings.mass ? *settings.mass : model::mass_of_shaft_and_discs(scene.rotor);
         const double all = *settings.grade * millimetre * mass / speed;
         for (auto &own : out)
             own = all / static_cast<double>(planes);
-        if (planes == 2 && model::has_shaft(scene)) {
+        if (planes == 2 && model::has_shaft(scene) &&
+            scene.rotor.planes[0].z != scene.rotor.planes[1].z) {
             const double first = scene.rotor.planes[0].z, second = scene.rotor.planes[1].z;
             const double share =
                 std::clamp((second - centre_of_mass(scene.rotor)) / (second - first), 0.3, 0.7);

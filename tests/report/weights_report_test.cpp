@@ -41,8 +41,9 @@ results::WeightsResult sample_weights() {
     return result;
 }
 
-TEST(WeightsReport, IsWholeWithoutARotor) {
-    const std::filesystem::path folder = scratch_folder("weights_report");
+class WeightsReport : public ScratchFolder {};
+
+TEST_F(WeightsReport, IsWholeWithoutARotor) {
     model::Case scene;
     scene.name = "readings";
     const results::WeightsResult result = sample_weights();
