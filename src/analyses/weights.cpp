@@ -263,10 +263,9 @@ std::optional<double> scatter_of_prediction(const Known &known, std::size_t plac
 }
 
 /// The best of all choices of `count` planes by least squares without bounds.
-std::vector<std::size_t> best_planes(const Balance &balance, std::size_t count) {
-    const auto planes = static_cast<std::size_t>(balance.H.cols());
-    Balance free = balance;
-    free.largest.setConstant(std::numeric_limits<double>::infinity());
+/// @param reduced  of the balance (balancing::reduced)
+std::vector<std::size_t> best_planes(const Balance &reduced, std::size_t count) {
+    const auto planes = static_cast<std::size_t>(reduced.H.cols());
     std::vector<std::size_t> best;
     double least = std::numeric_limits<double>::infinity();
     for (unsigned choice = 0; choice < (1U << planes); ++choice) {
@@ -276,7 +275,7 @@ std::vector<std::size_t> best_planes(const Balance &balance, std::size_t count) 
         for (std::size_t p = 0; p < planes; ++p)
             if ((choice >> p & 1U) != 0)
                 chosen.push_back(p);
-        const double value = balancing::least_squares(free.of_planes(chosen)).value;
+        const double value = balancing::least_squares(reduced.of_planes(chosen)).value;
         if (value < least) {
             least = value;
             best = std::move(chosen);
@@ -443,8 +442,9 @@ class Answer {
                                              most_choices);
             return;
         }
+        const Balance reduced = balancing::reduced(_balance);
         for (std::size_t count = 1; count <= planes; ++count) {
-            const std::vector<std::size_t> chosen = best_planes(_balance, count);
+            const std::vector<std::size_t> chosen = best_planes(reduced, count);
             const Solution solution = with(chosen);
             const Eigen::VectorXcd left = left_by(chosen, solution);
             _result.choices.push_back(

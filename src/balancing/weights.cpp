@@ -73,6 +73,17 @@ Solution least_squares(const Balance &balance) {
     return out;
 }
 
+Balance reduced(const Balance &balance) {
+    const Balance of = weighted(balance);
+    const Eigen::Index planes = of.H.cols();
+    Eigen::MatrixXcd both(of.H.rows(), planes + 1);
+    both << of.H, of.a;
+    const linalg::SingularValues svd = linalg::singular_values(both);
+    const Eigen::MatrixXcd rows = svd.s.asDiagonal() * svd.V.adjoint();
+    return {rows.leftCols(planes), rows.col(planes), Eigen::VectorXd::Ones(rows.rows()),
+            Eigen::VectorXd::Constant(planes, std::numeric_limits<double>::infinity())};
+}
+
 Solution minimax(const Balance &balance) {
     const Balance of = weighted(balance);
     Solution out = least_squares(balance);

@@ -35,6 +35,10 @@ struct Solution {
 /// The weights of least sum of squares of |factor residual|.
 [[nodiscard]] Solution least_squares(const Balance &balance);
 
+/// Of the same sum of squares for all weights, with as few places as there are planes and one more,
+/// factors of 1 and no bounds: to try many choices of planes.
+[[nodiscard]] Balance reduced(const Balance &balance);
+
 /// The weights of least max |factor residual|.
 [[nodiscard]] Solution minimax(const Balance &balance);
 

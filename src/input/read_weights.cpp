@@ -257,12 +257,19 @@ class WeightsReader {
                                             : std::nullopt;
     }
 
+    /// Places of a probe by their speeds; one without a speed has -1.
+    std::map<std::string, std::map<double, std::size_t>> _places;
+
     std::optional<std::size_t> place_at(const std::string &probe,
                                         const std::optional<double> &speed) const {
-        for (std::size_t i = 0; i < _settings.places.size(); ++i)
-            if (_settings.places[i].probe == probe && same(_settings.places[i].speed, speed))
-                return i;
-        return std::nullopt;
+        const auto of_probe = _places.find(probe);
+        if (of_probe == _places.end())
+            return std::nullopt;
+        const double wanted = speed.value_or(-1);
+        const auto found = of_probe->second.lower_bound(wanted - same_speed * std::abs(wanted));
+        const bool there = found != of_probe->second.end() &&
+                           found->first <= wanted + same_speed * std::abs(wanted);
+        return there ? std::optional(found->second) : std::nullopt;
     }
 
     void read_readings(const CsvTable &csv) {
@@ -289,10 +296,6 @@ class WeightsReader {
                             "others have nothing to be compared with");
             return;
         }
-        std::stable_sort(
-            _settings.places.begin(), _settings.places.end(), [](const auto &a, const auto &b) {
-                return a.speed.value_or(0) < b.speed.value_or(0) && !same(a.speed, b.speed);
-            });
         add_readings(rows);
         check_complete(csv);
     }
@@ -316,30 +319,35 @@ class WeightsReader {
 
     void add_places(const std::vector<ReadRow> &rows) {
         for (const ReadRow &read : rows)
-            if (read.run == initial_run && !place_at(read.probe, read.speed))
+            if (read.run == initial_run && !place_at(read.probe, read.speed)) {
+                _places[read.probe][read.speed.value_or(-1)] = _settings.places.size();
                 _settings.places.push_back({read.probe, read.speed, 1});
+            }
+        std::stable_sort(
+            _settings.places.begin(), _settings.places.end(), [](const auto &a, const auto &b) {
+                return a.speed.value_or(0) < b.speed.value_or(0) && !same(a.speed, b.speed);
+            });
+        for (std::size_t i = 0; i < _settings.places.size(); ++i)
+            _places[_settings.places[i].probe][_settings.places[i].speed.value_or(-1)] = i;
     }
 
     /// The mean runout of a probe: at that speed, or at the only speed at which it was read, which
     /// is that of slow roll. None where it was not read.
-    static std::optional<std::complex<double>> runout_at(const std::vector<ReadRow> &rows,
-                                                         const std::string &probe,
+    static std::optional<std::complex<double>> runout_at(const std::vector<const ReadRow *> &rows,
                                                          const std::optional<double> &speed,
                                                          bool &several) {
         std::complex<double> here, all;
         double here_count = 0, all_count = 0;
         std::optional<double> other;
         several = false;
-        for (const ReadRow &read : rows) {
-            if (read.run != runout_run || read.probe != probe)
-                continue;
-            if (same(read.speed, speed)) {
-                here += read.value;
+        for (const ReadRow *read : rows) {
+            if (same(read->speed, speed)) {
+                here += read->value;
                 here_count += 1;
             }
-            several = several || (all_count > 0 && !same(other, read.speed));
-            other = read.speed;
-            all += read.value;
+            several = several || (all_count > 0 && !same(other, read->speed));
+            other = read->speed;
+            all += read->value;
             all_count += 1;
         }
         if (here_count > 0) {
@@ -352,21 +360,24 @@ class WeightsReader {
     }
 
     void add_readings(const std::vector<ReadRow> &rows) {
+        std::map<std::string, std::vector<const ReadRow *>> of_runout;
+        for (const ReadRow &read : rows)
+            if (read.run == runout_run)
+                of_runout[read.probe].push_back(&read);
         std::vector<std::optional<std::complex<double>>> runout;
         for (const model::ReadingPlace &place : _settings.places) {
             bool several = false;
-            runout.push_back(runout_at(rows, place.probe, place.speed, several));
+            const std::vector<const ReadRow *> &own = of_runout[place.probe];
+            runout.push_back(runout_at(own, place.speed, several));
             if (several)
-                first_of(rows, place.probe, runout_run)
-                    .fail("run", fmt::format("expected runout of probe {} at one speed, that of "
-                                             "slow roll, or at all of them, got none{}",
-                                             in_quotes(place.probe), at_speed(place.speed)));
+                own.front()->row.fail(
+                    "run", fmt::format("expected runout of probe {} at one speed, that of "
+                                       "slow roll, or at all of them, got none{}",
+                                       in_quotes(place.probe), at_speed(place.speed)));
         }
         for (const ReadRow &read : rows) {
             if (read.run == runout_run) {
-                if (std::ranges::none_of(_settings.places, [&](const model::ReadingPlace &place) {
-                        return place.probe == read.probe;
-                    }))
+                if (!_places.contains(read.probe))
                     read.row.fail("probe", fmt::format("expected a probe with readings of the run "
                                                        "\"initial\", got {}",
                                                        in_quotes(read.probe)));
@@ -385,14 +396,6 @@ class WeightsReader {
             _settings.readings.push_back(
                 {*place, run, read.value - runout[*place].value_or(0.0), read.row.line()});
         }
-    }
-
-    static const CsvRow &first_of(const std::vector<ReadRow> &rows, const std::string &probe,
-                                  const std::string &run) {
-        return std::ranges::find_if(
-                   rows,
-                   [&](const ReadRow &read) { return read.probe == probe && read.run == run; })
-            ->row;
     }
 
     /// Every probe needs every run at every speed.
