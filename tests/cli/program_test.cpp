@@ -236,6 +236,24 @@ TEST_F(Program, ASpeedWithoutAUnitIsSaid) {
     EXPECT_FALSE(contains(beside.errors, "--speed")) << beside.errors;
 }
 
+TEST_F(Program, ReadingsAloneAreForWeights) {
+    const std::string fan = std::string(WHIRL_ROOT) + "/cases/weights_fan";
+    const ProgramRun result = run({"weights", fan});
+    EXPECT_EQ(result.status, 0) << result.errors;
+    EXPECT_TRUE(fs::exists("out/weights_fan/weights/report.html"));
+    for (const std::string command :
+         {"show", "campbell", "critical", "stability", "response", "balance", "rigid-limit",
+          "simulate", "accuracy", "samples", "modes"}) {
+        const ProgramRun refused = run({command, fan});
+        EXPECT_EQ(refused.status, 2) << command;
+        EXPECT_TRUE(contains(refused.errors, "shaft: missing, expected a section [shaft]"))
+            << refused.errors;
+    }
+    const ProgramRun without = run({"weights", rotor});
+    EXPECT_EQ(without.status, 2);
+    EXPECT_TRUE(contains(without.errors, "expected a section [weights]")) << without.errors;
+}
+
 TEST_F(Program, RigidLimitAnswersOrSaysWhyNot) {
     const ProgramRun result = run({"rigid-limit", rotor});
     EXPECT_EQ(result.status, 0) << result.errors;
