@@ -10,7 +10,7 @@
 #include <cmath>
 #include <fstream>
 
-namespace whirl::tests {
+namespace whirl::tests::published {
 
 namespace {
 
@@ -270,4 +270,4 @@ TEST(PublishedWeightsInPrint, DependentPlanesAreNamed) {
 
 } // namespace
 
-} // namespace whirl::tests
+} // namespace whirl::tests::published

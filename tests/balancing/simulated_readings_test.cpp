@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace whirl::tests {
+namespace whirl::tests::simulated {
 
 namespace {
 
@@ -310,4 +310,4 @@ TEST(SimulatedReadings, WithAGradeSayWhatMayStay) {
 
 } // namespace
 
-} // namespace whirl::tests
+} // namespace whirl::tests::simulated

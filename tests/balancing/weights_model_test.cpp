@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace whirl::tests {
+namespace whirl::tests::modelled {
 
 namespace {
 
@@ -249,4 +249,4 @@ TEST(WeightsOfACompressor, OfAnAsymmetricRotorAreRefused) {
 
 } // namespace
 
-} // namespace whirl::tests
+} // namespace whirl::tests::modelled
