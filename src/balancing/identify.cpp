@@ -56,6 +56,10 @@ Identified Identification::of(const std::vector<Reading> &readings, std::size_t 
     const Eigen::VectorXcd apart = values - hat * values;
     out.squares = apart.squaredNorm();
     out.freedom = static_cast<double>(n - X.cols());
+    // Readings that were copied, or computed, say nothing of how they scatter.
+    constexpr double copied = 1e-20; // of their squares: rounding
+    if (out.squares <= copied * values.squaredNorm())
+        out.freedom = 0;
     // Each reading against the scatter of the others: what it adds to the sum of squares is
     // |apart|^2 / (1 - its share in its own fit).
     constexpr double rare = 0.01; // in one of a hundred tables by chance
