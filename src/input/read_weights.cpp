@@ -170,8 +170,9 @@ class WeightsReader {
             table.fail(table.has("mr") ? "mr" : "mass",
                        "expected a trial weight other than 0, which moves nothing, got 0");
         trial.kept = table.flag_or("kept", false);
-        _trials_sound = _trials_sound && known;
-        if (run.empty())
+        const bool without = run.empty() || run == initial_run || run == runout_run;
+        _trials_sound = _trials_sound && known && !without;
+        if (without)
             return;
         if (!place_in(_settings.runs, run))
             _settings.runs.push_back(run);
