@@ -54,7 +54,8 @@ INSTANTIATE_TEST_SUITE_P(
         "--set map.x.from=1 --set map.x.to=50 --set map.x.count=2 "
         "--set map.y.path=anisotropy[0].dI --set map.y.from=0 --set map.y.to=0.01 "
         "--set map.y.count=2",
-        "samples cases/uncertain_jeffcott --set samples.count=5",
+        "samples cases/uncertain_jeffcott --set samples.count=5", "weights cases/weights_fan",
+        "weights cases/weights_fan --set weights.scatter=0.02 --set plane[0].holes=8",
         "compare critical cases/nelson_mcvaugh cases/nelson_mcvaugh@shaft.order=1"),
     [](const auto &test) { return "run_" + std::to_string(test.index + 1); });
 
