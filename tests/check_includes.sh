@@ -6,7 +6,7 @@ cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
 
 # The rooms of src/ from the ground up. A room includes from itself and from those before it, and
 # from no other: so every arrow points down.
-rooms=(model results mesh elements balancers linalg process assembly reduction rigid periodic modes mesh_error
+rooms=(model results mesh elements balancers linalg balancing process assembly reduction rigid periodic modes mesh_error
   tracking synchronous forced stability ends criterion simulation operation analyses)
 # What stands on all of them knows only what it needs.
 declare -A allowed=(
@@ -21,6 +21,7 @@ declare -A allowed=(
 for ((i = 0; i < ${#rooms[@]}; ++i)); do
   allowed["${rooms[i]}"]="${rooms[*]:0:i}"
 done
+allowed[balancing]="linalg"
 allowed[linalg]="model"     # errors alone, see below
 allowed[process]="linalg model"
 allowed[elements]="mesh model"

@@ -67,6 +67,7 @@ Command show_command();
 Command simulate_command();
 Command stability_command();
 Command sweep_command();
+Command weights_command();
 
 /// What this program can do: all commands (commands/all.cpp), or one (commands/one.cpp), in the
 /// order of --help.
@@ -82,6 +83,9 @@ void check_same_case(const Arguments &arguments, const input::CaseFile &file,
 /// @throws model::BadInput where the command takes more memory for the case than this machine has
 void refuse_too_large(const input::CaseFile &file, const model::Case &scene,
                       const Arguments &arguments);
+
+/// @throws model::BadInput where the case has no shaft and the command needs one
+void refuse_without_shaft(const model::Case &scene, const Arguments &arguments);
 
 /// Reads the case, runs the analysis on all processes and delivers the result from the first:
 /// files, and text or JSON on standard output. Collective under mpirun.

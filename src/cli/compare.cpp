@@ -40,6 +40,7 @@ report::ComparedResult computed(const std::string &name, const Command &command,
     const input::CaseFile file(arguments.scene);
     const model::Case scene = file.load(arguments.overrides);
     check_same_case(arguments, file, scene);
+    refuse_without_shaft(scene, arguments);
     refuse_too_large(file, scene, arguments);
     report::ComparedResult result{name, {}};
     const Run work{arguments, file, scene, [&](report::Report report) {

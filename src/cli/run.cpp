@@ -102,6 +102,7 @@ void run_command(const Arguments &arguments) {
     const input::CaseFile file(arguments.scene);
     const model::Case scene = file.load(arguments.overrides);
     check_same_case(arguments, file, scene);
+    refuse_without_shaft(scene, arguments);
     refuse_too_large(file, scene, arguments);
     note_idle_map(arguments);
     note_plain_speed(arguments, scene);
@@ -146,6 +147,14 @@ void refuse_too_large(const input::CaseFile &file, const model::Case &scene,
     } catch (const model::BadInput &problem) {
         throw model::BadInput(file.with_place(problem.what(), arguments.overrides));
     }
+}
+
+void refuse_without_shaft(const model::Case &scene, const Arguments &arguments) {
+    if (arguments.command != "weights" && !model::has_shaft(scene))
+        throw model::BadInput(fmt::format(
+            "{}: shaft: missing, expected a section [shaft]: without one a case has measurements "
+            "alone, of which weights makes correction weights, and {} has nothing to compute",
+            scene.file.generic_string(), arguments.command));
 }
 
 std::filesystem::path Run::folder() const {

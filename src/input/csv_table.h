@@ -97,6 +97,8 @@ class CsvRow {
     }
     [[nodiscard]] int whole_or(const std::string &column, int fallback, int low, int high) const;
     void fail(const std::string &column, std::string text) const;
+    /// Of the file, from 1.
+    [[nodiscard]] int line() const { return _line->number; }
 
   private:
     const CsvTable *_table;

@@ -279,6 +279,8 @@ template <class Items> void check_names(const char *what, const Items &items, Re
 } // namespace
 
 void add_remarks(model::Case &scene, const Node &tree) {
+    if (!model::has_shaft(scene))
+        return; // readings alone
     Remarks remarks(scene);
     const model::Rotor &rotor = scene.rotor;
     const std::size_t before = scene.remarks.size();

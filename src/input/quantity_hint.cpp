@@ -129,6 +129,8 @@ std::vector<std::string> usual_units(Quantity quantity) {
         return {"m/s2", "mm/s2", "in/s2", "ft/s2"};
     case Quantity::rate:
         return {"1/s", "1/min"};
+    case Quantity::influence:
+        return {"um/(g mm)", "m/(kg m)", "mil/(oz in)"};
     case Quantity::number:
     case Quantity::slope:
     case Quantity::deflection:

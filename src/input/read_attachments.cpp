@@ -74,13 +74,33 @@ void read_anisotropies(CheckedTable &root, model::Rotor &rotor) {
               });
 }
 
-void read_planes(CheckedTable &root, model::Rotor &rotor) {
-    read_each(root, "plane", rotor.planes, read_place<model::CorrectionPlane>);
-}
-
 namespace {
 
-/// Grade of a text such as "G 2.5" or of a number, mm/s; empty with a mistake.
+/// What sits on a shaft; of measurements alone there is none, and the place may be missing.
+template <class Part> void read_place_of(CheckedTable &table, Part &part, bool no_shaft) {
+    if (!no_shaft)
+        return read_place(table, part);
+    part.name = table.text("name").value_or("");
+    part.z = table.number_or("z", 0, Quantity::length);
+}
+
+} // namespace
+
+void read_planes(CheckedTable &root, model::Rotor &rotor) {
+    const bool no_shaft = measured_alone(root);
+    read_each(root, "plane", rotor.planes, [&](CheckedTable &table, model::CorrectionPlane &plane) {
+        read_place_of(table, plane, no_shaft);
+        plane.radius = table.optional_number("radius", Quantity::length, Range::positive());
+        plane.max = table.optional_number("max", Quantity::imbalance, Range::positive());
+        plane.holes = table.has("holes") ? table.whole_or("holes", 0, 2, largest_count) : 0;
+        plane.hole_angle = table.number_or("hole_angle", 0, Quantity::angle);
+        read_each(table, "fixed", plane.fixed,
+                  [&](CheckedTable &own, std::complex<double> &weight) {
+                      weight = read_weight(own, plane.radius);
+                  });
+    });
+}
+
 std::optional<double> read_grade(CheckedTable &table) {
     const CheckedEntry grade = *table.entry("grade");
     std::string_view text = trimmed(grade.node.text);
@@ -96,6 +116,8 @@ std::optional<double> read_grade(CheckedTable &table) {
     grade.fail("expected a balance quality grade such as \"G 2.5\", got " + shown(grade.node));
     return std::nullopt;
 }
+
+namespace {
 
 /// The imbalance that a rule allows or asks for at a speed, for the mass of the rotor:
 ///  - `grade`: ISO 21940-11:2016, e = G/speed, so m r = G m / speed;
@@ -170,7 +192,8 @@ void read_forces(CheckedTable &root, model::Rotor &rotor) {
 }
 
 void read_probes(CheckedTable &root, model::Rotor &rotor) {
-    read_each(root, "probe", rotor.probes, [&rotor](CheckedTable &table, model::Probe &probe) {
+    const bool no_shaft = measured_alone(root);
+    read_each(root, "probe", rotor.probes, [&](CheckedTable &table, model::Probe &probe) {
         probe.name = table.text("name").value_or("");
         probe.on_pedestal = table.choice("on", {"shaft", "pedestal"}, 0) == 1;
         if (const auto bearing = table.entry("bearing"))
@@ -178,7 +201,11 @@ void read_probes(CheckedTable &root, model::Rotor &rotor) {
         const bool there = probe.on_pedestal && probe.bearing; // it needs no place of its own
         if (there && table.has("z"))
             table.fail("z", "expected either z or the bearing on whose pedestal it sits, got both");
-        probe.z = there ? rotor.bearings[*probe.bearing].z : table.number("z", Quantity::length);
+        if (there)
+            probe.z = rotor.bearings[*probe.bearing].z;
+        else
+            probe.z = no_shaft ? table.number_or("z", 0, Quantity::length)
+                               : table.number("z", Quantity::length);
         probe.angle = table.number_or("angle", 0, Quantity::angle);
         if (table.has("relative"))
             probe.relative = table.flag_or("relative", false);

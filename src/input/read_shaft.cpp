@@ -212,7 +212,7 @@ model::Shaft read_shaft(CheckedTable &root, const Materials &materials) {
     model::Shaft shaft;
     auto table = root.table("shaft");
     if (!table) {
-        if (!root.has("shaft"))
+        if (!root.has("shaft") && !measured_alone(root))
             root.fail("shaft", "missing, expected a section [shaft]");
         return shaft;
     }

@@ -4,6 +4,7 @@
 #include "input/size.h"
 #include "model/case.h"
 
+#include <complex>
 #include <map>
 #include <optional>
 #include <string>
@@ -53,6 +54,16 @@ void read_balance(CheckedTable &table, model::Case &scene);
 void read_map(CheckedTable &table, model::Case &scene);
 void read_samples(CheckedTable &table, model::Case &scene);
 void read_sweep(CheckedTable &table, model::Case &scene);
+
+/// Reads [weights], the tables it names and [[trial]]; planes and probes must be there.
+void read_weights(CheckedTable &root, model::Case &scene);
+/// `mr`, or `mass` at the radius of the plane, and `phase`, as a complex number, kg m.
+[[nodiscard]] std::complex<double> read_weight(CheckedTable &table,
+                                               const std::optional<double> &radius);
+/// A case of measurements alone: it has [weights] and no [shaft].
+[[nodiscard]] bool measured_alone(CheckedTable &root);
+/// Grade of a text such as "G 2.5" or of a number, mm/s; empty with a mistake.
+[[nodiscard]] std::optional<double> read_grade(CheckedTable &table);
 
 /// Reads of [simulate] what acts on the rotor from outside, and how it starts: start,
 /// [[simulate.imbalance]], [[simulate.force]], [simulate.base]. The rotor must be there already.

@@ -57,6 +57,7 @@ constexpr std::array infos{
     QuantityInfo{"a density"},
     QuantityInfo{"a receptance"},
     QuantityInfo{"an inverse mass"},
+    QuantityInfo{"an influence coefficient"},
 };
 static_assert(infos.size() == model::quantities);
 

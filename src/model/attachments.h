@@ -1,9 +1,11 @@
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <numbers>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace whirl::model {
 
@@ -50,10 +52,16 @@ struct Station {
     double z = 0; ///< m
 };
 
-/// A correction plane for the empirical criterion.
+/// A correction plane: for the empirical criterion, and for correction weights, which alone ask
+/// for more than its place.
 struct CorrectionPlane {
     std::string name;
-    double z = 0; ///< m
+    double z = 0;                            ///< m
+    std::optional<double> radius{};          ///< at which weights are set, m
+    std::optional<double> max{};             ///< largest weight to be added, kg m
+    int holes = 0;                           ///< evenly around it; 0: weights go anywhere
+    double hole_angle = 0;                   ///< of the first, rad, in the phase of the weights
+    std::vector<std::complex<double>> fixed; ///< weights that are set already and stay, kg m
 };
 
 /// A displacement sensor, which does not turn: it reads x cos(angle) + y sin(angle).

@@ -8,6 +8,7 @@
 #include "model/samples.h"
 #include "model/sentence.h"
 #include "model/sweep.h"
+#include "model/weights.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -143,9 +144,15 @@ struct Case {
     std::optional<MapSettings> map;
     std::optional<SamplesSettings> samples;
     std::optional<SweepSettings> sweep;
+    std::optional<WeightsSettings> weights;
     OutputUnits units;             ///< of what is written
     std::vector<Sentence> remarks; ///< what of it is no mistake and looks like one
 };
+
+/// A case of measurements alone has no shaft: nothing but correction weights can be computed.
+[[nodiscard]] inline bool has_shaft(const Case &scene) {
+    return !scene.rotor.shaft.segments.empty();
+}
 
 /// The spin speeds of a case.
 /// @throws BadInput where it has no [speeds].

@@ -35,7 +35,8 @@ QuantityNames names_of(Quantity quantity) {
          {"pressure", "Pa", ""},
          {"density", "kg/m3", ""},
          {"receptance", "m/N", "receptance"},
-         {"inverse_mass", "1/kg", ""}}};
+         {"inverse_mass", "1/kg", ""},
+         {"influence", "m/(kg m)", ""}}};
     return names.at(static_cast<std::size_t>(quantity));
 }
 

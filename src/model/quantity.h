@@ -34,11 +34,12 @@ enum class Quantity {
     acceleration,
     pressure,
     density,
-    receptance,  ///< deflection over force
-    inverse_mass ///< deflection over imbalance and the square of the speed: the criterion
+    receptance,   ///< deflection over force
+    inverse_mass, ///< deflection over imbalance and the square of the speed: the criterion
+    influence     ///< vibration over a correction weight
 };
 
-inline constexpr std::size_t quantities = static_cast<std::size_t>(Quantity::inverse_mass) + 1;
+inline constexpr std::size_t quantities = static_cast<std::size_t>(Quantity::influence) + 1;
 
 struct QuantityNames {
     const char *name; ///< of the enumerator

@@ -62,6 +62,7 @@ inline constexpr ValueOf acceleration{Quantity::acceleration};
 inline constexpr ValueOf pressure{Quantity::pressure};
 inline constexpr ValueOf density{Quantity::density};
 inline constexpr ValueOf inverse_mass{Quantity::inverse_mass};
+inline constexpr ValueOf influence{Quantity::influence};
 } // namespace as
 
 /// The units in which a sentence is written.

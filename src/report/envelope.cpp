@@ -13,6 +13,16 @@ std::string program_version() { return WHIRL_VERSION; }
 
 namespace {
 
+/// Of readings alone there is no form, only why.
+Json formulation_json(const results::ModelSummary &model) {
+    if (!model.none)
+        return model.formulation;
+    return {{"frame", nullptr},
+            {"unknowns", nullptr},
+            {"form", nullptr},
+            {"why", model.formulation.why}};
+}
+
 Json whole_json(const Report &report, const Units &units) {
     const results::ModelSummary &model = *report.model;
     Json json{{"program", "whirl"},
@@ -21,7 +31,7 @@ Json whole_json(const Report &report, const Units &units) {
               {"command", report.command},
               {"case", report.scene->name},
               {"title", report.scene->title},
-              {"formulation", model.formulation},
+              {"formulation", formulation_json(model)},
               {"order", model.order},
               {"elements", model.elements},
               {"unknowns_count", model.unknowns},

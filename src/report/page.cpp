@@ -41,6 +41,8 @@ std::string form_formula(results::Form form) {
 
 /// "planar form, in the fixed frame: why", the equations and the mesh.
 std::string formulation(const results::ModelSummary &model, const Units &readers) {
+    if (model.none)
+        return element("h2", "Formulation") + element("p", model.formulation.why + ".");
     const results::Form form = model.formulation.form;
     const std::string axes =
         results::in_rotating_axes(form) ? "axes that turn with the rotor" : "the fixed frame";
@@ -121,7 +123,8 @@ std::string to_html(const Report &report, const std::string &still, const std::s
         scripts +=                  // window outside
             script_element("(function () {\n" + embedded("common.js") + of_space +
                            (moves ? script : "") + "})();\n");
-    const bool is_drawing = static_cast<bool>(report.drawing); // the rotor itself
+    const bool is_drawing = static_cast<bool>(report.drawing) || // the rotor itself
+                            !model::has_shaft(*report.scene);
     return with_contents(filled(
         embedded("page.html"),
         {{"heading", escaped(report.heading)},

@@ -15,6 +15,7 @@ struct ShowResult;
 struct SimulateResult;
 struct StabilityResult;
 struct SweepResult;
+struct WeightsResult;
 } // namespace whirl::results
 
 namespace whirl::report {
@@ -32,5 +33,6 @@ namespace whirl::report {
 [[nodiscard]] Report describe(const model::Case &scene, const results::SimulateResult &result);
 [[nodiscard]] Report describe(const model::Case &scene, const results::StabilityResult &result);
 [[nodiscard]] Report describe(const model::Case &scene, const results::SweepResult &result);
+[[nodiscard]] Report describe(const model::Case &scene, const results::WeightsResult &result);
 
 } // namespace whirl::report

@@ -16,6 +16,7 @@ struct ModelSummary {
     int unknowns = 0;            ///< of the eigenproblem or the linear systems
     double seconds = 0;          ///< wall time of the computation, from whoever asked for it
     std::vector<Sentence> notes; ///< what a user must know beside the numbers
+    bool none = false;           ///< readings alone: of all that seconds, notes and why
 };
 
 } // namespace whirl::results

@@ -411,6 +411,7 @@ const std::vector<Asked> commands{
     {"stability", {"speeds.count=3"}},
     {"balance", {"speeds.count=3", "balance.balanced_position=false", "balance.simulated=0"}},
     {"rigid-limit", {}},
+    {"weights", {}},
     {"samples", {"samples.count=2"}},
     {"sweep", {}},
     {"simulate", {"speeds.count=1"}, {"runup_jeffcott", "rodrigues_two_plane"}},
@@ -626,6 +627,7 @@ TEST_P(UnitsOfResults, AreThoseAskedForInEveryCommand) {
         try {
             const whirl::input::CaseFile file(arguments.scene);
             const model::Case scene = file.load(arguments.overrides);
+            cli::refuse_without_shaft(scene, arguments);
             const cli::Run run{arguments, file, scene, [&](const report::Report &of) {
                                    ++reports;
                                    compare_report(of, scene, where);

@@ -53,9 +53,9 @@ std::vector<std::string> with_few(std::vector<std::string> arguments) {
 TEST_F(Program, HelpAndVersionGoToStandardOutput) {
     const ProgramRun help = run({"--help"});
     EXPECT_EQ(help.status, 0);
-    for (const char *command : {"show", "campbell", "critical", "stability", "response", "balance",
-                                "rigid-limit", "simulate", "accuracy", "samples", "sweep",
-                                "modes"})
+    for (const char *command :
+         {"show", "campbell", "critical", "stability", "response", "balance", "rigid-limit",
+          "simulate", "accuracy", "samples", "sweep", "modes", "weights"})
         EXPECT_TRUE(contains(help.output, command)) << command;
     const ProgramRun of_command = run({"campbell", "--help"});
     EXPECT_EQ(of_command.status, 0);
@@ -259,6 +259,24 @@ TEST_F(Program, ASpeedWithoutAUnitIsSaid) {
     const ProgramRun beside = run({"modes", rotor, "--speed", "30"});
     EXPECT_TRUE(contains(beside.output, "modes.speed = 30 is in rad/s")) << beside.output;
     EXPECT_FALSE(contains(beside.errors, "--speed")) << beside.errors;
+}
+
+TEST_F(Program, ReadingsAloneAreForWeights) {
+    const std::string fan = std::string(WHIRL_ROOT) + "/cases/weights_fan";
+    const ProgramRun result = run({"weights", fan});
+    EXPECT_EQ(result.status, 0) << result.errors;
+    EXPECT_TRUE(fs::exists("out/weights_fan/weights/report.html"));
+    for (const std::string command :
+         {"show", "campbell", "critical", "stability", "response", "balance", "rigid-limit",
+          "simulate", "accuracy", "samples", "modes"}) {
+        const ProgramRun refused = run({command, fan});
+        EXPECT_EQ(refused.status, 2) << command;
+        EXPECT_TRUE(contains(refused.errors, "shaft: missing, expected a section [shaft]"))
+            << refused.errors;
+    }
+    const ProgramRun without = run({"weights", rotor});
+    EXPECT_EQ(without.status, 2);
+    EXPECT_TRUE(contains(without.errors, "expected a section [weights]")) << without.errors;
 }
 
 TEST_F(Program, RigidLimitAnswersOrSaysWhyNot) {

@@ -9,6 +9,7 @@
 #include "broken_samples.h"
 #include "broken_shafts.h"
 #include "broken_sweep.h"
+#include "broken_weights.h"
 
 #include <filesystem>
 #include <fstream>
@@ -18,9 +19,9 @@ namespace whirl::tests {
 /// Cases with one mistake each, for tests of the reader and of the program.
 inline std::vector<BrokenCase> broken_cases() {
     std::vector<BrokenCase> all = broken_shafts();
-    for (const auto &part :
-         {broken_attachments(), broken_bearings(), broken_rotating_parts(), broken_settings(),
-          broken_samples(), broken_sweep(), broken_operation(), broken_maps(), broken_motion()})
+    for (const auto &part : {broken_attachments(), broken_bearings(), broken_rotating_parts(),
+                             broken_settings(), broken_samples(), broken_sweep(),
+                             broken_operation(), broken_maps(), broken_motion(), broken_weights()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }

@@ -56,6 +56,8 @@ INSTANTIATE_TEST_SUITE_P(
         "--set map.y.count=2",
         "samples cases/uncertain_jeffcott --set samples.count=5", "sweep cases/uncertain_jeffcott",
         "sweep cases/uncertain_jeffcott --set sweep.y= --set sweep.x.count=3",
+        "weights cases/weights_fan",
+        "weights cases/weights_fan --set weights.scatter=0.02 --set plane[0].holes=8",
         "compare critical cases/nelson_mcvaugh cases/nelson_mcvaugh@shaft.order=1"),
     [](const auto &test) { return "run_" + std::to_string(test.index + 1); });
 

@@ -45,6 +45,7 @@ Units Units::of_readers(const model::OutputUnits &asked) {
     set(Quantity::velocity, "mm/s", 1e3);
     set(Quantity::receptance, "µm/N", 1e6);
     set(Quantity::imbalance, "g mm", 1e6); // as balancing machines say it
+    set(Quantity::influence, "µm/(g mm)", 1);
     set(Quantity::inertia, "kg m²", 1);
     set(Quantity::angular_momentum, "kg m²/s", 1);
     set(Quantity::acceleration, "m/s²", 1);

@@ -65,6 +65,8 @@ std::string heading(const model::Case &scene, const std::string &what) {
 }
 
 std::string model_text(const results::ModelSummary &model, const Units &units) {
+    if (model.none)
+        return "\n" + model.formulation.why + "\n";
     return fmt::format("\nmodel: {} form, {} elements of order {}, {} unknowns, {}\n",
                        results::form_name(model.formulation.form), model.elements, model.order,
                        model.unknowns, units.text(Quantity::time, model.seconds, 3));

@@ -218,6 +218,21 @@ void of_samples(const Json &json, Numbers &all) {
     }
 }
 
+void of_weights(const Json &json, Numbers &all) {
+    for (const Json &weight : list(json, "weights")) {
+        const std::string plane = text(weight, "plane");
+        add(all, Sentence("weight in {}", plane), Quantity::imbalance, number(weight, "mr"),
+            std::nullopt);
+        add(all, Sentence("phase of the weight in {}", plane), Quantity::angle,
+            number(weight, "phase"), std::nullopt);
+    }
+    add(all, "root mean square after", Quantity::amplitude, number(json, "rms"), std::nullopt);
+    add(all, "largest after", Quantity::amplitude, number(json, "max"), std::nullopt);
+    add(all, "root mean square before", Quantity::amplitude, number(json, "rms_before"),
+        std::nullopt);
+    add(all, "largest before", Quantity::amplitude, number(json, "max_before"), std::nullopt);
+}
+
 } // namespace
 
 std::optional<double> item(const Json &values, std::size_t i) {
@@ -229,13 +244,14 @@ std::vector<ComparedNumber> quantities_of(const ComparedResult &result) {
     static const std::map<std::string, void (*)(const Json &, Numbers &)> readers{
         {"critical", of_critical},   {"campbell", of_campbell}, {"response", of_response},
         {"stability", of_stability}, {"balance", of_balance},   {"modes", of_modes},
-        {"show", of_show},           {"samples", of_samples},   {"simulate", of_simulate}};
+        {"show", of_show},           {"samples", of_samples},   {"simulate", of_simulate},
+        {"weights", of_weights}};
     const std::string command = text(result.json, "command");
     const auto reader = readers.find(command);
     if (reader == readers.end())
         throw model::BadInput(fmt::format(
             "{}: compare knows the results of campbell, critical, response, stability, balance, "
-            "modes, show, samples and simulate, got one of {}",
+            "modes, show, samples, simulate and weights, got one of {}",
             result.name, command));
     Numbers all;
     reader->second(result.json, all);

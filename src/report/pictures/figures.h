@@ -33,6 +33,7 @@ struct SimulateResult;
 struct StabilityResult;
 struct SweepResult;
 struct Waterfall;
+struct WeightsResult;
 } // namespace whirl::results
 
 namespace whirl::report {
@@ -186,5 +187,10 @@ struct ModeCurves {
 /// The same with a line of mass, centre of mass and inertias, and the centre of mass marked.
 [[nodiscard]] Drawing show_drawing(const model::Case &scene, const results::ShowResult &result,
                                    const Units &units);
+
+/// Polar plots: readings before and after, a panel a speed (the first ones), and the weights in
+/// their planes; from the model the amplitudes over speed below.
+[[nodiscard]] Figure weights_figure(const model::Case &scene, const results::WeightsResult &result,
+                                    const Units &units);
 
 } // namespace whirl::report
