@@ -322,14 +322,15 @@ void drop_second_directions(std::vector<results::CriticalSpeed> &speeds, int wan
         speeds.pop_back();
 }
 
-results::CriticalResult critical_speeds(const model::Case &scene, bool map) {
+results::CriticalResult critical_speeds(const model::Case &scene, bool map,
+                                        const std::vector<results::ResponsePeak> *peaks) {
     results::CriticalResult result = critical_of(scene, true);
     if (result.model.formulation.form != results::Form::hill)
         name_modes(result.critical_speeds, scene, result.model.order);
     if (scene.operation) {
-        const auto peaks = peaks_for_margins(scene, result.model);
         result.margins = operation::separation_margins(
-            *scene.operation, result.critical_speeds, peaks,
+            *scene.operation, result.critical_speeds,
+            peaks ? *peaks : peaks_for_margins(scene, result.model),
             !scene.rotor.bearings_rotation_invariant(), result.model.notes);
     }
     if (map)

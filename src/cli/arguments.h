@@ -15,6 +15,7 @@ struct Arguments {
     std::string speed;  ///< of --speed, as it was written
     bool json = false;  ///< the JSON result alone on standard output
     bool quiet = false; ///< nothing on standard output
+    bool pdf = false;   ///< report: printed to a file as well
     bool map = false;   ///< balance: over plane positions; critical: over support stiffness as well
     std::vector<std::string> overrides; ///< "path.to.key=value"
     std::vector<std::string> compared;  ///< compare: a command, cases, results

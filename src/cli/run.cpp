@@ -35,7 +35,8 @@ std::string files_text(const report::Files &files) {
     std::string text;
     for (const std::string &note : files.notes)
         text += fmt::format("note: {}\n", note);
-    for (const auto &[what, ending] : {std::pair("picture: ", ".svg"), {"report:  ", ".html"}})
+    for (const auto &[what, ending] :
+         {std::pair("picture: ", ".svg"), {"report:  ", ".html"}, {"print:   ", ".pdf"}})
         for (const std::filesystem::path &path : files.paths)
             if (path.extension() == ending)
                 text += what + path.string() + "\n";
@@ -44,8 +45,13 @@ std::string files_text(const report::Files &files) {
 
 /// What the run starts from.
 report::Provenance provenance_of(const input::CaseFile &file, const Arguments &arguments) {
-    return {fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))),
-            file.text(arguments.overrides)};
+    report::Provenance from{fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))),
+                            file.text(arguments.overrides),
+                            {},
+                            arguments.overrides};
+    for (const auto &[path, text] : file.files())
+        from.files.push_back({path, text});
+    return from;
 }
 
 /// Files, and text or JSON on standard output, from the first process.
