@@ -101,6 +101,9 @@ results::CriticalResult critical_of_hill(const model::Case &scene, bool judged) 
             scene.file.string(), scene.speeds ? "one speed" : "none"));
     results::CriticalResult result;
     result.critical_speeds = crossings_of(scene, result.model);
+    result.complete_to = std::max(scene.speeds->from, scene.speeds->to);
+    if (scene.speeds->from > 0)
+        result.doubtful.push_back({0, scene.speeds->from});
     if (!judged)
         return result;
     std::vector<results::CriticalSpeed> finer = result.critical_speeds;
@@ -147,6 +150,9 @@ void note_completeness(const synchronous::SynchronousModes &found, bool more_wan
                        bool rigid, results::CriticalResult &result) {
     std::vector<results::Sentence> &notes = result.model.notes;
     const double last = result.critical_speeds.empty() ? 0 : result.critical_speeds.back().speed;
+    result.complete_to = found.complete_to;
+    for (const auto &[from, to] : found.doubtful)
+        result.doubtful.push_back({from, to});
     for (const auto &[from, to] : found.doubtful)
         if (more_wanted || from <= std::max(top, last))
             notes.emplace_back(

@@ -1,6 +1,7 @@
 #include "analyses/periodic_response.h"
 
 #include "analyses/campbell.h"
+#include "analyses/operating/operating.h"
 #include "forced/periodic_motion.h"
 #include "forced/response_places.h"
 #include "linalg/roots.h"
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -58,6 +60,28 @@ class Motions {
     [[nodiscard]] double error_at(double z, const TurnParts &parts) const {
         return error(parts,
                      _finer_known ? _fine->motion(_fine_d->deflection_at(z)) : TurnParts{parts});
+    }
+    /// A deflection or a force, in all directions.
+    [[nodiscard]] TurnParts of(const forced::Quantity &quantity) const {
+        return quantity.bearing != forced::Quantity::deflection ? force(quantity.bearing)
+                                                                : _motion.motion(quantity.stretch);
+    }
+    /// Of a deflection, relative as above.
+    [[nodiscard]] double error_of(const forced::Quantity &quantity, const TurnParts &parts) const {
+        return error(parts, _finer_known ? _fine->motion(forced::stretch_of(*_fine_d, quantity))
+                                         : TurnParts{parts});
+    }
+    /// What a probe looks at.
+    [[nodiscard]] TurnParts at(const model::Probe &probe) const {
+        return _motion.motion(forced::stretch_of_probe(_d, probe));
+    }
+    /// Relative to what it reads.
+    [[nodiscard]] double error_of_probe(const model::Probe &probe, const TurnParts &seen) const {
+        const TurnParts whole = at(probe);
+        const TurnParts finer =
+            _finer_known ? _fine->motion(forced::stretch_of_probe(*_fine_d, probe)) : whole;
+        const double largest = seen.largest();
+        return largest == 0 ? 0 : error(whole, finer) * whole.largest() / largest;
     }
     [[nodiscard]] double error_of_force(int bearing, const TurnParts &parts) const {
         return error(parts, _finer_known ? _fine->bearing_force(bearing) : TurnParts{parts});
@@ -382,12 +406,10 @@ std::vector<Watched> watched_in(const Scene &all, bool moving, bool probes) {
         for (const model::Probe &probe : all.d.rotor().probes) {
             results::ResponsePeak peak = of("probe", place++, probe.z, probe.name);
             peak.angle = probe.angle;
-            const double z = probe.z;
             const double angle = probe.angle;
-            out.push_back({peak, [=](const Motions &m) { return m.at(z).read(angle); },
+            out.push_back({peak, [=](const Motions &m) { return m.at(probe).read(angle); },
                            [=](const Motions &m, const TurnParts &seen) {
-                               const TurnParts whole = m.at(z);
-                               return m.error_at(z, whole) * whole.largest() / seen.largest();
+                               return m.error_of_probe(probe, seen);
                            }});
         }
     return out;
@@ -423,16 +445,13 @@ void add_imbalance_response(const Scene &all, results::ResponseResult &result) {
             result.bearings[i].error.push_back(
                 limited ? motions.error_of_force(static_cast<int>(i), parts) : unlimited);
         }
-        for (results::ResponseProbe &probe : result.probes) {
-            const TurnParts whole = motions.at(probe.z);
-            const TurnParts seen = whole.read(probe.angle);
-            const double largest = seen.largest();
-            probe.amplitude.push_back(limited ? largest : unlimited);
+        for (std::size_t i = 0; i < result.probes.size(); ++i) {
+            results::ResponseProbe &probe = result.probes[i];
+            const model::Probe &of = all.d.rotor().probes[i];
+            const TurnParts seen = motions.at(of).read(of.angle);
+            probe.amplitude.push_back(limited ? seen.largest() : unlimited);
             probe.phase.push_back(limited ? std::arg(seen.part(1).x) : no_value);
-            probe.error.push_back(!limited       ? unlimited
-                                  : largest == 0 ? 0
-                                                 : motions.error_at(probe.z, whole) *
-                                                       whole.largest() / largest);
+            probe.error.push_back(limited ? motions.error_of_probe(of, seen) : unlimited);
         }
     }
     for (std::size_t i = 0; i < result.nodes.size(); ++i)
@@ -445,6 +464,76 @@ void add_imbalance_response(const Scene &all, results::ResponseResult &result) {
     PeakSearch(motions, watched, all.free_motions,
                looked_at(model::required_speeds(all.scene), all.free_motions, true))
         .find(result.peaks, result.curves);
+}
+
+/// One drive of such a rotor, at the operating speeds.
+class PeriodicMover : public Mover {
+  public:
+    PeriodicMover(const Scene &all, double gravity)
+        : Mover(gravity == 0), _all(all), _motions(all.d, all.fine, gravity), _odd(gravity == 0) {}
+
+    bool solve(double speed, bool with_error) override {
+        _speed = speed;
+        _motions.solve(speed, with_error);
+        return _motions.limited();
+    }
+
+    [[nodiscard]] Moving of(const forced::Quantity &quantity) const override {
+        const TurnParts whole = _motions.of(quantity);
+        TurnParts parts = quantity.angle ? whole.read(*quantity.angle) : whole;
+        if (!_odd)
+            parts = _motions.moving(parts);
+        Moving out;
+        out.amplitude = parts.largest();
+        if (out.amplitude > 0)
+            out.phase = std::arg(parts.part(_odd ? 1 : 2).x);
+        double squares = 0; // of the velocities: an upper bound of the largest over all directions
+        const TurnParts velocity = over_time(parts, &squares);
+        out.velocity = velocity.largest();
+        out.velocity_rms = std::sqrt(squares / 2);
+        out.acceleration = over_time(velocity, nullptr).largest();
+        out.error = quantity.bearing != forced::Quantity::deflection
+                        ? _motions.error_of_force(quantity.bearing, whole)
+                        : _motions.error_of(quantity, whole);
+        if (out.amplitude > 0)
+            out.error *= whole.largest() / out.amplitude;
+        return out;
+    }
+
+    [[nodiscard]] Look look(double from, double to,
+                            const std::vector<forced::Quantity> &) const override {
+        model::Case there = _all.scene;
+        constexpr int lines = 60; // between which free motions are followed
+        there.speeds = model::SpeedRange{from, to, lines};
+        return {looked_at(*there.speeds, free_motions_of(there), _odd), {}};
+    }
+
+  private:
+    const Scene &_all;
+    Motions _motions;
+    bool _odd;
+    double _speed = 0;
+
+    /// The derivative. @param squares  of the semi-major axes of its parts, summed up
+    [[nodiscard]] TurnParts over_time(TurnParts parts, double *squares) const {
+        for (std::size_t i = 0; i < parts.parts.size(); ++i) {
+            const double rate = (parts.first + 2 * static_cast<int>(i)) * _speed;
+            forced::Phasor &part = parts.parts[i];
+            part.x *= forced::imaginary_unit * rate;
+            part.y *= forced::imaginary_unit * rate;
+            if (squares != nullptr)
+                *squares += std::pow(modes::ellipse_of(part.x, part.y).major, 2);
+        }
+        return parts;
+    }
+};
+
+void add_operating(const Scene &all, results::ResponseResult &result) {
+    std::vector<std::unique_ptr<Mover>> movers;
+    movers.push_back(std::make_unique<PeriodicMover>(all, 0));
+    if (all.scene.response.gravity != 0)
+        movers.push_back(std::make_unique<PeriodicMover>(all, all.scene.response.gravity));
+    result.operating = operating_response(all.scene, all.d, movers, all.nodes);
 }
 
 void add_gravity_response(const Scene &all, results::ResponseResult &result) {
@@ -525,6 +614,8 @@ results::ResponseResult periodic_response(const model::Case &scene) {
         add_imbalance_response(all, result);
     if (bare.response.gravity != 0)
         add_gravity_response(all, result);
+    if (bare.operation && !bare.rotor.imbalances.empty())
+        add_operating(all, result);
     result.model.notes.emplace_back(
         "rotor and bearings both differ between their directions: the motion has many multiples of "
         "the spin speed; amplitudes are the largest over a turn, ellipses and phases those of 1x");

@@ -3,6 +3,7 @@
 #include "analyses/critical.h"
 #include "analyses/names/mode_naming.h"
 #include "analyses/notes/growth.h"
+#include "analyses/operating/operating.h"
 #include "analyses/orbits/response_orbits.h"
 #include "analyses/periodic_response.h"
 #include "forced/forced_motion.h"
@@ -29,6 +30,7 @@
 #include <complex>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -194,11 +196,11 @@ class Response {
 
     void add_probes(std::vector<double> &row) {
         for (const model::Probe &probe : _discretization.rotor().probes) {
-            const forced::Phasor u = _forced.at(probe.z);
+            const forced::Phasor u =
+                _forced.motion(forced::stretch_of_probe(_discretization, probe));
             const std::complex<double> seen = forced::reading(u, probe.angle);
-            row.insert(row.end(),
-                       {std::abs(seen), std::arg(seen),
-                        error(_error_known ? _finer.of_probe(probe.z, probe.angle, u) : 0)});
+            row.insert(row.end(), {std::abs(seen), std::arg(seen),
+                                   error(_error_known ? _finer.of_probe(probe, u) : 0)});
         }
     }
 
@@ -313,8 +315,7 @@ void choose_model(const model::Case &scene, results::ModelSummary &model) {
 forced::Watched watched_places(const assembly::Discretization &d) {
     forced::Watched all = forced::watched(d, forced::attached_nodes(d));
     for (const model::Probe &probe : d.rotor().probes)
-        all.add({d.deflection_at(probe.z), forced::Quantity::deflection, probe.angle}, "probe",
-                probe.z, probe.name);
+        all.add(forced::quantity_of(d, probe), "probe", probe.z, probe.name);
     return all;
 }
 
@@ -375,30 +376,44 @@ void add_imbalance_response(results::ResponseResult &result, const assembly::Dis
     });
 }
 
-/// What forces of one frequency do together, of each frequency of its own; but for those that have
-/// the frequency of the imbalances.
-void add_force_responses(results::ResponseResult &result, const assembly::Discretization &d,
-                         const model::Case &scene) {
-    std::vector<forced::Drive> drives;
+/// The forces of one frequency, and what they are as a drive.
+struct ForcesOfOne {
+    results::ForceResponse response; ///< without motions
+    forced::Drive drive;
+};
+
+/// Those of each frequency, but for those that have that of the imbalances.
+std::vector<ForcesOfOne> forces_by_frequency(const model::Case &scene) {
+    std::vector<ForcesOfOne> all;
     for (const model::HarmonicForce &force : scene.rotor.forces) {
         if (joins_imbalances(force, scene))
             continue;
-        auto same = std::ranges::find_if(result.forces, [&force](const auto &response) {
-            return response.multiple == force.multiple && response.frequency == force.frequency;
+        auto same = std::ranges::find_if(all, [&force](const ForcesOfOne &of) {
+            return of.response.multiple == force.multiple &&
+                   of.response.frequency == force.frequency;
         });
-        if (same == result.forces.end()) {
-            results::ForceResponse response;
-            response.multiple = force.multiple;
-            response.frequency = force.frequency;
-            same = result.forces.insert(same, response);
-            forced::Drive &drive = drives.emplace_back();
-            drive.sweep.frequency = force.frequency.value_or(0);
-            drive.sweep.frequency_rate = force.multiple.value_or(0);
+        if (same == all.end()) {
+            same = all.insert(same, ForcesOfOne{});
+            same->response.multiple = force.multiple;
+            same->response.frequency = force.frequency;
+            same->drive.sweep.frequency = force.frequency.value_or(0);
+            same->drive.sweep.frequency_rate = force.multiple.value_or(0);
         }
-        const auto place = static_cast<std::size_t>(same - result.forces.begin());
-        same->forces.push_back({force.z, force.name, force.amplitude, force.phase,
-                                direction_names.at(static_cast<std::size_t>(force.direction))});
-        drives[place].forces.push_back(push_of(force));
+        same->response.forces.push_back(
+            {force.z, force.name, force.amplitude, force.phase,
+             direction_names.at(static_cast<std::size_t>(force.direction))});
+        same->drive.forces.push_back(push_of(force));
+    }
+    return all;
+}
+
+/// What forces of one frequency do together, of each frequency of its own.
+void add_force_responses(results::ResponseResult &result, const assembly::Discretization &d,
+                         const model::Case &scene) {
+    std::vector<forced::Drive> drives;
+    for (ForcesOfOne &one : forces_by_frequency(scene)) {
+        result.forces.push_back(std::move(one.response));
+        drives.push_back(std::move(one.drive));
     }
     const std::map<int, std::string> nodes = forced::attached_nodes(d);
     bool first_process = true;
@@ -421,6 +436,38 @@ void add_force_responses(results::ResponseResult &result, const assembly::Discre
     }
     if (!first_process)
         result.forces.clear();
+}
+
+/// At the operating speeds, by process 0.
+void add_operating(results::ResponseResult &result, const assembly::Discretization &d,
+                   const model::Case &scene) {
+    const std::map<int, std::string> nodes = forced::attached_nodes(d);
+    std::vector<std::unique_ptr<Mover>> movers;
+    const auto add = [&](results::Form form, const forced::Drive &drive) {
+        const auto response = std::make_shared<Response>(d, form, nodes, drive);
+        movers.push_back(forced_mover(
+            d, form, drive,
+            [response](double speed) {
+                return response->solve(speed) ? std::optional(response->solved()) : std::nullopt;
+            },
+            scene.reduction));
+    };
+    if (!scene.rotor.imbalances.empty())
+        add(result.model.formulation.form, synchronous_drive(scene));
+    for (const ForcesOfOne &one : forces_by_frequency(scene))
+        add(results::Form::general, one.drive);
+    if (const results::Form form = forced::form_under_weight(scene.rotor);
+        scene.response.gravity != 0 && form == results::Form::rotating) {
+        forced::Drive weight; // it moves what it does not only bend
+        weight.gravity = scene.response.gravity;
+        add(form, weight);
+    }
+    result.operating = operating_response(scene, d, movers, nodes);
+    if (movers.size() > 1)
+        result.model.notes.emplace_back(
+            "operating speeds: the motions of {} frequencies are added up with their largest "
+            "values, as if these came together",
+            movers.size());
 }
 
 void add_margins(results::ResponseResult &result, const model::Case &scene) {
@@ -507,6 +554,8 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
     note_bends(scene.rotor, result);
     if (scene.operation && !result.nodes.empty())
         add_margins(result, scene);
+    if (scene.operation && (!result.nodes.empty() || !result.forces.empty()))
+        add_operating(result, d, scene);
     note_growing_motions(scene, result.model);
     note_balancers(scene.rotor, result);
     return result;

@@ -54,6 +54,28 @@ assembly::Combination stretch_of_bearing(const assembly::Discretization &discret
     return stretch;
 }
 
+assembly::Combination stretch_of_probe(const assembly::Discretization &discretization,
+                                       const model::Probe &probe) {
+    const auto on = discretization.rotor().pedestal_of(probe);
+    if (probe.on_pedestal && on)
+        return {{discretization.pedestal_unknown(static_cast<int>(*on)), 1.0}};
+    assembly::Combination stretch = discretization.deflection_at(probe.z);
+    if (on && probe.relative.value_or(false))
+        stretch.emplace_back(discretization.pedestal_unknown(static_cast<int>(*on)), -1.0);
+    return stretch;
+}
+
+assembly::Combination stretch_of(const assembly::Discretization &discretization,
+                                 const Quantity &quantity) {
+    if (quantity.film)
+        return stretch_of_bearing(discretization, *quantity.film);
+    if (quantity.pedestal)
+        return {{discretization.pedestal_unknown(*quantity.pedestal), 1.0}};
+    if (quantity.probe)
+        return stretch_of_probe(discretization, *quantity.probe);
+    return discretization.deflection_at(quantity.z);
+}
+
 Eigen::Matrix2d all_round(const Eigen::Matrix2d &block) {
     const double along = block.trace() / 2;
     const double across = (block(1, 0) - block(0, 1)) / 2;
@@ -224,10 +246,9 @@ Phasor ForcedMotion::motion(const assembly::Combination &combination) const {
 }
 
 Phasor ForcedMotion::of(const Quantity &quantity) const {
-    if (quantity.film)
-        return stretch(*quantity.film);
-    return quantity.bearing == Quantity::deflection ? quantity.seen(at(quantity.z))
-                                                    : bearing_force(quantity.bearing);
+    return quantity.bearing == Quantity::deflection
+               ? quantity.seen(motion(stretch_of(_discretization, quantity)))
+               : bearing_force(quantity.bearing);
 }
 
 std::complex<double> ForcedMotion::at_rest(const assembly::Combination &combination) const {

@@ -45,6 +45,10 @@ struct Quantity {
     double z = 0; ///< of a place on the shaft, m
     /// The deflection is this bearing's stretch, shaft against pedestal; none: that of a place.
     std::optional<int> film{};
+    /// Or that of its pedestal.
+    std::optional<int> pedestal{};
+    /// Or what this probe reads.
+    std::optional<model::Probe> probe{};
 
     /// What is seen of a motion: all of it, or what the probe reads, as a motion in x.
     [[nodiscard]] Phasor seen(const Phasor &motion) const {
@@ -107,6 +111,16 @@ struct Drive {
 /// What a bearing's force works on: the deflection of the shaft there, against that of a pedestal.
 [[nodiscard]] assembly::Combination
 stretch_of_bearing(const assembly::Discretization &discretization, int bearing);
+
+/// What a probe reads in its direction: the shaft, against the pedestal where it measures against
+/// one, or the pedestal that it sits on.
+[[nodiscard]] assembly::Combination stretch_of_probe(const assembly::Discretization &discretization,
+                                                     const model::Probe &probe);
+
+/// The deflection that a quantity is, or is of, on this discretisation, which need not be the one
+/// that it was made for.
+[[nodiscard]] assembly::Combination stretch_of(const assembly::Discretization &discretization,
+                                               const Quantity &quantity);
 
 /// Steady motion of a discretised rotor under its imbalances, under its weight, or under forces of
 /// one frequency.

@@ -70,8 +70,14 @@ std::array<double, 2> ResponseError::of_components(double z, const Phasor &coars
     return {share(coarse.x, fine.x), share(coarse.y, fine.y)};
 }
 
-double ResponseError::of_probe(double z, double angle, const Phasor &coarse) const {
-    return _motion ? share(reading(coarse, angle), reading(_motion->at(z), angle)) : 0;
+double ResponseError::of_quantity(const Quantity &quantity, const Phasor &seen) const {
+    return _motion ? orbit_error(seen, _motion->of(quantity)) : 0;
+}
+
+double ResponseError::of_probe(const model::Probe &probe, const Phasor &coarse) const {
+    return _motion ? share(reading(coarse, probe.angle),
+                           reading(_motion->motion(stretch_of_probe(*_fine, probe)), probe.angle))
+                   : 0;
 }
 
 } // namespace whirl::forced

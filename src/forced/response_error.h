@@ -29,8 +29,12 @@ class ResponseError {
     [[nodiscard]] double of_force(int bearing, const Phasor &coarse) const;
     /// The same of what a bearing is stretched by.
     [[nodiscard]] double of_stretch(int bearing, const Phasor &coarse) const;
-    /// The same of the reading x cos(angle) + y sin(angle) alone, relative to that.
-    [[nodiscard]] double of_probe(double z, double angle, const Phasor &coarse) const;
+    /// The same of a deflection that is not that of a place, or of what a probe reads of it: as it
+    /// is seen.
+    [[nodiscard]] double of_quantity(const Quantity &quantity, const Phasor &seen) const;
+    /// The same of what a probe reads, relative to that.
+    /// @param coarse  what it looks at
+    [[nodiscard]] double of_probe(const model::Probe &probe, const Phasor &coarse) const;
 
     /// The same of x and of y alone, each relative to itself.
     [[nodiscard]] std::array<double, 2> of_components(double z, const Phasor &coarse) const;

@@ -87,6 +87,12 @@ double inclination_of(const Phasor &motion, double rounding) {
     return angle <= -std::numbers::pi / 2 ? angle + std::numbers::pi : angle;
 }
 
+Quantity quantity_of(const assembly::Discretization &d, const model::Probe &probe) {
+    Quantity out{stretch_of_probe(d, probe), Quantity::deflection, probe.angle};
+    out.probe = probe;
+    return out;
+}
+
 void Watched::add(Quantity quantity, const char *of, double place, const std::string &name) {
     const int before = places.empty() || places.back().of != of ? 0 : places.back().place + 1;
     places.emplace_back().of = of;

@@ -43,6 +43,9 @@ void add_places(results::GravityResponse &response, const assembly::Discretizati
 /// @param rounding  relative
 [[nodiscard]] double inclination_of(const Phasor &motion, double rounding);
 
+/// What a probe reads.
+[[nodiscard]] Quantity quantity_of(const assembly::Discretization &d, const model::Probe &probe);
+
 /// What peaks are looked for of, and where it is.
 struct Watched {
     std::vector<Quantity> quantities;

@@ -123,6 +123,8 @@ std::vector<std::string> usual_units(Quantity quantity) {
         return {"g mm", "kg mm", "kg m", "oz in", "g cm", "g in"};
     case Quantity::moment:
         return {"N m", "kN m", "N mm", "lbf in", "lbf ft", "kgf m"};
+    case Quantity::velocity:
+        return {"mm/s", "m/s", "in/s", "um/s"};
     case Quantity::acceleration:
         return {"m/s2", "mm/s2", "in/s2", "ft/s2"};
     case Quantity::rate:

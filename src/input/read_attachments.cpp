@@ -170,9 +170,23 @@ void read_forces(CheckedTable &root, model::Rotor &rotor) {
 }
 
 void read_probes(CheckedTable &root, model::Rotor &rotor) {
-    read_each(root, "probe", rotor.probes, [](CheckedTable &table, model::Probe &probe) {
-        read_place(table, probe);
+    read_each(root, "probe", rotor.probes, [&rotor](CheckedTable &table, model::Probe &probe) {
+        probe.name = table.text("name").value_or("");
+        probe.on_pedestal = table.choice("on", {"shaft", "pedestal"}, 0) == 1;
+        if (const auto bearing = table.entry("bearing"))
+            probe.bearing = support_of(*bearing, rotor);
+        const bool there = probe.on_pedestal && probe.bearing; // it needs no place of its own
+        if (there && table.has("z"))
+            table.fail("z", "expected either z or the bearing on whose pedestal it sits, got both");
+        probe.z = there ? rotor.bearings[*probe.bearing].z : table.number("z", Quantity::length);
         probe.angle = table.number_or("angle", 0, Quantity::angle);
+        if (table.has("relative"))
+            probe.relative = table.flag_or("relative", false);
+        if (probe.on_pedestal && probe.relative)
+            table.fail("relative", "expected only of a probe that reads the shaft, got one on a "
+                                   "pedestal");
+        if (probe.on_pedestal && std::isfinite(probe.z) && !rotor.pedestal_of(probe))
+            table.fail("on", "expected a bearing with a pedestal, got one with none");
     });
 }
 

@@ -3,9 +3,7 @@
 #include <fmt/core.h>
 
 namespace whirl::input {
-namespace {
 
-/// The support that an entry names by its place (from 0) or its name.
 std::optional<std::size_t> support_of(const CheckedEntry &entry, const model::Rotor &rotor) {
     const auto supports = rotor.supports();
     if (supports.empty()) {
@@ -35,12 +33,41 @@ std::optional<std::size_t> support_of(const CheckedEntry &entry, const model::Ro
     return std::nullopt;
 }
 
+namespace {
+
+/// A section that counts from the operating speeds.
+void need_operation(const CheckedTable &table, const std::string &why) {
+    if (!table.context().tree.find("operation"))
+        table.fail("expected a section [operation], " + why + ", got none");
+}
+
+/// A word that must be there.
+std::size_t needed_choice(CheckedTable &table, const std::string &key,
+                          const std::vector<std::string> &words, const char *why) {
+    if (!table.has(key)) {
+        std::string quoted;
+        for (const std::string &word : words)
+            quoted += (quoted.empty() ? "" : " or ") + in_quotes(word);
+        table.fail(key, fmt::format("missing, expected {}: {}", quoted, why));
+    }
+    return table.choice(key, words, 0);
+}
+
+/// Mistakes of entries that say something of another one that is not there.
+void refuse_without(CheckedTable &table, bool there, const std::vector<const char *> &keys,
+                    const char *other) {
+    for (const char *key : keys)
+        if (table.has(key) && !there)
+            table.fail(key, fmt::format("expected only with {}, got none", other));
+}
+
 } // namespace
 
 void read_operation(CheckedTable &table, model::Case &scene) {
     model::Operation operation;
     operation.from = table.number("from", Quantity::speed, Range::not_negative());
     operation.to = table.number("to", Quantity::speed, Range::positive());
+    operation.normal = table.optional_number("normal", Quantity::speed, Range::positive());
     operation.trip = table.optional_number("trip", Quantity::speed, Range::positive());
     const auto written = [&table](const char *key, double value, double other) {
         return as_written(table.find(key), value, "rad/s", other);
@@ -49,6 +76,15 @@ void read_operation(CheckedTable &table, model::Case &scene) {
         table.fail("to", fmt::format("expected more than from = {}, got {}",
                                      written("from", operation.from, operation.to),
                                      written("to", operation.to, operation.from)));
+    if (operation.normal &&
+        (*operation.normal < operation.from || *operation.normal > operation.to)) {
+        const bool below = *operation.normal < operation.from;
+        const double end = below ? operation.from : operation.to;
+        table.fail("normal", fmt::format("expected {} {} = {}, got {}",
+                                         below ? "at least" : "at most", below ? "from" : "to",
+                                         written(below ? "from" : "to", end, *operation.normal),
+                                         written("normal", *operation.normal, end)));
+    }
     if (operation.trip && *operation.trip < operation.to)
         table.fail("trip", fmt::format("expected at least to = {}, got {}",
                                        written("to", operation.to, *operation.trip),
@@ -64,9 +100,57 @@ void read_level1(CheckedTable &table, model::Case &scene) {
     level1.anticipated =
         table.optional_number("anticipated", Quantity::stiffness, Range::positive());
     scene.level1 = level1;
-    if (!table.context().tree.find("operation"))
-        table.fail("expected a section [operation], at whose highest speed cross coupling is "
-                   "added, got none");
+    need_operation(table, "at whose highest speed cross coupling is added");
+}
+
+void read_limits(CheckedTable &table, model::Case &scene) {
+    model::Limits limits;
+    limits.shaft = table.optional_number("shaft", Quantity::amplitude, Range::positive());
+    if (limits.shaft)
+        limits.shaft_reading = needed_choice(table, "shaft_reading", {"peak to peak", "peak"},
+                                             "whether it is twice the amplitude or once") == 0
+                                   ? model::Reading::peak_to_peak
+                                   : model::Reading::peak;
+    refuse_without(table, limits.shaft.has_value(), {"shaft_reading"}, "shaft");
+    if (table.has("shaft_standard"))
+        limits.shaft_standard = static_cast<model::ShaftStandard>(
+            table.choice("shaft_standard", {"api617", "iso20816-3"}, 0));
+    limits.velocity = table.optional_number("velocity", Quantity::velocity, Range::positive());
+    if (limits.velocity)
+        limits.velocity_reading = needed_choice(table, "velocity_reading", {"rms", "peak"},
+                                                "which differ by the square root of 2") == 0
+                                      ? model::Reading::rms
+                                      : model::Reading::peak;
+    refuse_without(table, limits.velocity.has_value(), {"velocity_reading"}, "velocity");
+    const bool housings = table.has("pedestal_standard");
+    if (housings) {
+        (void)table.choice("pedestal_standard", {"iso20816-3"}, 0);
+        if (!table.has("group"))
+            table.fail("group", "missing, expected 1 (large machines) or 2 (medium ones)");
+        model::HousingClass &of = limits.pedestals.emplace();
+        of.group = table.whole_or("group", 1, 1, 2);
+        of.flexible = needed_choice(table, "support", {"rigid", "flexible"},
+                                    "what the machine stands on") == 1;
+    }
+    refuse_without(table, housings, {"group", "support"}, "pedestal_standard");
+    const bool zones = housings || limits.shaft_standard == model::ShaftStandard::iso20816;
+    if (zones)
+        limits.zone = static_cast<model::Zone>(needed_choice(
+            table, "zone", {"A/B", "B/C", "C/D"}, "the boundary that must not be crossed"));
+    refuse_without(table, zones, {"zone"}, "a standard that has zones, iso20816-3");
+    limits.clearance = table.optional_number("clearance", Quantity::number, Range::positive());
+    limits.scaled = table.flag_or("scaled", true);
+    limits.scale_most =
+        table.optional_number("scale_most", Quantity::number, {1, Range::infinity, false, false});
+    refuse_without(table, limits.clearance.has_value(), {"scaled", "scale_most"}, "clearance");
+    if (!limits.scaled && limits.scale_most)
+        table.fail("scale_most", "expected only with scaled = true, got scaled = false");
+    if (!limits.shaft && !limits.shaft_standard && !limits.velocity && !housings &&
+        !limits.clearance)
+        table.fail("expected at least one of shaft, shaft_standard, velocity, pedestal_standard "
+                   "and clearance, got none");
+    scene.limits = limits;
+    need_operation(table, "over whose speeds limits are judged");
 }
 
 void read_critical_map(CheckedTable &table, model::Case &scene) {

@@ -59,6 +59,7 @@ constexpr std::array written{
     Written{Quantity::mass, {"kg", "kg", "lb"}},
     Written{Quantity::inertia, {"kg m2", "kg mm2", "lb in2"}},
     Written{Quantity::imbalance, {"kg m", "g mm", "oz in"}},
+    Written{Quantity::velocity, {"m/s", "mm/s", "in/s"}},
 };
 
 void read_written(CheckedTable &table, Quantity quantity, model::OutputUnits &units) {

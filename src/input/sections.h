@@ -43,6 +43,7 @@ void read_speeds(CheckedTable &table, model::Case &scene);
 void read_units(CheckedTable &table, model::Case &scene);
 void read_critical_map(CheckedTable &table, model::Case &scene); ///< the bearings must be there
 void read_operation(CheckedTable &table, model::Case &scene);
+void read_limits(CheckedTable &table, model::Case &scene);
 void read_level1(CheckedTable &table, model::Case &scene);
 void read_campbell(CheckedTable &table, model::Case &scene);
 void read_modes(CheckedTable &table, model::Case &scene);
@@ -61,6 +62,10 @@ struct NumericEntries {
     std::vector<std::string> paths; ///< with the index of every item
     Quantity quantity = Quantity::number;
 };
+
+/// The support that an entry names by its place (from 0) or its name; none with a mistake.
+[[nodiscard]] std::optional<std::size_t> support_of(const CheckedEntry &entry,
+                                                    const model::Rotor &rotor);
 
 /// What the entry `path` of a table of [map] or [samples] names: all that --set can set to a
 /// number, whether the case gives it or leaves it at its default. None, with a mistake, where it is

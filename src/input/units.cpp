@@ -51,6 +51,7 @@ constexpr std::array infos{
     QuantityInfo{"a time"},
     QuantityInfo{"an angle", AngleRule::required},
     QuantityInfo{"a slope", AngleRule::allowed},
+    QuantityInfo{"a velocity"},
     QuantityInfo{"an acceleration"},
     QuantityInfo{"a pressure"},
     QuantityInfo{"a density"},

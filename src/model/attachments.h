@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <numbers>
+#include <optional>
 #include <string>
 
 namespace whirl::model {
@@ -54,12 +56,17 @@ struct CorrectionPlane {
     double z = 0; ///< m
 };
 
-/// A displacement sensor beside the shaft, which does not turn: it reads x cos(angle) + y
-/// sin(angle).
+/// A displacement sensor, which does not turn: it reads x cos(angle) + y sin(angle).
 struct Probe {
     std::string name;
     double z = 0;     ///< m
     double angle = 0; ///< direction in which it looks, from x towards y, rad
+    /// It sits on a pedestal and moves with it, or beside the shaft, which it then reads.
+    bool on_pedestal = false;
+    /// Of the shaft: against what holds the bearing, or in the fixed frame. None: not said; then it
+    /// reads in the fixed frame, and limits count for both.
+    std::optional<bool> relative{};
+    std::optional<std::size_t> bearing{}; ///< among the supports; none: the nearest
 };
 
 /// A small static imbalance fixed in the rotor.

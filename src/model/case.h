@@ -130,6 +130,7 @@ struct Case {
     std::optional<SpeedRange> speeds;               ///< empty where the file has no [speeds]
     FormChoice formulation = FormChoice::automatic; ///< top-level key `formulation`
     std::optional<Operation> operation;             ///< empty: operating speeds not given
+    std::optional<Limits> limits;                   ///< empty: none are given
     std::optional<Level1Settings> level1;
     bool reduction = true; ///< top-level key `reduction`: few shapes where they are enough
     CampbellSettings campbell;

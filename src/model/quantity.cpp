@@ -30,6 +30,7 @@ QuantityNames names_of(Quantity quantity) {
          {"time", "s", ""},
          {"angle", "rad", ""},
          {"slope", "rad", ""},
+         {"velocity", "m/s", "velocity"},
          {"acceleration", "m/s2", ""},
          {"pressure", "Pa", ""},
          {"density", "kg/m3", ""},

@@ -28,8 +28,9 @@ enum class Quantity {
     energy,
     power,
     time,
-    angle, ///< in degrees for readers
-    slope, ///< of a shaft: in radians for readers, too
+    angle,    ///< in degrees for readers
+    slope,    ///< of a shaft: in radians for readers, too
+    velocity, ///< of vibration
     acceleration,
     pressure,
     density,

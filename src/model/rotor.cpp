@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace whirl::model {
 
@@ -32,6 +33,16 @@ bool every_matrix(const Rotor &rotor, Property holds, Property of_mass) {
 }
 
 } // namespace
+
+std::optional<std::size_t> Rotor::pedestal_of(const Probe &probe) const {
+    const std::span<const Bearing> all = supports();
+    std::size_t best = probe.bearing.value_or(0);
+    if (!probe.bearing)
+        for (std::size_t i = 1; i < all.size(); ++i)
+            if (std::abs(all[i].z - probe.z) < std::abs(all[best].z - probe.z))
+                best = i;
+    return best < all.size() && all[best].pedestal ? std::optional(best) : std::nullopt;
+}
 
 std::span<const Bearing> Rotor::supports() const {
     const auto first_seal = std::ranges::find_if(bearings, &Bearing::seal);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,6 +42,10 @@ struct Rotor {
     /// The bearings without the seals behind them.
     [[nodiscard]] std::span<const Bearing> supports() const;
     [[nodiscard]] std::span<const Bearing> seals() const;
+
+    /// The support whose pedestal a probe sits on, or is held by where it measures against it: the
+    /// one that it names, else the nearest. None: that has no pedestal, and stands still.
+    [[nodiscard]] std::optional<std::size_t> pedestal_of(const Probe &probe) const;
 
     /// Something holds for the coefficients of every bearing at every speed.
     template <class Predicate> [[nodiscard]] bool every_row(Predicate holds) const {

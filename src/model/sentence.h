@@ -57,6 +57,7 @@ inline constexpr ValueOf imbalance{Quantity::imbalance};
 inline constexpr ValueOf moment{Quantity::moment};
 inline constexpr ValueOf time{Quantity::time};
 inline constexpr ValueOf angle{Quantity::angle};
+inline constexpr ValueOf velocity{Quantity::velocity};
 inline constexpr ValueOf acceleration{Quantity::acceleration};
 inline constexpr ValueOf pressure{Quantity::pressure};
 inline constexpr ValueOf density{Quantity::density};

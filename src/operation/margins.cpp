@@ -201,6 +201,25 @@ double highest_relevant_speed(const model::Operation &operation) {
     return std::max(operation.to * (1 + most_above / 100), operation.trip.value_or(0));
 }
 
+std::vector<const ResponsePeak *>
+peaks_without_factor(const model::Operation &operation,
+                     const std::vector<CriticalSpeed> &critical_speeds,
+                     const std::vector<ResponsePeak> &peaks) {
+    const bool unknown = std::ranges::any_of(
+        critical_speeds, [](const CriticalSpeed &critical) { return !critical.damping.known(); });
+    std::vector<const ResponsePeak *> out;
+    for (const ResponsePeak *peak : judged(peaks))
+        if (!has_factor(*peak) && peak->speed > operation.from * (1 - most_below / 100) &&
+            peak->speed < highest_relevant_speed(operation) &&
+            (unknown || critical_speeds.empty() ||
+             std::ranges::any_of(critical_speeds, [peak](const CriticalSpeed &critical) {
+                 return critical.damping.known() && counts(critical.damping.amplification) &&
+                        together(*peak, critical);
+             })))
+            out.push_back(peak);
+    return out;
+}
+
 namespace {
 
 bool is_listed(const CriticalSpeed &critical, const std::vector<SeparationMargin> &margins) {

@@ -42,6 +42,13 @@ separation_margins(const model::Operation &operation,
                    const std::vector<results::ResponsePeak> &peaks, bool backward_too,
                    std::vector<results::Sentence> &notes);
 
+/// Peaks that would be judged and could be too near, of critical speeds that count or may count,
+/// and that have no amplification factor.
+[[nodiscard]] std::vector<const results::ResponsePeak *>
+peaks_without_factor(const model::Operation &operation,
+                     const std::vector<results::CriticalSpeed> &critical_speeds,
+                     const std::vector<results::ResponsePeak> &peaks);
+
 /// Speed up to which critical speeds matter: above it every margin is enough, rad/s.
 [[nodiscard]] double highest_relevant_speed(const model::Operation &operation);
 

@@ -28,6 +28,7 @@ Json whole_json(const Report &report, const Units &units) {
     if (const auto &operation = report.scene->operation)
         json["operation"] = {{"from", written(units, Quantity::speed, operation->from)},
                              {"to", written(units, Quantity::speed, operation->to)},
+                             {"normal", written(units, Quantity::speed, operation->normal)},
                              {"trip", written(units, Quantity::speed, operation->trip)}};
     json["provenance"] = {{"version", program_version()},
                           {"date", report.provenance.date},

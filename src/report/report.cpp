@@ -28,6 +28,9 @@ class Writer {
                 start_further(picture);
         add(_report.command + ".json", to_json(_report));
         add(_report.command + ".csv", _report.csv(_in_files));
+        if (_report.tables)
+            for (const TableFile &table : _report.tables())
+                add(table.name + ".csv", table.csv(_in_files));
         if (_report.vtp)
             add(_report.command + ".vtp", _report.vtp());
         write_page();

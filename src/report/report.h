@@ -39,6 +39,12 @@ struct InputFile {
     std::string text; ///< its bytes
 };
 
+/// A table in a file of its own.
+struct TableFile {
+    std::string name; ///< of the file, without ending
+    std::function<std::string(const Units &)> csv;
+};
+
 /// What a result was computed from and when; the program's version joins them.
 struct Provenance {
     std::string date{};                   ///< UTC: "2026-03-01T12:00:00Z"
@@ -88,6 +94,7 @@ struct Report {
     // What some commands have:
     std::function<Drawing(const Units &)> drawing{}; ///< in place of the figure
     std::function<std::vector<Picture>(const Units &)> pictures{};
+    std::function<std::vector<TableFile>()> tables{}; ///< beside <command>.csv
     std::string pictures_heading{}; ///< of their section of the page, after as many others as
     std::size_t pictures_after = 0; ///< this
     /// What the script of the page draws beside the result: the key `drawn` of its data.

@@ -2,11 +2,13 @@
 
 #include "results/damping.h"
 #include "results/error_parts.h"
+#include "results/interval.h"
 #include "results/margins.h"
 #include "results/model_summary.h"
 #include "results/whirl.h"
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,6 +71,9 @@ struct CriticalMap {
 struct CriticalResult {
     ModelSummary model;
     std::vector<CriticalSpeed> critical_speeds; ///< ascending
+    /// Up to which none is missing, rad/s; infinite: the model has no more.
+    double complete_to = std::numeric_limits<double>::infinity();
+    std::vector<Interval> doubtful; ///< where some may be missing all the same, rad/s
     /// Where the case has operating speeds; ascending, without those of AF < 2.5.
     std::optional<std::vector<SeparationMargin>> margins;
     std::optional<CriticalMap> map; ///< where it was asked for

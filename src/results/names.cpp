@@ -1,5 +1,7 @@
+#include "results/checks.h"
 #include "results/formulation.h"
 #include "results/margins.h"
+#include "results/operating.h"
 #include "results/simulate.h"
 #include "results/stability.h"
 #include "results/whirl.h"
@@ -31,6 +33,36 @@ std::string whirl_name(Whirl whirl) { return name_of(whirl, {"forward", "backwar
 
 std::string end_kind_name(EndKind kind) {
     return name_of(kind, {"zero", "pair", "collision", "multiplier"});
+}
+
+std::string measure_name(Measure measure) {
+    return name_of(measure,
+                   {"amplitude", "amplitude rms", "velocity", "velocity rms", "clearance share"});
+}
+
+model::Quantity measure_quantity(Measure measure) {
+    switch (measure) {
+    case Measure::amplitude:
+        return model::Quantity::amplitude;
+    case Measure::amplitude_rms:
+        return model::Quantity::deflection; // never from peak to peak
+    case Measure::velocity:
+    case Measure::velocity_rms:
+        return model::Quantity::velocity;
+    case Measure::clearance_share:
+        return model::Quantity::number;
+    }
+    return model::Quantity::number;
+}
+
+std::string judgement_name(Judgement judgement) {
+    return name_of(judgement, {"passes", "fails", "incomplete"});
+}
+
+std::optional<double> Check::margin() const {
+    if (!value || !limit || !std::isfinite(*value) || !std::isfinite(*limit) || *limit == 0)
+        return std::nullopt;
+    return (at_least ? *value - *limit : *limit - *value) / std::abs(*limit);
 }
 
 std::string margin_side_name(MarginSide side) {

@@ -36,6 +36,8 @@ double size_of(const std::string &unit) {
         {"kg/m3", 1},     {"kg/m³", 1},
         {"kg m2/s", 1},   {"kg m²/s", 1},
         {"m/s2", 1},      {"m/s²", 1},
+        {"m/s", 1},       {"mm/s", 1e-3},
+        {"in/s", inch},   {"cm/s", 1e-2},
         {"N m/rad", 1},   {"N m s/rad", 1},
         {"N m", 1},       {"m/N", 1},
         {"um/N", 1e-6},   {"µm/N", 1e-6},
@@ -62,7 +64,7 @@ const std::vector<Preset> &presets() {
     static const std::map<std::string, std::string> metric{
         {"length", "mm"},      {"amplitude", "um"},   {"deflection", "um"},   {"speed", "rpm"},
         {"frequency", "Hz"},   {"stiffness", "N/mm"}, {"receptance", "um/N"}, {"damping", "N s/mm"},
-        {"inertia", "kg mm2"}, {"imbalance", "g mm"}};
+        {"inertia", "kg mm2"}, {"imbalance", "g mm"}, {"velocity", "mm/s"}};
     static const std::vector<Preset> all{
         {"si", {"units.preset=si"}, {}},
         {"mm-rpm", {"units.preset=mm-rpm"}, metric},
@@ -79,12 +81,13 @@ const std::vector<Preset> &presets() {
           {"damping", "lbf s/in"},
           {"mass", "lb"},
           {"inertia", "lb in2"},
-          {"imbalance", "oz in"}}},
+          {"imbalance", "oz in"},
+          {"velocity", "in/s"}}},
         {"mixed",
          {"units.speed=Hz", "units.frequency=rpm", "units.length=cm", "units.amplitude=mm",
           "units.force=kN", "units.stiffness=kN/mm", "units.receptance=mm/kN",
           "units.damping=kN s/m", "units.mass=g", "units.inertia=kg cm2", "units.imbalance=kg mm",
-          "units.peak_to_peak=true"},
+          "units.velocity=cm/s", "units.peak_to_peak=true"},
          {{"speed", "Hz"},
           {"frequency", "rpm"},
           {"length", "cm"},
@@ -96,7 +99,8 @@ const std::vector<Preset> &presets() {
           {"damping", "kN s/m"},
           {"mass", "g"},
           {"inertia", "kg cm2"},
-          {"imbalance", "kg mm"}},
+          {"imbalance", "kg mm"},
+          {"velocity", "cm/s"}},
          true},
         {"pk-pk", {"units.preset=mm-rpm", "units.peak_to_peak=true"}, metric, true}};
     return all;

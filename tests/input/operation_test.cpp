@@ -23,6 +23,50 @@ TEST(Operation, IsReadInAnyUnit) {
     EXPECT_DOUBLE_EQ(*scene.level1->anticipated, 1e5);
 }
 
+TEST(Operation, NormalSpeedAndLimits) {
+    const model::Case scene = load_text(
+        sound_case +
+        "[operation]\nfrom = 100\nto = 200\nnormal = 150\n[limits]\nshaft = \"2 mil\"\n"
+        "shaft_reading = \"peak\"\nshaft_standard = \"api617\"\nvelocity = \"0.18 in/s\"\n"
+        "velocity_reading = \"peak\"\npedestal_standard = \"iso20816-3\"\nzone = \"C/D\"\n"
+        "group = 2\nsupport = \"flexible\"\nclearance = \"75 %\"\nscale_most = 6\n");
+    EXPECT_EQ(scene.operation->normal, 150);
+    const model::Limits &limits = scene.limits.value();
+    EXPECT_DOUBLE_EQ(*limits.shaft, 50.8e-6);
+    EXPECT_EQ(limits.shaft_reading, model::Reading::peak);
+    EXPECT_EQ(limits.shaft_standard, model::ShaftStandard::api617);
+    EXPECT_DOUBLE_EQ(*limits.velocity, 0.18 * 0.0254);
+    EXPECT_EQ(limits.velocity_reading, model::Reading::peak);
+    EXPECT_EQ(limits.pedestals->group, 2);
+    EXPECT_TRUE(limits.pedestals->flexible);
+    EXPECT_EQ(limits.zone, model::Zone::c_d);
+    EXPECT_DOUBLE_EQ(*limits.clearance, 0.75);
+    EXPECT_TRUE(limits.scaled);
+    EXPECT_EQ(limits.scale_most, 6);
+}
+
+TEST(Operation, ProbesOnPedestalsAndAgainstThem) {
+    const model::Rotor rotor =
+        load_text(sound_case +
+                  "[[bearing]]\nname = \"DE\"\nz = 0.1\nk = 1\npedestal_k = 2\n"
+                  "[[bearing]]\nz = 0.9\nk = 1\n"
+                  "[[probe]]\non = \"pedestal\"\nbearing = \"DE\"\nangle = \"90 deg\"\n"
+                  "[[probe]]\nz = 0.2\nrelative = true\n[[probe]]\nz = 0.2\nbearing = 1\n"
+                  "[[probe]]\nz = 0.8\n[[probe]]\nz = 0.1\non = \"pedestal\"\n")
+            .rotor;
+    ASSERT_EQ(rotor.probes.size(), 5U);
+    EXPECT_TRUE(rotor.probes[0].on_pedestal);
+    EXPECT_EQ(rotor.probes[0].z, 0.1);
+    EXPECT_EQ(rotor.probes[1].relative, true);
+    EXPECT_EQ(rotor.probes[2].relative, std::nullopt);
+    using Found = std::optional<std::size_t>;
+    EXPECT_EQ(rotor.pedestal_of(rotor.probes[0]), Found(0)); // named
+    EXPECT_EQ(rotor.pedestal_of(rotor.probes[1]), Found(0)); // the nearest
+    EXPECT_EQ(rotor.pedestal_of(rotor.probes[2]), Found());  // the one named stands still
+    EXPECT_EQ(rotor.pedestal_of(rotor.probes[3]), Found());
+    EXPECT_EQ(rotor.pedestal_of(rotor.probes[4]), Found(0));
+}
+
 TEST(Operation, IsNotThereUnlessNamed) {
     EXPECT_FALSE(load_text(sound_case).operation.has_value());
     EXPECT_FALSE(load_text(sound_case).level1.has_value());

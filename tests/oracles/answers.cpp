@@ -16,6 +16,8 @@ Answer answer(const Request &request) {
         {"samples", answer_samples}};
     if (request.rotor.rings_or_rows())
         return answer_carried(request);
+    if (request.rotor.mounted() && !request.rotor.rigid && request.command == "response")
+        return answer_operation(request);
     if (request.rotor.mounted())
         return answer_mounted(request);
     if (request.rotor.axial_torque != 0)

@@ -74,6 +74,41 @@ ProbePeak lowest_peak(const CaseRotor &rotor) {
     return best;
 }
 
+/// A number of a row of the operating speeds: at each of them every probe, every support, every
+/// pedestal. Probes say what they measure against.
+double operating_number(const CaseRotor &rotor, const std::string &path) {
+    std::vector<double> speeds{rotor.operation.from};
+    for (const double speed : {rotor.operation.normal, rotor.operation.to, rotor.operation.trip})
+        if (speed > 0)
+            speeds.push_back(speed);
+    std::size_t used = 0;
+    const std::size_t row = std::stoul(path, &used);
+    const std::string key = path.substr(used + 1);
+    std::vector<std::size_t> pedestals;
+    for (std::size_t i = 0; i < rotor.mounts.size(); ++i)
+        if (rotor.mounts[i].pedestal_k[0] > 0)
+            pedestals.push_back(i);
+    const std::size_t probes = rotor.probes.size();
+    const std::size_t supports = rotor.supports.size();
+    const std::size_t rows = probes + supports + pedestals.size();
+    const double speed = speeds.at(row / rows);
+    const std::size_t at = row % rows;
+    const ForcedPlaces places = forced_places(rotor, speed);
+    if (key == "force" && at >= probes && at < probes + supports)
+        return major_of(places.forces[at - probes]);
+    const double amplitude = at < probes ? probe_reading(rotor, speed, rotor.probes[at])
+                             : at < probes + supports
+                                 ? major_of(places.films[at - probes])
+                                 : major_of(places.pedestals[pedestals[at - probes - supports]]);
+    if (key == "amplitude")
+        return amplitude;
+    if (key == "velocity")
+        return speed * amplitude;
+    if (key == "value") // of a pedestal, velocity rms
+        return speed * amplitude / std::sqrt(2.0);
+    no_answer("operating speeds: no oracle for " + key);
+}
+
 /// 17 (1 - 1/(AF - 1.5)) % of the minimum operating speed, at most 16 %, for peaks below it.
 double number_of(const std::string &key, const ProbePeak &peak, const Operation &operation) {
     if (key == "speed")
@@ -162,6 +197,12 @@ Answer answer_operation(const Request &request) {
             {number_of(request.path.substr(margins.size()), lowest_peak(rotor), rotor.operation)},
             {},
             {}};
+    const std::string operating = "/operating/";
+    if (request.path.rfind(operating, 0) == 0)
+        return {"dense two-node elements, supports and pedestals",
+                {operating_number(rotor, request.path.substr(operating.size()))},
+                {},
+                {}};
     const Running running(rotor);
     const double w = border_frequency(running);
     const double q = running.coupling(w).real();

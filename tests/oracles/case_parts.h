@@ -114,13 +114,17 @@ struct SampledCase {
 struct Probe {
     double z = 0;
     double angle = 0;
+    bool on_pedestal = false; ///< else it reads the shaft,
+    bool relative = false;    ///< against a pedestal
+    std::size_t support = 0;  ///< whose pedestal
 };
 
 /// [operation] and [level1].
 struct Operation {
-    double from = 0, to = 0; ///< rad/s
-    double level1_z = 0;     ///< m
-    double anticipated = 0;  ///< N/m
+    double from = 0, to = 0;     ///< rad/s
+    double level1_z = 0;         ///< m
+    double anticipated = 0;      ///< N/m
+    double normal = 0, trip = 0; ///< rad/s; 0: none
 };
 
 /// An imbalance from a moment on.

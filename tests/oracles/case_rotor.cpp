@@ -99,6 +99,31 @@ RigidDisc disc_of(const toml::table &table, const Materials &materials) {
     return {z, mass, mass * (3 * square + width * width) / 12, mass * square / 2};
 }
 
+/// With the support that it names by name or place, else the nearest; on its pedestal where it says
+/// so.
+Probe probe_of(const toml::table &table, const toml::table &root, const CaseRotor &rotor) {
+    Probe out;
+    out.on_pedestal = word(table, "on") == "pedestal";
+    out.relative = yes(table, "relative");
+    out.angle = number(table, "angle");
+    const toml::node *named = table.get("bearing");
+    if (named && named->is_integer())
+        out.support = static_cast<std::size_t>(number(*named));
+    if (named && named->is_string())
+        for (std::size_t i = 0; const toml::table *bearing : tables_of(root, "bearing")) {
+            if (word(*bearing, "name") == word(table, "bearing"))
+                out.support = i;
+            ++i;
+        }
+    out.z = table.contains("z") ? number(table, "z") : rotor.supports.at(out.support).z;
+    if (!named)
+        for (std::size_t i = 1; i < rotor.supports.size(); ++i)
+            if (std::abs(rotor.supports[i].z - out.z) <
+                std::abs(rotor.supports[out.support].z - out.z))
+                out.support = i;
+    return out;
+}
+
 void read_attached(const toml::table &root, const std::filesystem::path &folder, CaseRotor &rotor) {
     const Materials materials = materials_of(root);
     for (const toml::table *t : tables_of(root, "disc"))
@@ -127,7 +152,7 @@ void read_attached(const toml::table &root, const std::filesystem::path &folder,
         rotor.discs.push_back({number(*t, "z"), number(*t, "m"), 0, 0});
     }
     for (const toml::table *t : tables_of(root, "probe"))
-        rotor.probes.push_back({number(*t, "z"), number(*t, "angle")});
+        rotor.probes.push_back(probe_of(*t, root, rotor));
     for (const toml::table *t : tables_of(root, "anisotropy"))
         rotor.anisotropies.push_back({number(*t, "z"), number(*t, "dI"), number(*t, "angle")});
     for (const toml::table *t : tables_of(root, "balancer"))
@@ -173,8 +198,9 @@ void read_analyses(const toml::table &root, CaseRotor &rotor) {
         rotor.frequencies.push_back(first + (number(frequencies, "to") - first) * i / (count - 1));
     const toml::table &operation = part(root, "operation");
     const toml::table &level1 = part(root, "level1");
-    rotor.operation = {number(operation, "from"), number(operation, "to"), number(level1, "z"),
-                       number(level1, "anticipated")};
+    rotor.operation = {number(operation, "from"),   number(operation, "to"),
+                       number(level1, "z"),         number(level1, "anticipated"),
+                       number(operation, "normal"), number(operation, "trip")};
     const toml::table &balance = part(root, "balance");
     for (const toml::table *t : tables_of(balance, "designs"))
         rotor.designs.push_back({number(*t, "arm"), number(*t, "pivot")});

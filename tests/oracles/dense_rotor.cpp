@@ -123,16 +123,34 @@ void add_attached(const CaseRotor &rotor, DenseRotor &out) {
         out.G(w + 1, n + w + 1) += disc.Ip;
         out.G(n + w + 1, w + 1) -= disc.Ip;
     }
-    for (const Support &s : rotor.supports) {
+    for (std::size_t place = 0; place < rotor.supports.size(); ++place) {
+        const Support &s = rotor.supports[place];
         const Eigen::Index w = out.deflection(s.z);
+        const Eigen::Index p = out.pedestals[place];
         for (Eigen::Index i = 0; i < 2; ++i)
             for (Eigen::Index j = 0; j < 2; ++j) {
                 const auto row = static_cast<std::size_t>(i);
                 const auto column = static_cast<std::size_t>(j);
-                out.K(i * n + w, j * n + w) += s.k[row][column];
-                out.C(i * n + w, j * n + w) += s.c[row][column];
+                const auto add = [&](Eigen::MatrixXd &A, double value) {
+                    A(i * n + w, j * n + w) += value;
+                    if (p < 0)
+                        return;
+                    A(i * n + p, j * n + p) += value;
+                    A(i * n + w, j * n + p) -= value;
+                    A(i * n + p, j * n + w) -= value;
+                };
+                add(out.K, s.k[row][column]);
+                add(out.C, s.c[row][column]);
                 out.K(i * n + w + 1, j * n + w + 1) += s.kt[row][column];
                 out.C(i * n + w + 1, j * n + w + 1) += s.ct[row][column];
+            }
+        if (p >= 0)
+            for (const Eigen::Index axis : {0, 1}) {
+                const Mount &mount = rotor.mounts[place];
+                const auto of = static_cast<std::size_t>(axis);
+                out.M(axis * n + p, axis * n + p) += mount.pedestal_mass[of];
+                out.C(axis * n + p, axis * n + p) += mount.pedestal_c[of];
+                out.K(axis * n + p, axis * n + p) += mount.pedestal_k[of];
             }
     }
 }
@@ -194,7 +212,10 @@ Eigen::Index DenseRotor::deflection(double place) const {
 DenseRotor dense_rotor(const CaseRotor &rotor, int parts) {
     DenseRotor out;
     out.z = nodes_of(rotor, parts);
-    const auto n = static_cast<Eigen::Index>(2 * out.z.size());
+    auto n = static_cast<Eigen::Index>(2 * out.z.size());
+    for (std::size_t i = 0; i < rotor.supports.size(); ++i)
+        out.pedestals.push_back(i < rotor.mounts.size() && rotor.mounts[i].pedestal_k[0] > 0 ? n++
+                                                                                             : -1);
     for (Eigen::MatrixXd *matrix : {&out.M, &out.C, &out.G, &out.K, &out.Kc})
         *matrix = Eigen::MatrixXd::Zero(2 * n, 2 * n);
     Eigen::MatrixXd shaft = Eigen::MatrixXd::Zero(n, n);
@@ -284,9 +305,8 @@ namespace {
 // Wide: near resonances the solution loses as many digits as the matrix is stiffer than they.
 using Wide = std::complex<long double>;
 
-/// x and y at z, times exp(i speed t).
-std::array<Wide, 2> forced_motion(const CaseRotor &rotor, double speed, double z, int parts) {
-    const DenseRotor dense = dense_rotor(rotor.at_speed(speed), parts);
+/// All unknowns, times exp(i speed t).
+ComplexMatrix forced_unknowns(const CaseRotor &rotor, double speed, const DenseRotor &dense) {
     const Eigen::Index n = dense.planar();
     const Wide i(0, 1);
     ComplexMatrix force = ComplexMatrix::Zero(2 * n, 1);
@@ -303,12 +323,52 @@ std::array<Wide, 2> forced_motion(const CaseRotor &rotor, double speed, double z
         for (Eigen::Index k = 0; k < 2 * n; ++k)
             dynamic(k, l) = Wide(dense.K(k, l) + W * dense.Kc(k, l) - W * W * dense.M(k, l),
                                  W * (dense.C(k, l) + W * dense.G(k, l)));
-    const ComplexMatrix q = solve(dynamic, force);
+    return solve(dynamic, force);
+}
+
+/// x and y at z.
+std::array<Wide, 2> forced_motion(const CaseRotor &rotor, double speed, double z, int parts) {
+    const DenseRotor dense = dense_rotor(rotor.at_speed(speed), parts);
+    const ComplexMatrix q = forced_unknowns(rotor, speed, dense);
     const Eigen::Index w = dense.deflection(z);
-    return {q(w, 0), q(n + w, 0)};
+    return {q(w, 0), q(dense.planar() + w, 0)};
 }
 
 } // namespace
+
+ForcedPlaces forced_places(const CaseRotor &rotor, double speed) {
+    const CaseRotor there = rotor.at_speed(speed);
+    const DenseRotor dense = dense_rotor(there);
+    const ComplexMatrix q = forced_unknowns(rotor, speed, dense);
+    const std::complex<double> turning(0, speed);
+    ForcedPlaces out;
+    for (std::size_t place = 0; place < there.supports.size(); ++place) {
+        const Support &support = there.supports[place];
+        const Eigen::Index w = dense.deflection(support.z);
+        const Eigen::Index p = dense.pedestals[place];
+        ForcedPlaces::Pair film, force, pedestal;
+        for (const Eigen::Index axis : {0, 1}) {
+            const Eigen::Index from = axis * dense.planar();
+            const auto at = static_cast<std::size_t>(axis);
+            const Wide below = p < 0 ? Wide(0) : Wide(q(from + p, 0));
+            pedestal[at] = std::complex<double>(below);
+            film[at] = std::complex<double>(Wide(q(from + w, 0)) - below);
+        }
+        for (const std::size_t i : {0U, 1U})
+            for (const std::size_t j : {0U, 1U})
+                force[i] += (support.k[i][j] + turning * support.c[i][j]) * film[j];
+        out.films.push_back(film);
+        out.forces.push_back(force);
+        out.pedestals.push_back(pedestal);
+    }
+    return out;
+}
+
+double major_of(const ForcedPlaces::Pair &motion) {
+    const std::complex<double> i(0, 1);
+    const auto [x, y] = motion;
+    return (std::abs(x + i * y) + std::abs(std::conj(x) + i * std::conj(y))) / 2;
+}
 
 double semi_major(const CaseRotor &rotor, double speed, double z, int parts) {
     const Wide i(0, 1);
@@ -318,9 +378,22 @@ double semi_major(const CaseRotor &rotor, double speed, double z, int parts) {
 }
 
 double probe_reading(const CaseRotor &rotor, double speed, const Probe &probe) {
-    const auto [x, y] = forced_motion(rotor, speed, probe.z, 1);
+    const DenseRotor dense = dense_rotor(rotor.at_speed(speed));
+    const ComplexMatrix q = forced_unknowns(rotor, speed, dense);
     const long double angle = probe.angle;
-    return static_cast<double>(std::abs(x * std::cos(angle) + y * std::sin(angle)));
+    Wide reading = 0;
+    for (const Eigen::Index axis : {0, 1}) {
+        const Eigen::Index from = axis * dense.planar();
+        Wide seen = 0;
+        if (!probe.on_pedestal)
+            seen += q(from + dense.deflection(probe.z), 0);
+        const Eigen::Index p =
+            probe.support < dense.pedestals.size() ? dense.pedestals[probe.support] : -1;
+        if (p >= 0 && (probe.on_pedestal || probe.relative))
+            seen += (probe.on_pedestal ? 1.0L : -1.0L) * q(from + p, 0);
+        reading += seen * (axis == 0 ? std::cos(angle) : std::sin(angle));
+    }
+    return static_cast<double>(std::abs(reading));
 }
 
 } // namespace whirl::oracles

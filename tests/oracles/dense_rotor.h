@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <complex>
 #include <vector>
 
@@ -21,10 +22,11 @@ struct BeamMatrices {
 [[nodiscard]] BeamMatrices beam_matrices(const Cylinder &cylinder, double axial_force = 0);
 
 /// M q'' + (C + Omega G) q' + (K + Omega Kc) q = 0 in the fixed frame, Omega positive from x to y;
-/// q: w and phi at every node in x, then the same in y.
+/// q: w and phi at every node in x, then w of every pedestal in x, then the same in y.
 struct DenseRotor {
     std::vector<double> z; ///< of the nodes, m
     Eigen::MatrixXd M, C, G, K, Kc;
+    std::vector<Eigen::Index> pedestals; ///< row in x of that of each support; -1: it has none
 
     [[nodiscard]] Eigen::Index planar() const { return M.rows() / 2; }
     /// Row of the deflection in x at a node; throws where there is none.
@@ -60,6 +62,17 @@ struct Crossing {
 
 /// Semi-major axis (m) of the orbit at z under the imbalances of the case; elements cut as above.
 [[nodiscard]] double semi_major(const CaseRotor &rotor, double speed, double z, int parts = 1);
+
+/// The motion under the imbalances of the case, elements as it asks for: phasors exp(i speed t).
+struct ForcedPlaces {
+    using Pair = std::array<std::complex<double>, 2>; ///< x and y
+    std::vector<Pair> films;     ///< m, of the shaft in each support, against its pedestal
+    std::vector<Pair> forces;    ///< N
+    std::vector<Pair> pedestals; ///< m; zero where there is none
+};
+[[nodiscard]] ForcedPlaces forced_places(const CaseRotor &rotor, double speed);
+/// Semi-major axis of what goes (x, y) exp(i speed t).
+[[nodiscard]] double major_of(const ForcedPlaces::Pair &motion);
 
 /// What a probe reads of the same, m; elements as the case asks for.
 [[nodiscard]] double probe_reading(const CaseRotor &rotor, double speed, const Probe &probe);

@@ -9,7 +9,7 @@ Command response_command() {
     return {
         "response",
         "unbalance response over speed, forces at bearings; forces of any frequency, receptances",
-        {"speeds", "imbalance", "force", "probe", "response", "operation"},
+        {"speeds", "imbalance", "force", "probe", "response", "operation", "limits"},
         {},
         {"cases/compressor_margins --units mm-rpm --peak-to-peak",
          "cases/compressor_margins --set \"imbalance[0].mr=50 g mm\"", "cases/harmonic_forces"},

@@ -2,13 +2,16 @@
 
 #include "model/errors.h"
 #include "process/child.h"
+#include "process/signals.h"
 
 #include <fmt/format.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <unistd.h>
@@ -36,7 +39,7 @@ bool in_path(const std::string &program) {
 
 /// No sandbox: it does not start for root or in containers, and the page is our own, without
 /// scripts.
-Words by_chromium(const std::string &name) {
+Words by_chromium(const std::string &name, const std::string &page) {
     return {name,
             "--headless",
             "--no-sandbox",
@@ -46,20 +49,57 @@ Words by_chromium(const std::string &name) {
             "--disable-background-networking",
             "--no-pdf-header-footer",
             "--print-to-pdf=/dev/stdout",
-            "file:///dev/stdin"};
+            "file://" + page};
 }
 
-/// The programs that are here, the best first.
-std::vector<Words> printers() {
+/// The programs that are here, the best first. @param page  a file that holds it
+std::vector<Words> printers(const std::string &page) {
     std::vector<Words> found;
     for (const char *name :
          {"chromium", "chromium-browser", "google-chrome", "google-chrome-stable"})
         if (in_path(name))
-            found.push_back(by_chromium(name));
+            found.push_back(by_chromium(name, page));
     if (in_path("weasyprint"))
-        found.push_back({"weasyprint", "--quiet", "--encoding", "utf8", "-", "-"});
+        found.push_back({"weasyprint", "--quiet", "--encoding", "utf8", page, "-"});
     return found;
 }
+
+/// The page in a folder of its own as long as it is printed: Chromium takes what has no name with
+/// .html for text. Signals wait meanwhile, so that nothing stays behind.
+class PageFile {
+  public:
+    explicit PageFile(const std::string &html) {
+        std::error_code error;
+        std::string folder =
+            (std::filesystem::temp_directory_path(error) / "whirl-XXXXXX").string();
+        if (error || mkdtemp(folder.data()) == nullptr)
+            throw model::AnalysisFailure("no PDF: there is no folder for temporary files");
+        _folder = folder;
+        std::ofstream file(path(), std::ios::binary);
+        file.write(html.data(), static_cast<std::streamsize>(html.size()));
+        if (!file.flush()) {
+            remove();
+            throw model::AnalysisFailure("no PDF: the page does not fit into the folder for "
+                                         "temporary files");
+        }
+    }
+    ~PageFile() { remove(); }
+    PageFile(const PageFile &) = delete;
+    PageFile &operator=(const PageFile &) = delete;
+    PageFile(PageFile &&) = delete;
+    PageFile &operator=(PageFile &&) = delete;
+
+    [[nodiscard]] std::string path() const { return (_folder / "report.html").string(); }
+
+  private:
+    process::SignalsHeld _held;
+    std::filesystem::path _folder;
+
+    void remove() noexcept {
+        std::error_code ignored;
+        std::filesystem::remove_all(_folder, ignored);
+    }
+};
 
 /// PDF 32000-1, 7.5: it begins with its version and ends with %%EOF.
 bool whole(std::string_view pdf) {
@@ -86,8 +126,8 @@ std::string last_words(const std::string &errors) {
 }
 
 /// @param why  takes what went wrong
-std::optional<std::string> printed(const Words &words, const std::string &html, std::string &why) {
-    std::optional<process::Child> child = process::Child::start(words, html);
+std::optional<std::string> printed(const Words &words, std::string &why) {
+    std::optional<process::Child> child = process::Child::start(words, "");
     if (!child) {
         why = fmt::format("{} is not there", words.front());
         return std::nullopt;
@@ -108,7 +148,7 @@ std::optional<std::string> printed(const Words &words, const std::string &html, 
 } // namespace
 
 void require_printer() {
-    if (printers().empty())
+    if (printers("").empty())
         throw model::AnalysisFailure(
             "no PDF: neither Chromium nor WeasyPrint is installed; install one of the packages "
             "chromium and weasyprint (apt install weasyprint), or leave out --pdf and print the "
@@ -117,10 +157,11 @@ void require_printer() {
 
 std::string pdf_of(const std::string &html) {
     require_printer();
+    const PageFile page(html);
     std::string why;
-    for (const Words &words : printers()) { // a browser may be there and not start
+    for (const Words &words : printers(page.path())) { // a browser may be there and not start
         std::string of_this;
-        if (std::optional<std::string> pdf = printed(words, html, of_this))
+        if (std::optional<std::string> pdf = printed(words, of_this))
             return *std::move(pdf);
         why += (why.empty() ? "" : "; ") + of_this;
     }

@@ -5,8 +5,7 @@
 namespace whirl::report {
 
 /// What prints pages: Chromium under one of its names, which draws the page as browsers show it,
-/// else WeasyPrint. Both read the page from standard input and write to standard output, so no file
-/// lies about.
+/// else WeasyPrint, which is smaller. Both write to standard output, so no half PDF lies about.
 /// @throws model::AnalysisFailure where there is none: says what to install
 void require_printer();
 

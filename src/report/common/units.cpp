@@ -42,6 +42,7 @@ Units Units::of_readers(const model::OutputUnits &asked) {
     set(Quantity::frequency, "Hz", 0.5 / pi);
     set(Quantity::amplitude, "µm", 1e6);
     set(Quantity::deflection, "µm", 1e6);
+    set(Quantity::velocity, "mm/s", 1e3);
     set(Quantity::receptance, "µm/N", 1e6);
     set(Quantity::imbalance, "g mm", 1e6); // as balancing machines say it
     set(Quantity::inertia, "kg m²", 1);

@@ -9,6 +9,7 @@
 #include "report/reports.h"
 #include "report/response/gravity.h"
 #include "report/response/marks.h"
+#include "report/response/operating.h"
 #include "report/response/orbits.h"
 #include "report/response/receptance.h"
 #include "report/response/tables.h"
@@ -236,6 +237,7 @@ Json force_json(const Speeds &speeds, const ForceResponse &response, const Units
 
 Json json_of(const ResponseResult &result, const Units &units) {
     Json json{{"speeds", written(units, Quantity::speed, result.speeds)}};
+    add_operating(json, result, units);
     // Without an imbalance the first of the forces, so that a motion is always at the same place.
     const HarmonicMotion *first = &result;
     if (result.nodes.empty() && !result.forces.empty())
@@ -397,8 +399,10 @@ std::vector<Part> parts_of(const model::Case &scene, const ResponseResult &resul
     return parts;
 }
 
-std::vector<Section> sections_of(const std::vector<Part> &parts, const Units &units) {
-    std::vector<Section> sections;
+/// @param first  what comes before
+std::vector<Section> sections_of(std::vector<Section> first, const std::vector<Part> &parts,
+                                 const Units &units) {
+    std::vector<Section> sections = std::move(first);
     for (const Part &part : parts)
         for (Section &section : part.sections(units))
             sections.push_back(std::move(section));
@@ -411,6 +415,7 @@ std::string text_of(const model::Case &scene, const ResponseResult &result, cons
                               (result.receptance && parts.size() == 1
                                    ? range_text({result.receptance->speed}, units)
                                    : range_text(result.speeds, units))) +
+           operating_text(result, units) +
            joined(parts, "\n", [&units](const Part &part) { return part.text(units); }) +
            model_text(result.model, units);
 }
@@ -448,6 +453,8 @@ std::string pictures_heading(const std::vector<Part> &parts, const ResponseResul
 /// The largest amplitude of the stations, or reading of the probes, in one sentence.
 model::Sentence answer_of(const ResponseResult &result) {
     namespace as = model::as;
+    if (result.operating && !result.operating->rows.empty())
+        return operating_answer(result);
     const bool probes = !result.probes.empty();
     const std::vector<LargestValue> all = probes ? largest_readings(result.speeds, result)
                                                  : largest_amplitudes(result.speeds, result);
@@ -475,7 +482,7 @@ model::Sentence answer_of(const ResponseResult &result) {
 
 /// The peaks that rise highest, by kind and place as in the table of all.
 std::vector<Section> brief_of(const ResponseResult &result, const Units &units) {
-    std::vector<Section> sections;
+    std::vector<Section> sections = operating_brief(result, units);
     std::vector<ResponsePeak> peaks = result.peaks;
     std::ranges::stable_sort(peaks, [](const ResponsePeak &a, const ResponsePeak &b) {
         return a.amplification.value_or(HUGE_VAL) > b.amplification.value_or(HUGE_VAL);
@@ -494,12 +501,21 @@ Report describe(const model::Case &scene, const ResponseResult &result) {
                                               {json_of, {}, {}, text_of, {}});
     report.csv = parts.front().csv;
     report.figure = parts.front().figure;
-    report.sections = [parts](const Units &units) { return sections_of(parts, units); };
+    report.sections = [parts, &result](const Units &units) {
+        return sections_of(operating_sections(result, units), parts, units);
+    };
+    if (result.operating)
+        report.tables = [&result] {
+            return std::vector<TableFile>{{"response_operating", [&result](const Units &units) {
+                                               return operating_csv(result, units);
+                                           }}};
+        };
     report.pictures = [&scene, &result](const Units &units) {
         return pictures_of(scene, result, units);
     };
     report.pictures_heading = pictures_heading(parts, result);
-    report.pictures_after = result.nodes.empty() ? 0 : 2;
+    report.pictures_after =
+        result.nodes.empty() ? 0 : 2 + operating_sections(result, Units()).size();
     if (!result.speeds.empty()) // complete: on the first process
         report.answer = answer_of(result);
     report.brief = [&](const Units &units) { return brief_of(result, units); };

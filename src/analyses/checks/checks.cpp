@@ -1,0 +1,497 @@
+#include "analyses/checks/checks.h"
+
+#include "operation/limits.h"
+#include "operation/margins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace whirl::analyses {
+
+namespace {
+
+namespace as = results::as;
+using results::Check;
+using results::Interval;
+using results::Measure;
+using results::OperatingWorst;
+using results::Sentence;
+using results::SeparationMargin;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+Check not_judged(const char *name, const Sentence &why, const std::string &source = "") {
+    Check check;
+    check.name = name;
+    check.source = source;
+    check.why = why;
+    return check;
+}
+
+void reset(Check &check, const Sentence &why) {
+    check.pass.reset();
+    check.why = why;
+}
+
+Sentence or_else(const Sentence &reason, const char *otherwise) {
+    return reason.empty() ? Sentence(otherwise) : reason;
+}
+
+Sentence place_in_words(const char *of, const std::string &name, double z) {
+    return name.empty() ? Sentence("{} at z = {}", of, as::length(z)) : Sentence("{} {}", of, name);
+}
+
+const char *const margin_name = "separation margin";
+const char *const factor_name = "amplification factor of a critical speed at operating speeds";
+const char *const api617 = "API 617";
+
+Check check_of(const SeparationMargin &margin, const model::Operation &operation) {
+    Check check;
+    check.source = api617;
+    check.pass = margin.passes;
+    check.where = Sentence("{} at {}", margin.source == "damping" ? "critical speed" : "peak",
+                           as::speed(margin.speed));
+    if (margin.z)
+        check.where += Sentence(", {}", place_in_words(margin.of == "probe" ? "probe" : "station",
+                                                       margin.name, *margin.z));
+    if (margin.side == results::MarginSide::inside) {
+        check.name = factor_name;
+        check.value = margin.amplification.value_or(infinite);
+        check.limit = results::Damping::least_amplification;
+        return check;
+    }
+    check.name = margin_name;
+    check.percent = check.at_least = true;
+    check.value = margin.found / 100;
+    if (margin.required)
+        check.limit = *margin.required / 100;
+    if (!margin.passes && check.limit && *check.value >= *check.limit)
+        check.where += operation.trip && margin.speed <= *operation.trip
+                           ? Sentence(", which the machine reaches before it trips")
+                           : Sentence(", where a free motion grows");
+    return check;
+}
+
+/// Peaks were looked for wherever one could be too near.
+bool speeds_cover(const model::Case &scene) {
+    const model::Operation &operation = *scene.operation;
+    constexpr double most_below = 0.16; // no more is asked for below the lowest operating speed
+    constexpr double rounding = 1e-9;
+    return scene.speeds && scene.speeds->count > 1 &&
+           scene.speeds->from <= (1 - most_below) * operation.from * (1 + rounding) &&
+           scene.speeds->to >= operation::highest_relevant_speed(operation) * (1 - rounding);
+}
+
+/// Where a rotor is not the one that was computed: either way it says nothing, or it says nothing
+/// good.
+struct Doubt {
+    Sentence why;
+    bool either_way = false;
+};
+
+Doubt doubt_of_rotor(const model::Case &scene) {
+    if (!scene.rotor.balancers.empty())
+        return {{"peaks and critical speeds are those without the balancers' own parts"}, true};
+    const double top = operation::top_speed(*scene.operation);
+    for (const model::Bearing &bearing : scene.rotor.bearings)
+        if (bearing.depends_on_speed() &&
+            (bearing.speeds.front() > scene.operation->from || bearing.speeds.back() < top))
+            return {{"the table of the {} ends inside the operating speeds",
+                     place_in_words(bearing.seal ? "seal" : "bearing", bearing.name, bearing.z)}};
+    return {};
+}
+
+void apply(const Doubt &doubt, Check &check) {
+    if (!doubt.why.empty() && (doubt.either_way || check.pass.value_or(false)))
+        reset(check, doubt.why);
+}
+
+/// Where critical speeds may be missing in a list.
+void add_missing_criticals(std::vector<Check> &checks, const results::CriticalResult &critical,
+                           double highest) {
+    if (critical.complete_to < highest)
+        checks.push_back(not_judged(margin_name,
+                                    {"critical speeds are known up to {}, and could be too near up "
+                                     "to {}",
+                                     as::speed(critical.complete_to), as::speed(highest)},
+                                    api617));
+    for (const Interval &doubtful : critical.doubtful)
+        if (doubtful.from < highest)
+            checks.push_back(not_judged(margin_name,
+                                        {"critical speeds from {} may be missing",
+                                         as::speed.range(doubtful.from, doubtful.to)},
+                                        api617));
+}
+
+void add_margins(std::vector<Check> &checks, const model::Case &scene, const Computed &computed) {
+    const std::vector<SeparationMargin> *margins = nullptr;
+    if (computed.response != nullptr && computed.response->margins)
+        margins = &*computed.response->margins;
+    else if (computed.critical != nullptr && computed.critical->margins)
+        margins = &*computed.critical->margins;
+    if (margins == nullptr) {
+        checks.push_back(not_judged(
+            margin_name,
+            or_else(computed.no_critical.empty() ? computed.no_response : computed.no_critical,
+                    "critical speeds were not computed"),
+            api617));
+        return;
+    }
+    const model::Operation &operation = *scene.operation;
+    const Doubt doubt = doubt_of_rotor(scene);
+    const double highest = operation::highest_relevant_speed(operation);
+    std::vector<Check> own;
+    for (const SeparationMargin &margin : *margins)
+        own.push_back(check_of(margin, operation));
+    if (own.empty()) {
+        Check &check = own.emplace_back();
+        check.name = margin_name;
+        check.source = api617;
+        check.pass = true;
+        check.where = Sentence("no critical speed with an amplification factor of {} or more",
+                               as::number(results::Damping::least_amplification));
+    }
+    for (Check &check : own)
+        apply(doubt, check);
+    if (computed.critical == nullptr)
+        own.push_back(not_judged(margin_name,
+                                 or_else(computed.no_critical, "critical speeds were not computed"),
+                                 api617));
+    else
+        add_missing_criticals(own, *computed.critical, highest);
+    const bool driven = computed.response != nullptr && !computed.response->nodes.empty();
+    if (driven && !speeds_cover(scene))
+        own.push_back(not_judged(
+            margin_name,
+            {"peaks were not looked for at all speeds {}, where one could be too near: [speeds] "
+             "must reach beyond both",
+             as::speed.range((1 - 0.16) * operation.from, highest)},
+            api617));
+    if (driven && computed.critical != nullptr)
+        for (const results::ResponsePeak *peak : operation::peaks_without_factor(
+                 operation, computed.critical->critical_speeds, computed.response->peaks)) {
+            Check check = not_judged(
+                margin_name,
+                {"the curve does not come down to the half-power points on both sides of the peak, "
+                 "and without them it has no amplification factor"},
+                api617);
+            check.where = Sentence("peak at {}, {}", as::speed(peak->speed),
+                                   place_in_words(peak->of.c_str(), peak->name, peak->z));
+            own.push_back(std::move(check));
+        }
+    checks.insert(checks.end(), own.begin(), own.end());
+}
+
+/// Growth of free motions, over all operating speeds.
+Check of_stability(const model::Case &scene, const Computed &computed) {
+    Check check;
+    check.name = "growth of free motions";
+    check.quantity = model::Quantity::rate;
+    check.limit = 0;
+    check.source = "stability";
+    const auto undecided = [&check](const Sentence &why) {
+        reset(check, why);
+        return check;
+    };
+    const results::StabilityResult *result = computed.stability;
+    if (result == nullptr)
+        return undecided(or_else(computed.no_stability, "stability was not computed"));
+    const double low = scene.operation->from;
+    const double high = operation::top_speed(*scene.operation);
+    const bool resolved = result->resolved_up_to.has_value();
+    const auto &growth =
+        resolved && !result->resolved_growth.empty() ? result->resolved_growth : result->growth;
+    const auto &verdict =
+        resolved && !result->resolved_verdict.empty() ? result->resolved_verdict : result->verdict;
+    using results::Verdict;
+    bool neutral = false;
+    bool unknown = false;
+    bool unresolved = false;
+    bool any = false;
+    for (std::size_t i = 0; i < result->speeds.size(); ++i) {
+        const double speed = result->speeds[i];
+        if (speed < low || speed > high)
+            continue;
+        any = true;
+        const Verdict one = i < verdict.size() ? verdict[i] : Verdict::unknown;
+        const double rate = i < growth.size() ? growth[i] : std::nan("");
+        neutral = neutral || one == Verdict::neutral;
+        unknown = unknown || one == Verdict::unknown || !std::isfinite(rate);
+        if (i < result->unresolved_growth.size())
+            unresolved = unresolved || !(result->unresolved_growth[i] <= 0);
+        if (one == Verdict::unstable || one == Verdict::diverges)
+            check.pass = false;
+        if (std::isfinite(rate) && (!check.value || rate > *check.value)) {
+            check.value = rate;
+            check.where = Sentence("at {}", as::speed(speed));
+        }
+    }
+    std::vector<Interval> bands = resolved ? result->resolved_unstable : result->unstable;
+    const auto &errors = resolved ? result->resolved_unstable_error : result->unstable_error;
+    if (result->family)
+        bands.insert(bands.end(), result->family->unstable.begin(), result->family->unstable.end());
+    bool near = false;
+    for (std::size_t i = 0; i < bands.size(); ++i) {
+        const auto error = [&](double of) { return std::isfinite(of) ? of : infinite; };
+        const double below = i < errors.size() ? error(errors[i].first) : 0;
+        const double above = i < errors.size() ? error(errors[i].second) : 0;
+        if (bands[i].to >= low && bands[i].from <= high) {
+            check.pass = false;
+            check.where = Sentence("unstable at {}", as::speed.range(bands[i].from, bands[i].to));
+        } else if (bands[i].to + above >= low && bands[i].from - below <= high) {
+            near = true;
+        }
+    }
+    if (check.pass)
+        return check; // it grows
+    constexpr double rounding = 1e-9;
+    if (!any || result->speeds.size() < 2 || result->speeds.front() > low * (1 + rounding) ||
+        result->speeds.back() < high * (1 - rounding))
+        return undecided({"stability was not looked at over all operating speeds, {}",
+                          as::speed.range(low, high)});
+    if (unknown)
+        return undecided("at some operating speed it is not known whether a motion grows");
+    if (unresolved)
+        return undecided("motions too fast for the elements may grow");
+    if (neutral)
+        return undecided("some motion has no damping and neither grows nor dies out");
+    if (near)
+        return undecided("an unstable range is nearer than the error of its end");
+    check.pass = check.value && *check.value < 0 ? std::optional(true) : std::nullopt;
+    if (!check.pass)
+        return undecided("some motion does not die out");
+    apply({doubt_of_rotor(scene).either_way ? Sentence() : doubt_of_rotor(scene).why}, check);
+    return check;
+}
+
+void add_level1(std::vector<Check> &checks, const model::Case &scene, const Computed &computed) {
+    if (!scene.level1)
+        return;
+    constexpr double least_decrement = 0.1;
+    constexpr double least_ratio = 2;
+    const char *const source = "API 617, level I";
+    Check decrement;
+    decrement.name = "logarithmic decrement with the anticipated cross coupling";
+    decrement.limit = least_decrement;
+    decrement.at_least = true;
+    decrement.source = source;
+    Check ratio = decrement;
+    ratio.name = "critical over anticipated cross coupling";
+    ratio.limit = least_ratio;
+    const results::StabilityResult *result = computed.stability;
+    const results::Level1 *found = result != nullptr && result->level1 ? &*result->level1 : nullptr;
+    Sentence why;
+    if (found == nullptr)
+        why = result == nullptr ? or_else(computed.no_stability, "stability was not computed")
+                                : Sentence("added cross coupling was not computed");
+    else if (!found->anticipated)
+        why = "the case does not say which cross coupling is anticipated";
+    if (!why.empty()) {
+        reset(decrement, why);
+        reset(ratio, why);
+        checks.insert(checks.end(), {decrement, ratio});
+        return;
+    }
+    for (Check *check : {&decrement, &ratio})
+        check->where =
+            Sentence("cross coupling at z = {}, {}", as::length(found->z), as::speed(found->speed));
+    decrement.value = found->anticipated_log_dec;
+    if (!found->anticipated_log_dec || !std::isfinite(*found->anticipated_log_dec))
+        reset(decrement, "the decrement was not found");
+    else
+        decrement.pass = *found->anticipated_log_dec >= least_decrement;
+    const bool grows_without =
+        !found->log_dec.empty() && !(found->log_dec.front() > 0); // or is not known
+    if (found->critical_cross_coupling) {
+        ratio.value = *found->critical_cross_coupling / *found->anticipated;
+        const double error = std::abs(found->error) * *ratio.value;
+        if (*ratio.value < least_ratio)
+            ratio.pass = false;
+        else if (*ratio.value - error >= least_ratio)
+            ratio.pass = true;
+        else
+            reset(ratio, std::isfinite(error)
+                             ? Sentence("it is nearer to its limit than its error")
+                             : Sentence("the error of the critical cross coupling is not known"));
+    } else if (grows_without) {
+        ratio.value = 0;
+        ratio.pass = false;
+    } else if (found->log_dec.empty()) {
+        reset(ratio, "the critical cross coupling was not found");
+    } else {
+        ratio.value = infinite;
+        ratio.pass = true;
+    }
+    checks.insert(checks.end(), {decrement, ratio});
+}
+
+const char *const shaft_name = "vibration of the shaft";
+const char *const pedestal_name = "vibration of a pedestal";
+const char *const clearance_name = "share of the clearance";
+
+Check check_of(const OperatingWorst &worst) {
+    Check check;
+    check.name = worst.what == Measure::clearance_share ? clearance_name
+                 : worst.of == "pedestal"               ? pedestal_name
+                                                        : shaft_name;
+    check.value = worst.value;
+    check.limit = worst.limit;
+    check.quantity = results::measure_quantity(worst.what);
+    check.percent = worst.what == Measure::clearance_share;
+    check.source = worst.source;
+    const bool rms = worst.what == Measure::velocity_rms || worst.what == Measure::amplitude_rms;
+    if (worst.what != Measure::clearance_share)
+        check.reading = rms ? "rms" : "peak";
+    check.pass = worst.pass;
+    check.why = worst.why;
+    check.where = place_in_words(worst.of.c_str(), worst.name, worst.z);
+    if (worst.angle && worst.name.empty())
+        check.where += Sentence(", {}", as::angle(*worst.angle, 4));
+    if (worst.of == "probe" && worst.relative)
+        check.where += ", against the pedestal";
+    check.where += Sentence(", {}", as::speed(worst.speed));
+    if (worst.scale != 1)
+        check.where += Sentence(", imbalance times {}", as::number(worst.scale, 4));
+    return check;
+}
+
+void add_vibration(std::vector<Check> &checks, const model::Case &scene, const Computed &computed) {
+    if (!scene.limits)
+        return;
+    const model::Rotor &rotor = scene.rotor;
+    const auto shaft = operation::shaft_limits(*scene.limits, *scene.operation);
+    const auto pedestal = operation::pedestal_limits(*scene.limits, *scene.operation);
+    const bool clearance = scene.limits->clearance.has_value();
+    const bool known = computed.response != nullptr && computed.response->operating;
+    Sentence missing;
+    if (!known)
+        missing = computed.response == nullptr
+                      ? or_else(computed.no_response, "the response was not computed")
+                      : Sentence("nothing drives the rotor that the response is computed to");
+    const auto source_of = [](const std::vector<operation::VibrationLimit> &limits) {
+        return limits.empty() ? std::string() : limits.front().source;
+    };
+    if (known)
+        for (const OperatingWorst &worst : computed.response->operating->worst)
+            checks.push_back(check_of(worst));
+    const bool probes =
+        std::ranges::any_of(rotor.probes, [](const auto &probe) { return !probe.on_pedestal; });
+    if (!shaft.empty() && (!known || !probes))
+        checks.push_back(not_judged(shaft_name,
+                                    known ? Sentence("no [[probe]] reads the shaft") : missing,
+                                    source_of(shaft)));
+    if (!pedestal.empty() && !known)
+        checks.push_back(not_judged(pedestal_name, missing, source_of(pedestal)));
+    if (!pedestal.empty() && known) {
+        if (rotor.supports().empty())
+            checks.push_back(
+                not_judged(pedestal_name, {"there is no bearing"}, source_of(pedestal)));
+        for (const model::Bearing &bearing : rotor.supports())
+            if (!bearing.pedestal) {
+                Check check = not_judged(
+                    pedestal_name, {"the bearing has no pedestal: what holds it stands still"},
+                    source_of(pedestal));
+                check.where = place_in_words("bearing", bearing.name, bearing.z);
+                checks.push_back(std::move(check));
+            }
+    }
+    if (clearance && !known)
+        checks.push_back(not_judged(clearance_name, missing, "case"));
+    if (clearance && known) {
+        if (rotor.bearings.empty())
+            checks.push_back(
+                not_judged(clearance_name, {"there is neither bearing nor seal"}, "case"));
+        for (const model::Bearing &bearing : rotor.bearings)
+            if (!bearing.clearance) {
+                Check check = not_judged(clearance_name, {"its clearance is not given"}, "case");
+                check.where =
+                    place_in_words(bearing.seal ? "seal" : "bearing", bearing.name, bearing.z);
+                checks.push_back(std::move(check));
+            }
+    }
+}
+
+/// A value as it is compared: "4.2 m/s", "12.4 %".
+Sentence number_of(const Check &check, const std::optional<double> &value) {
+    if (!value || std::isnan(*value))
+        return {"not known"};
+    if (std::isinf(*value))
+        return {"without limit"};
+    constexpr int digits = 4;
+    return check.percent ? Sentence("{} %", as::number(100 * *value, digits))
+                         : Sentence("{}", model::ValueOf{check.quantity}(*value, digits));
+}
+
+Sentence about(const Check &check) {
+    Sentence out("{}", check.name);
+    if (!check.where.empty())
+        out += Sentence(" ({})", check.where);
+    return out;
+}
+
+Sentence verdict_of(const results::Assessment &assessment, const model::Case &scene) {
+    const std::vector<Check> &checks = assessment.checks;
+    const auto count = [&checks](std::optional<bool> pass) {
+        return static_cast<int>(std::ranges::count(checks, pass, &Check::pass));
+    };
+    const Check &first = checks.front();
+    switch (assessment.verdict) {
+    case results::Judgement::fails:
+        return {"{} of {} checks fail, first {}: {}, {} {} {}",
+                count(false),
+                static_cast<int>(checks.size()),
+                about(first),
+                number_of(first, first.value),
+                first.at_least ? "at least" : "at most",
+                number_of(first, first.limit),
+                first.reading.empty() ? "" : first.reading.c_str()};
+    case results::Judgement::incomplete:
+        return {"no check fails, but {} of {} could not be judged, first {}: {}",
+                count(std::nullopt), static_cast<int>(checks.size()), about(first), first.why};
+    case results::Judgement::passes:
+        break;
+    }
+    Sentence out("all {} checks pass", static_cast<int>(checks.size()));
+    if (!scene.limits)
+        out += "; the case gives no limits of vibration";
+    return out;
+}
+
+} // namespace
+
+model::Case over_operation(model::Case scene) {
+    constexpr int speeds = 11;
+    scene.speeds =
+        model::SpeedRange{scene.operation->from, operation::top_speed(*scene.operation), speeds};
+    return scene;
+}
+
+results::Assessment assess(const model::Case &scene, const Computed &computed) {
+    results::Assessment out;
+    if (scene.operation) {
+        add_margins(out.checks, scene, computed);
+        add_vibration(out.checks, scene, computed);
+        out.checks.push_back(of_stability(scene, computed));
+        add_level1(out.checks, scene, computed);
+    } else {
+        out.checks.push_back(not_judged(
+            "operating speeds", {"the case does not say at which speeds the machine runs"}));
+    }
+    // What is not a number passes nothing, wherever it came from.
+    for (Check &check : out.checks)
+        if (check.pass.value_or(false) && ((check.value && std::isnan(*check.value)) ||
+                                           (check.limit && std::isnan(*check.limit))))
+            reset(check, "the value is not a number");
+    const auto rank = [](const Check &check) { return !check.pass ? 1 : *check.pass ? 2 : 0; };
+    std::ranges::stable_sort(out.checks, {}, rank);
+    const int worst = rank(out.checks.front());
+    out.verdict = worst == 0   ? results::Judgement::fails
+                  : worst == 1 ? results::Judgement::incomplete
+                               : results::Judgement::passes;
+    out.sentence = verdict_of(out, scene);
+    return out;
+}
+
+} // namespace whirl::analyses

@@ -1,0 +1,239 @@
+#include "report/response/operating.h"
+
+#include "report/common/csv.h"
+#include "report/common/html.h"
+#include "report/common/table.h"
+#include "report/common/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace whirl::report {
+
+using results::Measure;
+using results::OperatingPlace;
+using results::OperatingRow;
+using results::OperatingWorst;
+using results::ResponseResult;
+
+namespace {
+
+std::string outcome(const std::optional<bool> &pass) {
+    return !pass ? "not judged" : *pass ? "passes" : "fails";
+}
+
+/// "probe DE x (z = 0.2 m)", "probe at z = 0.2 m, 45 deg, against the pedestal".
+std::string operating_place(const OperatingPlace &row, const Units &units) {
+    std::string out = row.of + " " + place(row.name, row.z, units);
+    if (row.angle && row.name.empty()) // which of two at one place
+        out += ", " + units.text(Quantity::angle, *row.angle, 4);
+    return row.of == "probe" && row.relative ? out + ", against the pedestal" : out;
+}
+
+Quantity limited_quantity(const OperatingRow &row) {
+    return row.limited ? results::measure_quantity(*row.limited) : Quantity::number;
+}
+const OfEach row_limit{limited_quantity};
+const OfEach worst_value{
+    [](const OperatingWorst &worst) { return results::measure_quantity(worst.what); }};
+
+template <class Row> Column<Row> unit_column(Quantity (*quantity)(const Row &)) {
+    return {"unit", InCsv("unit"),
+            [quantity](const Row &row, const Units &units) { return units.name(quantity(row)); }};
+}
+
+/// A value with the unit of its row.
+std::string with_unit(Quantity quantity, std::optional<double> value, const Units &units) {
+    if (!value || std::isnan(*value))
+        return "";
+    if (std::isinf(*value))
+        return "no limit";
+    return units.text(quantity, *value, 5);
+}
+
+std::optional<std::string> limited_name(const OperatingRow &row) {
+    return row.limited ? std::optional(results::measure_name(*row.limited)) : std::nullopt;
+}
+
+std::string row_outcome(const OperatingRow &row) {
+    return row.limited ? outcome(row.pass) : std::string();
+}
+
+const Columns<OperatingRow> row_columns{
+    {"speed", InCsv("speed"), ForReaders("at"), Quantity::speed, &OperatingRow::speed},
+    {"at", InCsv("at"), ForReaders("speed"), &OperatingRow::at},
+    {"of", InCsv("of"), &OperatingRow::of},
+    {"name", InCsv("name"), &OperatingRow::name},
+    {"z", InCsv("z"), Quantity::length, &OperatingRow::z},
+    {"angle", InCsv("angle"), Quantity::angle, &OperatingRow::angle},
+    {"relative", InCsv("relative"), &OperatingRow::relative},
+    {OnPage("Place"), InText("place"),
+     [](const OperatingRow &row, const Units &units) { return operating_place(row, units); }},
+    {"amplitude", InCsv("amplitude"), OnPage("Amplitude", "{:.5g}", "no limit"),
+     InText("amplitude", "{:.5g}", "no limit"), Quantity::amplitude, &OperatingRow::amplitude},
+    {"phase", InCsv("phase"), OnPage("Phase", "{:.1f}", ""), InText("phase", "{:.1f}", ""),
+     Quantity::angle, &OperatingRow::phase},
+    {"velocity", InCsv("velocity"), OnPage("Velocity", "{:.5g}", "no limit"),
+     InText("velocity", "{:.5g}", "no limit"), Quantity::velocity, &OperatingRow::velocity},
+    {"acceleration", InCsv("acceleration"), OnPage("Acceleration", "{:.5g}", "no limit"),
+     Quantity::acceleration, &OperatingRow::acceleration},
+    {"clearance_share", InCsv("clearance_share"), Quantity::number, &OperatingRow::clearance_share},
+    {OnPage("Share of the clearance (%)", "{:.4g}", "no limit"),
+     InText("% of clearance", "{:.4g}", "no limit"), Quantity::number,
+     in(100, &OperatingRow::clearance_share)},
+    {"force", InCsv("force"), OnPage("Force", "{:.5g}", "no limit"),
+     InText("force", "{:.5g}", "no limit"), Quantity::force, &OperatingRow::force},
+    {"limited", InCsv("limited"), limited_name},
+    {"value", InCsv("value"), row_limit,
+     [](const OperatingRow &row) { return row.limited ? std::optional(row.value) : std::nullopt; }},
+    {"limit", InCsv("limit"), row_limit, &OperatingRow::limit},
+    unit_column<OperatingRow>(limited_quantity),
+    {OnPage("Limited"), InText("limited", "{}", ""),
+     [](const OperatingRow &row, const Units &units) {
+         return row.limited ? fmt::format("{} {} of {}", results::measure_name(*row.limited),
+                                          with_unit(limited_quantity(row), row.value, units),
+                                          with_unit(limited_quantity(row), row.limit, units))
+                            : std::string();
+     }},
+    {"pass", InCsv("pass"), &OperatingRow::pass},
+    {ForReaders(""), row_outcome},
+    {"error", InCsv("error"), OnPage("Relative error", "{:.2g}"), InText("error", rough),
+     Quantity::number, &OperatingRow::error}};
+
+const Columns<OperatingWorst> worst_columns{
+    {"of", &OperatingWorst::of},
+    {"name", &OperatingWorst::name},
+    {"z", Quantity::length, &OperatingWorst::z},
+    {"angle", Quantity::angle, &OperatingWorst::angle},
+    {"relative", &OperatingWorst::relative},
+    {OnPage("Largest over the operating speeds"), InText("largest"),
+     [](const OperatingWorst &worst, const Units &units) { return operating_place(worst, units); }},
+    {"what", ForReaders("of"),
+     [](const OperatingWorst &worst) { return results::measure_name(worst.what); }},
+    {"from", Quantity::speed, &OperatingWorst::from},
+    {"to", Quantity::speed, &OperatingWorst::to},
+    {"value", worst_value, &OperatingWorst::value},
+    {"limit", worst_value, &OperatingWorst::limit},
+    unit_column<OperatingWorst>(
+        [](const OperatingWorst &worst) { return results::measure_quantity(worst.what); }),
+    {OnPage("Value"), InText("value"),
+     [](const OperatingWorst &worst, const Units &units) {
+         return with_unit(results::measure_quantity(worst.what), worst.value, units);
+     }},
+    {OnPage("Limit"), InText("limit"),
+     [](const OperatingWorst &worst, const Units &units) {
+         return with_unit(results::measure_quantity(worst.what), worst.limit, units);
+     }},
+    {"speed", ForReaders("at"), Quantity::speed, &OperatingWorst::speed},
+    {"scale", Quantity::number, &OperatingWorst::scale},
+    {"source", ForReaders("limit of"), &OperatingWorst::source},
+    {"pass", &OperatingWorst::pass},
+    {ForReaders(""), [](const OperatingWorst &worst) { return outcome(worst.pass); }},
+    {"why", [](const OperatingWorst &worst, const Units &units) { return units.text(worst.why); }},
+    {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), Quantity::number,
+     &OperatingWorst::error}};
+
+/// Why limits are not judged, each reason once.
+std::vector<std::string> reasons(const ResponseResult &result, const Units &units) {
+    std::vector<std::string> out;
+    for (const OperatingWorst &worst : result.operating->worst)
+        if (!worst.why.empty()) {
+            const std::string why = "not judged: " + units.text(worst.why);
+            if (std::find(out.begin(), out.end(), why) == out.end())
+                out.push_back(why);
+        }
+    if (result.operating->scale)
+        out.push_back(fmt::format("clearances with the imbalance times {:.4g}, which brings the "
+                                  "probe that reads most to its limit",
+                                  *result.operating->scale));
+    return out;
+}
+
+} // namespace
+
+void add_operating(Json &json, const ResponseResult &result, const Units &units) {
+    if (!result.operating)
+        return;
+    json["operating"] = json_rows(row_columns, result.operating->rows, units);
+    json["worst"] = json_rows(worst_columns, result.operating->worst, units);
+    json["scale"] = Json(result.operating->scale);
+}
+
+std::vector<Section> operating_sections(const ResponseResult &result, const Units &units) {
+    if (!result.operating)
+        return {};
+    std::vector<Section> out{
+        {"At the operating speeds", page_table(row_columns, result.operating->rows, units)}};
+    if (!result.operating->worst.empty()) {
+        std::string html = page_table(worst_columns, result.operating->worst, units);
+        for (const std::string &reason : reasons(result, units))
+            html += "<p>" + escaped(reason) + ".</p>";
+        out.push_back({"Limits", std::move(html)});
+    }
+    return out;
+}
+
+std::vector<Section> operating_brief(const ResponseResult &result, const Units &units) {
+    std::vector<Section> all = operating_sections(result, units);
+    if (all.empty())
+        return all;
+    std::vector<OperatingRow> rows;
+    for (const char *at : {"normal", "maximum"}) {
+        for (const OperatingRow &row : result.operating->rows)
+            if (row.at.find(at) != std::string::npos)
+                rows.push_back(row);
+        if (!rows.empty())
+            break;
+    }
+    if (rows.empty()) // one speed has a name of its own
+        rows = result.operating->rows;
+    std::rotate(all.begin(), all.begin() + 1, all.end()); // limits first
+    all.back().html = page_table_of_first(2 * brief_rows, row_columns, rows, units);
+    return all;
+}
+
+model::Sentence operating_answer(const ResponseResult &result) {
+    namespace as = model::as;
+    const auto used = [](const OperatingRow &row) {
+        return row.limited && row.limit && *row.limit > 0 ? row.value / *row.limit : -1;
+    };
+    const auto words = [](const OperatingRow &row) {
+        return row.name.empty() ? model::Sentence("{} at z = {}", row.of, as::length(row.z, 4))
+                                : model::Sentence("{} {}", row.of, row.name);
+    };
+    const std::vector<OperatingRow> &rows = result.operating->rows;
+    if (rows.empty())
+        return {};
+    const auto most = std::ranges::max_element(rows, {}, used);
+    if (used(*most) >= 0)
+        return {"at the operating speeds the {} is nearest to its limit: {} of {} at {}",
+                words(*most), model::Value{{most->value}, limited_quantity(*most), 4},
+                model::Value{{*most->limit}, limited_quantity(*most), 4},
+                as::speed(most->speed, 5)};
+    const auto largest = std::ranges::max_element(rows, {}, &OperatingRow::amplitude);
+    if (std::isinf(largest->amplitude))
+        return {"a resonance without damping at the operating speed {}",
+                as::speed(largest->speed, 5)};
+    return {"the largest amplitude at the operating speeds is {}, {}, at {}",
+            as::amplitude(largest->amplitude, 4), words(*largest), as::speed(largest->speed, 5)};
+}
+
+std::string operating_text(const ResponseResult &result, const Units &units) {
+    if (!result.operating)
+        return "";
+    std::string out = "At the operating speeds:\n" +
+                      text_table(row_columns, result.operating->rows, units) +
+                      text_table("\nLimits:\n", worst_columns, result.operating->worst, units);
+    for (const std::string &reason : reasons(result, units))
+        out += "  " + reason + "\n";
+    return out + "\n";
+}
+
+std::string operating_csv(const ResponseResult &result, const Units &units) {
+    return csv_table(row_columns, result.operating->rows, units);
+}
+
+} // namespace whirl::report
