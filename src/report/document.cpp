@@ -141,7 +141,8 @@ class Pictures {
 
 std::string chapter_section(const Chapter &chapter, std::size_t index, const Pictures &pictures,
                             const Units &units) {
-    std::string html = "<section class=\"chapter\">" + element("h2", chapter.heading) +
+    std::string html = std::string("<section class=\"chapter") + (index == 0 ? " first" : "") +
+                       "\">" + element("h2", chapter.heading) +
                        element("p", sentence_of(chapter.answer, units),
                                chapter.answered ? "answer" : "answer failed");
     if (chapter.drawing)

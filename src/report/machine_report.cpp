@@ -29,7 +29,7 @@ constexpr std::size_t most_checks = 16;
 /// An analysis as part of the report.
 struct Of {
     const char *command;
-    const char *heading; ///< where it has no result
+    const char *heading;
     std::optional<Report> report{};
     model::Sentence why{};
     bool failed = false;
@@ -78,7 +78,7 @@ Chapter chapter_of(const Of &part, const Units &units, std::vector<model::Senten
                 .answer = model::Sentence("not computed: {}", part.why),
                 .answered = false};
     const Report &report = *part.report;
-    Chapter chapter{.command = report.command, .heading = report.heading, .answer = report.answer};
+    Chapter chapter{.command = report.command, .heading = part.heading, .answer = report.answer};
     if (report.figure)
         chapter.pictures.push_back({report.command, report.figure(units), {}});
     if (report.pictures)
