@@ -39,6 +39,14 @@ std::string sentence_of(const model::Sentence &sentence, const Units &units) {
     return text.empty() ? "" : text + ".";
 }
 
+/// "2026-03-01 12:00 UTC" of "2026-03-01T12:00:00Z".
+std::string day_and_time(const std::string &date) {
+    constexpr std::size_t day = 10, time = 5;
+    return date.size() < day + 1 + time
+               ? date
+               : date.substr(0, day) + " " + date.substr(day + 1, time) + " UTC";
+}
+
 /// A string of CSS in a style element: what could end either stands there by its number.
 std::string css_string(const std::string &text) {
     std::string out = "\"";
@@ -92,12 +100,12 @@ std::vector<std::string> hashed(const Provenance &provenance) {
 std::string inputs_section(const Report &report, const std::string &hash) {
     const Provenance &from = report.provenance;
     std::string html = "<section class=\"inputs\"><h2>What it was computed from</h2>\n";
-    html += element(
-        "p",
-        fmt::format("Whirl {}, {}. SHA-256 of the case, which is {}:", program_version(), from.date,
-                    from.overrides.empty() ? "its files one after another"
-                                           : "its files and the entries of the command line, each "
-                                             "with a line end, one after another"));
+    html += element("p", fmt::format("Whirl {}, {}. SHA-256 of the case, which is {}:",
+                                     program_version(), day_and_time(from.date),
+                                     from.overrides.empty()
+                                         ? "its files one after another"
+                                         : "its files and the entries of the command line, each "
+                                           "with a line end, one after another"));
     html += element("p", hash, "hash");
     Texts table{{"File", "Bytes", "SHA-256"}};
     for (const InputFile &file : from.files)
@@ -189,7 +197,7 @@ std::string document_page(const Report &report, const Document &document, const 
                 {"style", embedded("document.css")},
                 {"page_foot", page_foot(title, short_hash)},
                 {"case", escaped(report.scene->name)},
-                {"date", report.provenance.date},
+                {"date", day_and_time(report.provenance.date)},
                 {"version", program_version()},
                 {"short_hash", short_hash},
                 {"drawing", picture_element(to_svg(document.drawing), "Side view: " + title)},

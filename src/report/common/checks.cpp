@@ -95,6 +95,8 @@ std::string checks_csv(const std::vector<Check> &checks, const Units &units) {
 }
 
 std::string checks_page(const std::vector<Check> &checks, const Units &units) {
+    if (checks.empty())
+        return "";
     pugi::xml_document document;
     pugi::xml_node table = document.append_child("table");
     table.append_attribute("class") = "checks";
