@@ -200,8 +200,8 @@ TEST_F(ReportCommand, BadInputIsStatusTwo) {
 
 /// The hash is that of the files one after another, as sha256sum has it.
 TEST_F(ReportCommand, HashIsThatOfTheCaseFiles) {
-    const std::string toml = case_folder("friswell_5_9_1") + "/case.toml";
-    ASSERT_EQ(run({"report", case_folder("friswell_5_9_1"), "--out", "r"}).status, 0);
+    const std::string toml = case_folder("hill_rotor") + "/case.toml";
+    ASSERT_EQ(run({"report", case_folder("hill_rotor"), "--out", "r"}).status, 0);
     const ProgramRun sum = whirl::tests::run_program("/usr/bin/sha256sum", {toml}, "errors");
     if (sum.status != 0)
         GTEST_SKIP() << "no sha256sum here";
