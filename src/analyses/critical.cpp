@@ -324,13 +324,15 @@ std::vector<results::ResponsePeak> peaks_for_margins(const model::Case &scene,
     }
 }
 
-void add_margins(const model::Case &scene, results::CriticalResult &result) {
+/// @param peaks  of the response, where they are known
+void add_margins(const model::Case &scene, results::CriticalResult &result,
+                 const std::vector<results::ResponsePeak> *peaks = nullptr) {
     if (!scene.operation)
         return;
-    const auto peaks = peaks_for_margins(scene, result.model);
-    result.margins = operation::separation_margins(*scene.operation, result.critical_speeds, peaks,
-                                                   !scene.rotor.bearings_rotation_invariant(),
-                                                   result.model.notes);
+    result.margins = operation::separation_margins(
+        *scene.operation, result.critical_speeds,
+        peaks ? *peaks : peaks_for_margins(scene, result.model),
+        !scene.rotor.bearings_rotation_invariant(), result.model.notes);
 }
 
 } // namespace
@@ -345,11 +347,12 @@ void drop_second_directions(std::vector<results::CriticalSpeed> &speeds, int wan
         speeds.pop_back();
 }
 
-results::CriticalResult critical_speeds(const model::Case &scene, bool map) {
+results::CriticalResult critical_speeds(const model::Case &scene, bool map,
+                                        const std::vector<results::ResponsePeak> *peaks) {
     results::CriticalResult result = critical_of(scene, true);
     if (result.model.formulation.form != results::Form::hill)
         name_modes(result.critical_speeds, scene, result.model.order);
-    add_margins(scene, result);
+    add_margins(scene, result, peaks);
     if (map)
         result.map = map_of(scene, result.model);
     note_growing_motions(scene, result.model);

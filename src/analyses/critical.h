@@ -2,6 +2,7 @@
 
 #include "model/case.h"
 #include "results/critical.h"
+#include "results/response.h"
 #include "synchronous/reduced.h"
 
 #include <optional>
@@ -20,8 +21,11 @@ namespace whirl::analyses {
 /// (synchronous::followed_modes). Asymmetric rotors on equal bearings: forward, balls
 /// held, and without damping. Errors: critical_errors; infinite where they are not known.
 ///
-/// @param map  with the critical speed map (critical_map)
-[[nodiscard]] results::CriticalResult critical_speeds(const model::Case &scene, bool map = false);
+/// @param map    with the critical speed map (critical_map)
+/// @param peaks  of unbalance_response, for the margins; null: they are looked for here
+[[nodiscard]] results::CriticalResult
+critical_speeds(const model::Case &scene, bool map = false,
+                const std::vector<results::ResponsePeak> *peaks = nullptr);
 
 /// The same with elements of the order given, errors and completeness not judged: for many rotors
 /// that differ a little from one whose errors are known. Of asymmetric rotors each direction of a

@@ -33,6 +33,8 @@ void add_own_options(CLI::App &app, const Command &command, Arguments &arguments
                           },
                           "--map over the stiffness of this bearing alone")
                        ->type_name("NAME|PLACE"));
+    hide_elsewhere(app.add_flag("--pdf", arguments.pdf,
+                                "also a PDF of the page, printed by Chromium or WeasyPrint"));
     hide_elsewhere(app.add_option_function<std::string>(
                           "--speed",
                           [&arguments](const std::string &speed) {

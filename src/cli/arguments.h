@@ -18,6 +18,7 @@ struct Arguments {
     bool errors = false; ///< columns of errors there, even below the digits shown
     bool all = false;    ///< all rows of all tables there
     bool quiet = false;  ///< nothing on standard output
+    bool pdf = false;    ///< report: printed to a file as well
     bool map = false; ///< balance: over plane positions; critical: over support stiffness as well
     std::vector<std::string> overrides; ///< "path.to.key=value"
     std::vector<std::string> compared;  ///< compare: a command, cases, results

@@ -60,6 +60,7 @@ Command balance_command();
 Command campbell_command();
 Command critical_command();
 Command modes_command();
+Command report_command();
 Command response_command();
 Command rigid_limit_command();
 Command samples_command();

@@ -39,13 +39,21 @@ std::string files_text(const report::Files &files) {
     for (const std::filesystem::path &path : files.paths)
         if (path.extension() == ".html")
             text += "report:  " + path.string();
+    for (const std::filesystem::path &path : files.paths)
+        if (path.extension() == ".pdf")
+            text += "\nprint:   " + path.string();
     return text;
 }
 
 /// What the run starts from.
 report::Provenance provenance_of(const input::CaseFile &file, const Arguments &arguments) {
-    return {fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))), file.text(),
-            arguments.overrides};
+    report::Provenance from{fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))),
+                            file.text(),
+                            arguments.overrides,
+                            {}};
+    for (const auto &[path, text] : file.files())
+        from.files.push_back({path, text});
+    return from;
 }
 
 report::TextStyle style_of(const Arguments &arguments) {

@@ -135,6 +135,15 @@ std::string CaseFile::text(const std::vector<std::string> &overrides) const {
 
 std::string CaseFile::all_texts() const { return _tables->all(); }
 
+std::vector<std::pair<std::string, std::string>> CaseFile::files() const {
+    std::vector<std::pair<std::string, std::string>> all{{_file.filename().string(), _text}};
+    for (const auto &[path, read] : _tables->texts())
+        if (path != _file.string())
+            all.emplace_back(
+                fs::path(path).lexically_relative(_file.parent_path()).generic_string(), read.text);
+    return all;
+}
+
 std::string CaseFile::with_place(const std::string &problem,
                                  const std::vector<std::string> &overrides) const {
     const std::string name = _file.generic_string();

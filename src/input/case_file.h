@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace whirl::input {
@@ -35,6 +36,10 @@ class CaseFile {
 
     /// What the file and the tables read so far hold: for processes that ought to read the same.
     [[nodiscard]] std::string all_texts() const;
+
+    /// The case file as it stands and the tables read so far, each with its path from the folder of
+    /// the case.
+    [[nodiscard]] std::vector<std::pair<std::string, std::string>> files() const;
 
     /// A problem that an analysis found in a case, "key: expected ..., got ..." with or without the
     /// file before it, with the place where the key stands: "cases/x/case.toml:12: key: ...". Where

@@ -23,6 +23,8 @@ class FileTexts {
 
     /// All that were read, one after the other: for processes that ought to have read the same.
     [[nodiscard]] std::string all() const;
+    /// The texts by the paths of their files.
+    [[nodiscard]] const std::map<std::string, FileText> &texts() const { return _texts; }
 
   private:
     std::map<std::string, FileText> _texts;

@@ -151,6 +151,11 @@ double least_memory(const model::Case &scene, const std::string &command) {
 }
 
 void refuse_too_large(const model::Case &scene, const std::string &command, double memory) {
+    if (command == "report") { // one after another: the largest of them decides
+        for (const ElementMemory &part : element_memory)
+            refuse_too_large(scene, part.command, memory);
+        return;
+    }
     const double model = model_memory(scene, command);
     if (least_memory(scene, command) <= memory)
         return;

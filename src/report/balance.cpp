@@ -386,6 +386,29 @@ std::vector<Picture> pictures_of(const model::Case &scene, const BalanceResult &
     return pictures;
 }
 
+/// Where all planes together balance the rotor, in one sentence.
+model::Sentence answer_of(const BalanceResult &result) {
+    const auto words = [](const Bands &bands) {
+        std::vector<model::Sentence> all;
+        for (const results::Interval &band : bands)
+            all.emplace_back("{}", model::as::speed.range(band.from, band.to, 5));
+        return all.empty() ? model::Sentence("nowhere in the range") : model::joined(all, ", ");
+    };
+    model::Sentence answer("balancers in {} {} can balance the rotor: {}", result.planes.size(),
+                           result.planes.size() == 1 ? "plane" : "planes together",
+                           words(result.joint.bands.bands));
+    if (result.balanced_position)
+        answer += model::Sentence("; the real ones are stable at their balanced position: {}",
+                                  words(result.balanced_position->bands));
+    return answer;
+}
+
+std::vector<Section> brief_of(const BalanceResult &result, const Units &units) {
+    return {{"What it says", findings_html(result.findings, units)},
+            {"Bands of spin speed", page_table_of_first(brief_rows, band_columns,
+                                                        planes_and_joint(result, units), units)}};
+}
+
 } // namespace
 
 Report describe(const model::Case &scene, const BalanceResult &result) {
@@ -398,6 +421,8 @@ Report describe(const model::Case &scene, const BalanceResult &result) {
     };
     report.pictures = [&](const Units &units) { return pictures_of(scene, result, units); };
     report.pictures_heading = "Pictures";
+    report.answer = answer_of(result);
+    report.brief = [&](const Units &units) { return brief_of(result, units); };
     return report;
 }
 

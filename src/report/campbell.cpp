@@ -223,6 +223,44 @@ Json drawn_of(const CampbellResult &result, const Units &units) {
             {"synchronous", units.factor(Quantity::frequency) / units.factor(Quantity::speed)}};
 }
 
+/// The modes that grow at some speed, each with the lowest such speed.
+model::Sentence growing_modes(const CampbellResult &result) {
+    std::vector<model::Sentence> growing;
+    for (const CampbellMode &mode : result.modes)
+        for (std::size_t i = 0; i < result.speeds.size(); ++i)
+            if (grows(mode, i)) {
+                growing.emplace_back("{} from {} on", mode.label,
+                                     model::as::speed(result.speeds[i], 4));
+                break;
+            }
+    return growing.empty() ? "none of them grows"
+                           : model::Sentence("growing: {}", model::joined(growing, ", "));
+}
+
+/// Critical speeds of the range and growth, in one sentence.
+model::Sentence answer_of(const CampbellResult &result) {
+    std::vector<double> critical;
+    for (const Crossing &crossing : result.crossings)
+        if (crossing.multiple == 1 && !crossing.damping.heavy())
+            critical.push_back(crossing.speed);
+    std::sort(critical.begin(), critical.end());
+    return {"{} modes between {}; {}; {}", result.modes.size(),
+            model::as::speed.range(result.speeds.front(), result.speeds.back(), 4),
+            critical.empty() ? model::Sentence("no resonance with the spin speed")
+                             : model::Sentence("resonances with the spin speed at {}",
+                                               model::as::speed.list(critical, 5)),
+            growing_modes(result)};
+}
+
+std::vector<Section> brief_of(const CampbellResult &result, const Units &units) {
+    std::vector<Section> sections;
+    if (!result.crossings.empty())
+        sections.push_back(
+            {"Crossings with multiples of the spin speed",
+             page_table_of_first(brief_rows, crossing_columns(result), result.crossings, units)});
+    return sections;
+}
+
 } // namespace
 
 Report describe(const model::Case &scene, const CampbellResult &result) {
@@ -230,6 +268,9 @@ Report describe(const model::Case &scene, const CampbellResult &result) {
         report_of<CampbellResult>("campbell", "Campbell diagram", scene, result,
                                   {json_of, csv_of, sections_of, text_of, campbell_figure});
     report.drawn = [&result](const Units &units) { return drawn_of(result, units); };
+    if (!result.speeds.empty()) // complete: on the first process
+        report.answer = answer_of(result);
+    report.brief = [&result](const Units &units) { return brief_of(result, units); };
     return report;
 }
 

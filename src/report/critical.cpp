@@ -163,6 +163,42 @@ Figure critical_figure(const model::Case &scene, const CriticalResult &result, c
             operation_band(scene, units, x) + speed_labels(units, result, axis) + drawn.script());
 }
 
+/// The critical speeds and what their margins come to, in one sentence.
+model::Sentence answer_of(const CriticalResult &result) {
+    namespace as = model::as;
+    constexpr std::size_t most = 8; // in a sentence
+    std::vector<double> sharp;
+    for (const CriticalSpeed &critical : result.critical_speeds)
+        if (!critical.damping.heavy())
+            sharp.push_back(critical.speed);
+    const std::size_t all = sharp.size();
+    sharp.resize(std::min(all, most));
+    model::Sentence answer =
+        all == 0      ? model::Sentence("no critical speed that is not heavily damped")
+        : all <= most ? model::Sentence("critical speeds at {}", as::speed.list(sharp, 5))
+                      : model::Sentence("critical speeds at {} and {} more",
+                                        as::speed.list(sharp, 5), all - most);
+    if (!result.margins)
+        return answer;
+    const auto failing =
+        std::ranges::count(*result.margins, false, &results::SeparationMargin::passes);
+    return answer += result.margins->empty() ? model::Sentence("; none needs a separation margin")
+                     : failing == 0
+                         ? model::Sentence("; each has the separation margin that it must have")
+                         : model::Sentence("; {} of {} separation margins {} too small", failing,
+                                           result.margins->size(), failing == 1 ? "is" : "are");
+}
+
+std::vector<Section> brief_of(const CriticalResult &result, const Units &units) {
+    std::vector<Section> sections;
+    if (result.margins)
+        sections.push_back({margins_heading, margins_page(*result.margins, units)});
+    if (!result.critical_speeds.empty())
+        sections.push_back({"Critical speeds", page_table_of_first(brief_rows, critical_columns,
+                                                                   result.critical_speeds, units)});
+    return sections;
+}
+
 } // namespace
 
 Report describe(const model::Case &scene, const CriticalResult &result) {
@@ -200,6 +236,8 @@ Report describe(const model::Case &scene, const CriticalResult &result) {
         report.pictures_heading = "Critical speed map";
         report.pictures_after = result.margins ? 2 : 1;
     }
+    report.answer = answer_of(result);
+    report.brief = [&](const Units &units) { return brief_of(result, units); };
     return report;
 }
 

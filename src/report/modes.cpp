@@ -208,6 +208,36 @@ std::vector<Section> sections_of(const ModesResult &result, const Units &units) 
     return sections;
 }
 
+/// The frequencies and the mode that is damped least, in one sentence.
+model::Sentence answer_of(const ModesResult &result) {
+    namespace as = model::as;
+    if (result.modes.empty())
+        return {"no modes at {}", as::speed(result.speed, 5)};
+    std::vector<double> frequencies;
+    for (const ModeShape &mode : result.modes)
+        frequencies.push_back(frequency(mode));
+    model::Sentence answer("at {} the modes swing with {}", as::speed(result.speed, 5),
+                           as::frequency.list(frequencies, 4));
+    const auto least = std::ranges::min_element(result.modes, {}, damping_ratio);
+    const double ratio = damping_ratio(*least);
+    if (ratio == 0)
+        return answer;
+    return answer += ratio > 0 ? model::Sentence("; {} is damped least, damping ratio {}",
+                                                 least->label, as::number(ratio, 3))
+                               : model::Sentence("; {} grows, damping ratio {}", least->label,
+                                                 as::number(ratio, 3));
+}
+
+std::vector<Section> brief_of(const ModesResult &result, const Units &units) {
+    std::vector<Section> sections{
+        {"Modes at " + units.text(Quantity::speed, result.speed),
+         page_table_of_first(brief_rows, shape_columns, result.modes, units)}};
+    const Texts dissipation = dissipation_texts(result.modes, "–", units);
+    if (!dissipation.empty())
+        sections.push_back({"Where the modes dissipate", page_table(dissipation)});
+    return sections;
+}
+
 } // namespace
 
 Report describe(const model::Case &scene, const ModesResult &result) {
@@ -232,7 +262,9 @@ Report describe(const model::Case &scene, const ModesResult &result) {
                     return Json{{"rotor", drawn_rotor(scene.rotor, units)},
                                 {"modes", drawn_modes(result)}};
                 },
-            .vtp = [&] { return to_vtp(scene, result); }};
+            .vtp = [&] { return to_vtp(scene, result); },
+            .answer = answer_of(result),
+            .brief = [&](const Units &units) { return brief_of(result, units); }};
 }
 
 } // namespace whirl::report

@@ -5,6 +5,7 @@
 #include "report/common/plot_jobs.h"
 #include "report/common/units.h"
 #include "report/common/words.h"
+#include "report/document.h"
 
 namespace whirl::report {
 
@@ -126,6 +127,8 @@ class Writer {
 } // namespace
 
 Files write_report(const Report &report, const fs::path &folder) {
+    if (report.document)
+        return write_document(report, folder);
     return Writer(report, folder).write();
 }
 

@@ -33,6 +33,12 @@ struct Picture {
     std::function<std::string(const Units &)> csv{};
 };
 
+/// A file that a result was computed from.
+struct InputFile {
+    std::string name; ///< as the user knows it
+    std::string text; ///< its bytes
+};
+
 /// A table in a file of its own.
 struct TableFile {
     std::string name; ///< of the file, without ending
@@ -44,6 +50,29 @@ struct Provenance {
     std::string date{};             ///< UTC: "2026-03-01T12:00:00Z"
     std::string case_text{};        ///< the case file, TOML
     std::vector<std::string> set{}; ///< entries overridden: "path.to.key=value"
+    std::vector<InputFile> files{}; ///< the case file as it stands, then its tables
+};
+
+/// An analysis within a document.
+struct Chapter {
+    std::string command; ///< that has more of it: "campbell"
+    std::string heading;
+    model::Sentence answer;           ///< in one sentence, or why there is none
+    bool answered = true;             ///< false: the analysis failed
+    std::optional<Drawing> drawing{}; ///< in front of the pictures
+    std::vector<Picture> pictures{};  ///< drawn by gnuplot
+    std::vector<Section> tables{};    ///< the most important rows
+    std::vector<model::Sentence> notes{};
+};
+
+/// Several analyses of one case on one page that can be printed and signed.
+struct Document {
+    std::string verdict;      ///< in a word: "passes", "fails", "incomplete"
+    model::Sentence sentence; ///< the verdict in one sentence
+    Drawing drawing;          ///< the machine
+    std::string checks;       ///< HTML
+    std::vector<Chapter> chapters;
+    std::vector<model::Sentence> left_out; ///< analyses that the case does not call for, and why
 };
 
 /// A result for all its readers. What is written comes from functions of the units in which it is,
@@ -71,6 +100,13 @@ struct Report {
     /// What the script of the page draws beside the result: the key `drawn` of its data.
     std::function<nlohmann::ordered_json(const Units &)> drawn{};
     std::function<std::string()> vtp{}; ///< for ParaView
+    // What a document takes of it:
+    model::Sentence answer{}; ///< in one sentence
+    /// Tables with the rows that matter most.
+    std::function<std::vector<Section>(const Units &)> brief{};
+    // Of a report that is a document itself, with no page of another kind:
+    std::function<Document(const Units &)> document{};
+    bool pdf = false; ///< printed to a file as well
 };
 
 /// What every command has to say of its result.
@@ -132,8 +168,9 @@ struct Files {
     std::vector<std::string> notes;           ///< what is missing and why, for the user
 };
 
-/// Writes <command>.svg, .png, .json, .csv and report.html (and modes.vtp) into the folder, all or
-/// none of them. Without gnuplot the pictures it draws are missing, which a note says.
+/// Writes <command>.svg, .png, .json, .csv and report.html (and modes.vtp) into the folder, of a
+/// document report.html, .json, .csv and .pdf; all or none of them. Without gnuplot the pictures it
+/// draws are missing, which a note says.
 /// @throws model::AnalysisFailure where a file cannot be written or a picture not drawn.
 Files write_report(const Report &report, const std::filesystem::path &folder);
 

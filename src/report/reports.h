@@ -7,6 +7,7 @@ struct AccuracyResult;
 struct BalanceResult;
 struct CampbellResult;
 struct CriticalResult;
+struct MachineReport;
 struct ModesResult;
 struct ResponseResult;
 struct RigidLimitResult;
@@ -25,6 +26,7 @@ namespace whirl::report {
 [[nodiscard]] Report describe(const model::Case &scene, const results::BalanceResult &result);
 [[nodiscard]] Report describe(const model::Case &scene, const results::CampbellResult &result);
 [[nodiscard]] Report describe(const model::Case &scene, const results::CriticalResult &result);
+[[nodiscard]] Report describe(const model::Case &scene, const results::MachineReport &result);
 [[nodiscard]] Report describe(const model::Case &scene, const results::ModesResult &result);
 [[nodiscard]] Report describe(const model::Case &scene, const results::ResponseResult &result);
 [[nodiscard]] Report describe(const model::Case &scene, const results::RigidLimitResult &result);

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace whirl::report {
 
@@ -341,6 +342,31 @@ std::string text_of(const model::Case &scene, const ShowResult &result, const Un
     return text + forms_text(result);
 }
 
+/// What the rotor is, in one sentence.
+model::Sentence answer_of(const model::Case &scene, const ShowResult &result) {
+    namespace as = model::as;
+    const std::size_t supports = scene.rotor.supports().size();
+    model::Sentence answer("a {} rotor of {} and {} on {} {}, centre of mass at z = {}",
+                           result.type, as::mass(result.mass, 4), as::length(result.length, 4),
+                           supports, supports == 1 ? "support" : "supports",
+                           as::length(result.center_of_mass, 4));
+    if (!result.sag || result.sag->stations.empty())
+        return answer;
+    const auto deepest = std::ranges::max_element(
+        result.sag->stations, {}, [](const SagStation &at) { return std::hypot(at.x, at.y); });
+    return answer += model::Sentence("; at rest its weight bends it by up to {}, at z = {}",
+                                     as::deflection(std::hypot(deepest->x, deepest->y), 3),
+                                     as::length(deepest->z, 4));
+}
+
+std::vector<Section> brief_of(const ShowResult &result, const Units &units) {
+    std::vector<Section> sections{{"Rigid body", page_properties(show_columns, result, units)}};
+    if (const auto &sag = result.sag)
+        sections.push_back({sag_heading(*sag, units),
+                            page_table_of_first(brief_rows, load_columns, sag->bearings, units)});
+    return sections;
+}
+
 } // namespace
 
 Report describe(const model::Case &scene, const ShowResult &result) {
@@ -358,7 +384,9 @@ Report describe(const model::Case &scene, const ShowResult &result) {
         .pictures = [&](const Units &units) { return pictures_of(scene, result, units); },
         .pictures_heading = "Curves of the rigid rotor",
         .pictures_after =
-            (result.sag ? 2 : 1) + result.balancers.size() + (result.anisotropy ? 1 : 0)};
+            (result.sag ? 2 : 1) + result.balancers.size() + (result.anisotropy ? 1 : 0),
+        .answer = answer_of(scene, result),
+        .brief = [&](const Units &units) { return brief_of(result, units); }};
 }
 
 } // namespace whirl::report

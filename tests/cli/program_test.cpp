@@ -55,7 +55,7 @@ TEST_F(Program, HelpAndVersionGoToStandardOutput) {
     EXPECT_EQ(help.status, 0);
     for (const char *command :
          {"show", "campbell", "critical", "stability", "response", "balance", "rigid-limit",
-          "simulate", "accuracy", "samples", "sweep", "modes", "weights"})
+          "simulate", "accuracy", "samples", "sweep", "modes", "weights", "report"})
         EXPECT_TRUE(contains(help.output, command)) << command;
     const ProgramRun of_command = run({"campbell", "--help"});
     EXPECT_EQ(of_command.status, 0);
@@ -80,7 +80,7 @@ TEST_F(Program, WrongArgumentsAreOneMessageAndStatusTwo) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes{
         {{}, "a command is missing"},
         {{"cambpell", rotor},
-         "unknown command \"cambpell\", did you mean \"campbell\"? The commands are show"},
+         "unknown command \"cambpell\", did you mean \"campbell\"? The commands are report, show"},
         {{"campbell"}, "a case folder or .toml file is missing"},
         {{"campbell", rotor, "--fast"}, "--fast"},
         {{"campbell", rotor, "--unit", "us"}, "did you mean \"--units\"?"},

@@ -476,8 +476,10 @@ results::Assessment assess(const model::Case &scene, const Computed &computed) {
         out.checks.push_back(of_stability(scene, computed));
         add_level1(out.checks, scene, computed);
     } else {
-        out.checks.push_back(not_judged(
-            "operating speeds", {"the case does not say at which speeds the machine runs"}));
+        out.checks.push_back(
+            not_judged("operating speeds", {"the case does not say at which speeds the machine "
+                                            "runs: it needs [operation] with from "
+                                            "and to, and [limits] for its vibration"}));
     }
     // What is not a number passes nothing, wherever it came from.
     for (Check &check : out.checks)

@@ -23,16 +23,19 @@ template <class Result> auto on_case(Result (*analysis)(const model::Case &)) {
     return on_run([analysis](const Run &run) { return analysis(run.scene); });
 }
 
+/// The case of a run with other values beside those of the command line.
+inline analyses::CaseWith case_with(const Run &run) {
+    return [&run](const std::vector<std::string> &more) {
+        std::vector<std::string> overrides = run.arguments.overrides;
+        overrides.insert(overrides.end(), more.begin(), more.end());
+        return run.file.load(overrides);
+    };
+}
+
 /// The same of one that reads the case again with other values.
 template <class Result>
 auto on_cases(Result (*analysis)(const model::Case &, const analyses::CaseWith &)) {
-    return on_run([analysis](const Run &run) {
-        return analysis(run.scene, [&run](const std::vector<std::string> &more) {
-            std::vector<std::string> overrides = run.arguments.overrides;
-            overrides.insert(overrides.end(), more.begin(), more.end());
-            return run.file.load(overrides);
-        });
-    });
+    return on_run([analysis](const Run &run) { return analysis(run.scene, case_with(run)); });
 }
 
 } // namespace whirl::cli

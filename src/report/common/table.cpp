@@ -111,6 +111,10 @@ std::string page_table(const Texts &table) {
     return markup(document);
 }
 
+std::string rows_left_out(std::size_t shown, std::size_t all) {
+    return element("p", fmt::format("The first {} of {} rows.", shown, all), "more");
+}
+
 std::string text_table(const Texts &table) {
     const auto letters = [](const std::string &text) { // the first bytes of each
         return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {

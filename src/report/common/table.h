@@ -21,6 +21,10 @@ using Texts = std::vector<std::vector<std::string>>;
 [[nodiscard]] bool above_digits(double error, double value, const TextStyle &style);
 /// HTML; cells are escaped here.
 [[nodiscard]] std::string page_table(const Texts &table);
+/// "The first 12 of 40 rows."
+[[nodiscard]] std::string rows_left_out(std::size_t shown, std::size_t all);
+/// Rows of a table in a summary of several analyses: a page of each should be enough.
+inline constexpr std::size_t brief_rows = 12;
 /// Columns as wide as their widest entry: the first to the left, the others to the right.
 [[nodiscard]] std::string text_table(const Texts &table);
 
@@ -96,6 +100,15 @@ template <class Row, class Rows>
 [[nodiscard]] std::string text_table(const Columns<Row> &columns, const Rows &rows,
                                      const Units &units) {
     return text_table(texts_of(columns, rows, &Column<Row>::text, "-", units));
+}
+/// The first rows on a page, and how many there are where these are not all.
+template <class Row, class Rows>
+[[nodiscard]] std::string page_table_of_first(std::size_t most, const Columns<Row> &columns,
+                                              const Rows &rows, const Units &units) {
+    if (rows.size() <= most)
+        return page_table(columns, rows, units);
+    const std::vector<Row> first(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(most));
+    return page_table(columns, first, units) + rows_left_out(most, rows.size());
 }
 /// The same below a heading; nothing without rows.
 template <class Row, class Rows>

@@ -176,6 +176,51 @@ std::vector<Section> operating_sections(const ResponseResult &result, const Unit
     return out;
 }
 
+std::vector<Section> operating_brief(const ResponseResult &result, const Units &units) {
+    std::vector<Section> all = operating_sections(result, units);
+    if (all.empty())
+        return all;
+    std::vector<OperatingRow> rows;
+    for (const char *at : {"normal", "maximum"}) {
+        for (const OperatingRow &row : result.operating->rows)
+            if (row.at.find(at) != std::string::npos)
+                rows.push_back(row);
+        if (!rows.empty())
+            break;
+    }
+    if (rows.empty()) // one speed has a name of its own
+        rows = result.operating->rows;
+    std::rotate(all.begin(), all.begin() + 1, all.end()); // limits first
+    all.back().html = page_table_of_first(2 * brief_rows, row_columns, rows, units);
+    return all;
+}
+
+model::Sentence operating_answer(const ResponseResult &result) {
+    namespace as = model::as;
+    const auto used = [](const OperatingRow &row) {
+        return row.limited && row.limit && *row.limit > 0 ? row.value / *row.limit : -1;
+    };
+    const auto words = [](const OperatingRow &row) {
+        return row.name.empty() ? model::Sentence("{} at z = {}", row.of, as::length(row.z, 4))
+                                : model::Sentence("{} {}", row.of, row.name);
+    };
+    const std::vector<OperatingRow> &rows = result.operating->rows;
+    if (rows.empty())
+        return {};
+    const auto most = std::ranges::max_element(rows, {}, used);
+    if (used(*most) >= 0)
+        return {"at the operating speeds the {} is nearest to its limit: {} of {} at {}",
+                words(*most), model::Value{{most->value}, limited_quantity(*most), 4},
+                model::Value{{*most->limit}, limited_quantity(*most), 4},
+                as::speed(most->speed, 5)};
+    const auto largest = std::ranges::max_element(rows, {}, &OperatingRow::amplitude);
+    if (std::isinf(largest->amplitude))
+        return {"a resonance without damping at the operating speed {}",
+                as::speed(largest->speed, 5)};
+    return {"the largest amplitude at the operating speeds is {}, {}, at {}",
+            as::amplitude(largest->amplitude, 4), words(*largest), as::speed(largest->speed, 5)};
+}
+
 std::string operating_text(const ResponseResult &result, const Units &units) {
     if (!result.operating)
         return "";

@@ -14,6 +14,12 @@ void add_operating(Json &json, const results::ResponseResult &result, const Unit
 /// What is told first; nothing without.
 [[nodiscard]] std::vector<Section> operating_sections(const results::ResponseResult &result,
                                                       const Units &units);
+/// For a summary: limits, and the places at the speed at which the machine runs most.
+[[nodiscard]] std::vector<Section> operating_brief(const results::ResponseResult &result,
+                                                   const Units &units);
+/// The place that uses most of its limit, else that with the largest amplitude; with operating
+/// speeds.
+[[nodiscard]] model::Sentence operating_answer(const results::ResponseResult &result);
 [[nodiscard]] std::string operating_text(const results::ResponseResult &result, const Units &units);
 /// A line a place and speed.
 [[nodiscard]] std::string operating_csv(const results::ResponseResult &result, const Units &units);

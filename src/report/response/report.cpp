@@ -450,6 +450,49 @@ std::string pictures_heading(const std::vector<Part> &parts, const ResponseResul
     return heading;
 }
 
+/// The largest amplitude of the stations, or reading of the probes, in one sentence.
+model::Sentence answer_of(const ResponseResult &result) {
+    namespace as = model::as;
+    if (result.operating && !result.operating->rows.empty())
+        return operating_answer(result);
+    const bool probes = !result.probes.empty();
+    const std::vector<LargestValue> all = probes ? largest_readings(result.speeds, result)
+                                                 : largest_amplitudes(result.speeds, result);
+    const LargestValue *largest = nullptr;
+    for (const LargestValue &at : all)
+        if (at.value && (!largest || *at.value > *largest->value))
+            largest = &at;
+    if (!largest)
+        return result.receptance || result.gravity || !result.forces.empty()
+                   ? "no imbalance drives the rotor; its motion under other forces is below"
+                   : "no amplitude is known";
+    const model::Sentence where = largest->name.empty()
+                                      ? model::Sentence("z = {}", as::length(largest->z, 4))
+                                      : model::Sentence("{}", largest->name);
+    if (std::isinf(*largest->value))
+        return {"without limit at a resonance without damping: {} at {}", where,
+                as::speed(largest->speed, 5)};
+    return {"the largest {} between {} is {}, {} at {}",
+            probes ? "reading of a probe" : "amplitude of a station",
+            as::speed.range(result.speeds.front(), result.speeds.back(), 4),
+            as::amplitude(*largest->value, 4),
+            where,
+            as::speed(largest->speed, 5)};
+}
+
+/// The peaks that rise highest, by kind and place as in the table of all.
+std::vector<Section> brief_of(const ResponseResult &result, const Units &units) {
+    std::vector<Section> sections = operating_brief(result, units);
+    std::vector<ResponsePeak> peaks = result.peaks;
+    std::ranges::stable_sort(peaks, [](const ResponsePeak &a, const ResponsePeak &b) {
+        return a.amplification.value_or(HUGE_VAL) > b.amplification.value_or(HUGE_VAL);
+    });
+    if (!peaks.empty())
+        sections.push_back({"Peaks, the sharpest first",
+                            page_table_of_first(brief_rows, curve_peaks(), peaks, units)});
+    return sections;
+}
+
 } // namespace
 
 Report describe(const model::Case &scene, const ResponseResult &result) {
@@ -473,6 +516,9 @@ Report describe(const model::Case &scene, const ResponseResult &result) {
     report.pictures_heading = pictures_heading(parts, result);
     report.pictures_after =
         result.nodes.empty() ? 0 : 2 + operating_sections(result, Units()).size();
+    if (!result.speeds.empty()) // complete: on the first process
+        report.answer = answer_of(result);
+    report.brief = [&](const Units &units) { return brief_of(result, units); };
     return report;
 }
 

@@ -230,6 +230,48 @@ std::string bands_section(const Bands &bands, const Units &units, const BandErro
                : page_table(band_columns(errors != nullptr), band_lines("", bands, errors), units);
 }
 
+model::Sentence stability_answer(const StabilityResult &result) {
+    namespace as = model::as;
+    const bool apart = result.resolved_up_to.has_value();
+    const Bands &bands = apart ? result.resolved_unstable : result.unstable;
+    const std::vector<Verdict> &verdicts = apart ? result.resolved_verdict : result.verdict;
+    if (result.speeds.empty() || verdicts.empty())
+        return {};
+    const auto among = [&verdicts](Verdict verdict) {
+        return std::ranges::count(verdicts, verdict);
+    };
+    const auto growing = among(Verdict::unstable) + among(Verdict::diverges);
+    const model::Sentence where =
+        result.speeds.size() == 1
+            ? model::Sentence("at {}", as::speed(result.speeds.front(), 5))
+            : model::Sentence("from {}",
+                              as::speed.range(result.speeds.front(), result.speeds.back(), 5));
+    model::Sentence answer;
+    if (!bands.empty()) {
+        std::vector<model::Sentence> all;
+        for (const results::Interval &band : bands)
+            all.emplace_back("{}", as::speed.range(band.from, band.to, 5));
+        answer = model::Sentence("unstable from {}", model::joined(all, ", "));
+    } else if (growing > 0) {
+        answer = result.speeds.size() == 1 ? model::Sentence("unstable {}", where)
+                                           : model::Sentence("unstable at {} of {} speeds {}",
+                                                             growing, result.speeds.size(), where);
+    } else if (among(Verdict::unknown) > 0) {
+        answer = model::Sentence("nothing unstable was found {}, but not every speed has an answer",
+                                 where);
+    } else {
+        answer = among(Verdict::neutral) > 0
+                     ? model::Sentence("no motion grows {}; without damping some do not die out "
+                                       "either",
+                                       where)
+                     : model::Sentence("stable {}: every motion dies out", where);
+    }
+    return apart ? answer += model::Sentence(" (motions up to frequencies of {}, which the "
+                                             "elements resolve)",
+                                             as::frequency(*result.resolved_up_to, 4))
+                 : answer;
+}
+
 std::string headline_text(const StabilityResult &result, const Units &units) {
     if (result.speeds.size() == 1)
         return lines_of(sentences_at_one_speed(result, units), "", "\n");

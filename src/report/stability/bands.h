@@ -40,6 +40,8 @@ struct BandLine {
 // What the answer of `stability` begins with: where something grows, of one speed what becomes of a
 // small motion there. Where only some motions are resolved by the elements these are told apart.
 
+/// The same in one sentence.
+[[nodiscard]] model::Sentence stability_answer(const results::StabilityResult &result);
 [[nodiscard]] std::string headline_text(const results::StabilityResult &result, const Units &units);
 [[nodiscard]] std::vector<Section> headline_sections(const results::StabilityResult &result,
                                                      const Units &units);

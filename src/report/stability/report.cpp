@@ -360,6 +360,14 @@ std::string text_of(const model::Case &scene, const StabilityResult &result, con
     return text + model_text(result.model, units);
 }
 
+std::vector<Section> brief_of(const StabilityResult &result, const Units &units) {
+    std::vector<Section> sections = headline_sections(result, units);
+    if (result.level1)
+        sections.push_back(
+            {"Level-I stability", page_properties(level1_columns, *result.level1, units)});
+    return sections;
+}
+
 } // namespace
 
 Report describe(const model::Case &scene, const StabilityResult &result) {
@@ -373,6 +381,11 @@ Report describe(const model::Case &scene, const StabilityResult &result) {
         report.pictures_heading = "Logarithmic decrement over added cross coupling";
         report.pictures_after = sections_of(result, {}).size();
     }
+    report.answer = stability_answer(result);
+    if (const auto &level1 = result.level1; level1 && level1->critical_cross_coupling)
+        report.answer += model::Sentence("; added cross coupling up to {} leaves it stable",
+                                         model::as::stiffness(*level1->critical_cross_coupling, 5));
+    report.brief = [&](const Units &units) { return brief_of(result, units); };
     return report;
 }
 
