@@ -56,12 +56,12 @@ struct Station {
 /// for more than its place.
 struct CorrectionPlane {
     std::string name;
-    double z = 0;                            ///< m
-    std::optional<double> radius{};          ///< at which weights are set, m
-    std::optional<double> max{};             ///< largest weight to be added, kg m
-    int holes = 0;                           ///< evenly around it; 0: weights go anywhere
-    double hole_angle = 0;                   ///< of the first, rad, in the phase of the weights
-    std::vector<std::complex<double>> fixed; ///< weights that are set already and stay, kg m
+    double z = 0;                              ///< m
+    std::optional<double> radius{};            ///< at which weights are set, m
+    std::optional<double> max{};               ///< largest weight to be added, kg m
+    int holes = 0;                             ///< evenly around it; 0: weights go anywhere
+    double hole_angle = 0;                     ///< of the first, rad, in the phase of the weights
+    std::vector<std::complex<double>> fixed{}; ///< weights that are set already and stay, kg m
 };
 
 /// A displacement sensor, which does not turn: it reads x cos(angle) + y sin(angle).
