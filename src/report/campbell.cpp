@@ -244,7 +244,7 @@ model::Sentence answer_of(const CampbellResult &result) {
         if (crossing.multiple == 1 && !crossing.damping.heavy())
             critical.push_back(crossing.speed);
     std::sort(critical.begin(), critical.end());
-    return {"{} modes between {}; {}; {}", result.modes.size(),
+    return {"{} modes from {}; {}; {}", result.modes.size(),
             model::as::speed.range(result.speeds.front(), result.speeds.back(), 4),
             critical.empty() ? model::Sentence("no resonance with the spin speed")
                              : model::Sentence("resonances with the spin speed at {}",

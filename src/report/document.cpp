@@ -27,7 +27,7 @@ namespace {
 constexpr std::size_t printed_lines = 400;
 
 std::string without_end(std::string text) {
-    while (text.ends_with('.') || text.ends_with('\n'))
+    while (text.ends_with('.') || text.ends_with(' ') || text.ends_with('\n'))
         text.pop_back();
     return text;
 }

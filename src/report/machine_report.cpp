@@ -130,7 +130,7 @@ Json json_of(const model::Case &scene, const MachineReport &result, const Units 
 std::string text_of(const model::Case &scene, const MachineReport &result, const Units &units) {
     std::string verdict = results::judgement_name(result.assessment.verdict);
     verdict.front() = static_cast<char>(verdict.front() - 'a' + 'A');
-    std::string text = fmt::format("{}\n{}. {}\n\n", title_of(scene), verdict,
+    std::string text = fmt::format("{}\n{}: {}\n\n", title_of(scene), verdict,
                                    printable(units.text(result.assessment.sentence))) +
                        checks_text(result.assessment.checks, most_checks, units);
     std::string failed;

@@ -188,10 +188,18 @@ std::vector<Section> operating_brief(const ResponseResult &result, const Units &
         if (!rows.empty())
             break;
     }
-    if (rows.empty()) // one speed has a name of its own
-        rows = result.operating->rows;
+    if (rows.empty())
+        return all;
+    Columns<OperatingRow> columns = row_columns; // what stands in the heading or among the limits
+    std::erase_if(columns, [](const Column<OperatingRow> &column) {
+        const std::string heading = column.page.heading.value_or("");
+        return heading == "at" || heading == "speed" || heading == "Acceleration" ||
+               heading == "Limited" || heading == "Relative error";
+    });
     std::rotate(all.begin(), all.begin() + 1, all.end()); // limits first
-    all.back().html = page_table_of_first(2 * brief_rows, row_columns, rows, units);
+    all.back() = {
+        fmt::format("At {} ({})", units.text(Quantity::speed, rows.front().speed), rows.front().at),
+        page_table_of_first(2 * brief_rows, columns, rows, units)};
     return all;
 }
 

@@ -472,7 +472,7 @@ model::Sentence answer_of(const ResponseResult &result) {
     if (std::isinf(*largest->value))
         return {"without limit at a resonance without damping: {} at {}", where,
                 as::speed(largest->speed, 5)};
-    return {"the largest {} between {} is {}, {} at {}",
+    return {"the largest {} from {} is {}, {} at {}",
             probes ? "reading of a probe" : "amplitude of a station",
             as::speed.range(result.speeds.front(), result.speeds.back(), 4),
             as::amplitude(*largest->value, 4),
