@@ -204,6 +204,9 @@ std::string document_page(const Report &report, const Document &document, const 
                 {"verdict_class", document.verdict},
                 {"verdict", escaped(verdict + ".")},
                 {"sentence", escaped(sentence_of(document.sentence, units))},
+                {"running", document.running.empty()
+                                ? ""
+                                : element("p", sentence_of(document.running, units), "running")},
                 {"checks", document.checks},
                 {"chapters", chapters + left_out_section(document.left_out, units)},
                 {"inputs", inputs_section(report, hash)}}));

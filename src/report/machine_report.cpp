@@ -8,10 +8,13 @@
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
+#include "results/response.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace whirl::report {
@@ -91,9 +94,55 @@ Chapter chapter_of(const Of &part, const Units &units, std::vector<model::Senten
     return chapter;
 }
 
+/// What the machine does at the speed at which it runs as a rule, else at its maximum continuous
+/// speed: the largest of the readings of probes, of the velocities of pedestals and of the forces
+/// of bearings. Empty where that is not known.
+model::Sentence running_sentence(const MachineReport &result) {
+    namespace as = model::as;
+    if (!result.response.result || !result.response.result->operating)
+        return {};
+    const auto &rows = result.response.result->operating->rows;
+    const auto at = [&rows](const char *speed) {
+        return std::ranges::find_if(
+            rows, [speed](const auto &row) { return row.at.find(speed) != std::string::npos; });
+    };
+    const auto chosen = at("normal") != rows.end() ? at("normal") : at("maximum");
+    if (chosen == rows.end())
+        return {};
+    model::Sentence said;
+    // Values that have no limit or are not known have a chapter of their own to say so.
+    const auto add = [&](const char *of, const char *does, auto value,
+                         const model::ValueOf &as_value, const char *behind) {
+        const results::OperatingRow *largest = nullptr;
+        for (const results::OperatingRow &row : rows)
+            if (row.speed == chosen->speed && row.of == of && std::isfinite(value(row)) &&
+                (!largest || value(row) > value(*largest)))
+                largest = &row;
+        if (!largest)
+            return;
+        const model::Sentence place =
+            largest->name.empty() ? model::Sentence("{} at z = {}", of, as::length(largest->z, 4))
+                                  : model::Sentence("{} {}", of, largest->name);
+        said += model::Sentence("{}{} {} {}{}", said.empty() ? ": " : ", ", place, does,
+                                as_value(value(*largest), 4), behind);
+    };
+    add(
+        "probe", "reads", [](const auto &row) { return row.amplitude; }, as::amplitude, "");
+    add(
+        "pedestal", "moves at", [](const auto &row) { return row.velocity / std::numbers::sqrt2; },
+        as::velocity, " rms");
+    add(
+        "bearing", "carries", [](const auto &row) { return row.force.value_or(NAN); }, as::force,
+        "");
+    return said.empty()
+               ? said
+               : model::Sentence("at {} ({} speed){}", as::speed(chosen->speed), chosen->at, said);
+}
+
 Document document_of(const model::Case &scene, const MachineReport &result, const Units &units) {
     Document document{.verdict = results::judgement_name(result.assessment.verdict),
                       .sentence = result.assessment.sentence,
+                      .running = running_sentence(result),
                       .drawing = scene_drawing(scene, units),
                       .checks = checks_page(result.assessment.checks, units),
                       .chapters = {},
@@ -123,6 +172,7 @@ Json json_of(const model::Case &scene, const MachineReport &result, const Units 
     const results::Assessment &assessment = result.assessment;
     return {{"verdict", results::judgement_name(assessment.verdict)},
             {"verdict_text", units.text(assessment.sentence)},
+            {"running", units.text(running_sentence(result))},
             {"checks", checks_json(assessment.checks, units)},
             {"sections", sections_json(scene, result, units)}};
 }

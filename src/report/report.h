@@ -69,6 +69,7 @@ struct Chapter {
 struct Document {
     std::string verdict;      ///< in a word: "passes", "fails", "incomplete"
     model::Sentence sentence; ///< the verdict in one sentence
+    model::Sentence running;  ///< what the machine does at its running speed, or nothing
     Drawing drawing;          ///< the machine
     std::string checks;       ///< HTML
     std::vector<Chapter> chapters;
