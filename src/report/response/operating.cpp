@@ -232,12 +232,20 @@ model::Sentence operating_answer(const ResponseResult &result) {
 std::string operating_text(const ResponseResult &result, const Units &units) {
     if (!result.operating)
         return "";
-    std::string out = "At the operating speeds:\n" +
-                      text_table(row_columns, result.operating->rows, units) +
-                      text_table("\nLimits:\n", worst_columns, result.operating->worst, units);
+    // What a terminal has no room for is left out from the end: the speed at which the machine runs
+    // as a rule stands first.
+    std::vector<OperatingRow> rows = result.operating->rows;
+    std::ranges::stable_sort(rows, {}, [](const OperatingRow &row) {
+        return row.at.find("normal") != std::string::npos    ? 0
+               : row.at.find("maximum") != std::string::npos ? 1
+               : row.at.find("trip") != std::string::npos    ? 2
+                                                             : 3;
+    });
+    std::string limits = text_table("Limits:\n", worst_columns, result.operating->worst, units);
     for (const std::string &reason : reasons(result, units))
-        out += "  " + reason + "\n";
-    return out + "\n";
+        limits += "  " + reason + "\n";
+    return limits + (limits.empty() ? "" : "\n") + "At the operating speeds:\n" +
+           text_table(row_columns, rows, units) + "\n";
 }
 
 std::string operating_csv(const ResponseResult &result, const Units &units) {

@@ -286,13 +286,21 @@ std::vector<Section> motion_sections(const Speeds &speeds, const HarmonicMotion 
 }
 
 std::string motion_text(const Speeds &speeds, const HarmonicMotion &motion,
-                        const std::string &after_peaks, const Units &units) {
-    return (motion.peaks.empty() ? "No peak inside the range.\n"
+                        const std::string &before_peaks, const Units &units) {
+    return before_peaks +
+           (motion.peaks.empty() ? "No peak inside the range.\n"
                                  : text_table(curve_peaks(), motion.peaks, units)) +
-           after_peaks + "\n" +
-           text_table(station_columns, largest_amplitudes(speeds, motion), units) +
+           "\n" + text_table(station_columns, largest_amplitudes(speeds, motion), units) +
            text_table("\n", probe_peak_columns(), largest_readings(speeds, motion), units) +
            text_table("\n", force_columns(), largest_forces(speeds, motion), units);
+}
+
+/// Margins answer what peaks are looked for: they stand in front of them.
+std::string margins_before(const Margins &margins, const Units &units) {
+    std::string text = margins_text(margins, units);
+    if (text.starts_with('\n'))
+        text.erase(0, 1);
+    return text.empty() ? text : text + "\n";
 }
 
 /// One motion of a result for all readers: that of each drive, whose amplitudes do not add.
@@ -320,7 +328,7 @@ Part imbalance_part(const model::Case &scene, const ResponseResult &result) {
         return sections;
     };
     part.text = [&](const Units &units) {
-        return motion_text(result.speeds, result, margins_text(result.margins, units), units) +
+        return motion_text(result.speeds, result, margins_before(result.margins, units), units) +
                orbit_text(result, units);
     };
     return part;
