@@ -426,7 +426,10 @@ TEST(Checks, WithoutOperatingSpeedsNothingIsJudged) {
 
 TEST(Checks, LevelOne) {
     Analysed analysed(sound());
-    analysed.scene.level1 = model::Level1Settings{0.5, {}, 5, 1e5};
+    analysed.scene.level1 = model::Level1Settings{};
+    analysed.scene.level1->z = 0.5;
+    analysed.scene.level1->count = 5;
+    analysed.scene.level1->anticipated = 1e5;
     results::StabilityResult stability = *analysed.stability;
     analyses::Computed computed = analysed.computed;
     computed.stability = &stability;

@@ -18,7 +18,7 @@ std::string table_of(const std::string &name, int rows) {
     return text;
 }
 
-int lines_of(const std::string &text) { return static_cast<int>(std::ranges::count(text, '\n')); }
+int height_of(const std::string &text) { return static_cast<int>(std::ranges::count(text, '\n')); }
 
 } // namespace
 
@@ -33,7 +33,7 @@ TEST(FittedText, WhatFitsStaysAsItIs) {
 TEST(FittedText, TheAnswerKeepsItsRows) {
     const std::string body = "title\n" + table_of("a", 10) + "\n" + table_of("b", 30);
     const std::string text = fitted_text(body, {}, "report", 25);
-    EXPECT_EQ(lines_of(text), 25);
+    EXPECT_EQ(height_of(text), 25);
     EXPECT_NE(text.find("  a 10\n"), std::string::npos);
     // Of 25 the report, the title and a with its head are 13, one is empty; b has its head, nine
     // rows and the line that says it.
@@ -45,8 +45,8 @@ TEST(FittedText, TablesForWhichThereIsNoPlaceGo) {
     for (int i = 0; i < 10; ++i)
         body += "\nheading\n" + table_of("later", 40);
     const std::string text = fitted_text(body, {}, "report", 25);
-    EXPECT_LE(lines_of(text), 25);
-    EXPECT_EQ(lines_of(text), 25);
+    EXPECT_LE(height_of(text), 25);
+    EXPECT_EQ(height_of(text), 25);
     // The title, the first table with its head, a line for each that lost rows; of the later ones,
     // six lines each with the empty one and the heading, two have a place.
     EXPECT_NE(text.find("  first 8\n  … 32 more rows\n"), std::string::npos) << text;
@@ -58,7 +58,7 @@ TEST(FittedText, TheWorstNotesStayAndTheOthersAreCounted) {
     for (int i = 0; i < 40; ++i)
         notes.push_back("note: " + std::to_string(i));
     const std::string text = fitted_text("title\n" + table_of("a", 40), notes, "report", 25);
-    EXPECT_LE(lines_of(text), 25);
+    EXPECT_LE(height_of(text), 25);
     EXPECT_NE(text.find("note: 0\n"), std::string::npos);
     EXPECT_NE(text.find("more\nreport\n"), std::string::npos) << text;
 }
