@@ -146,8 +146,9 @@ std::vector<std::string> reasons(const ResponseResult &result, const Units &unit
                 out.push_back(why);
         }
     if (result.operating->scale)
-        out.push_back(fmt::format("clearances with the imbalance times {:.4g}, which brings the "
-                                  "probe that reads most to its limit",
+        out.push_back(fmt::format("clearances with the imbalance times {:.4g}: as far as the probe "
+                                  "that reads most keeps its limit, at least 1 and at most "
+                                  "limits.scale_most",
                                   *result.operating->scale));
     return out;
 }
