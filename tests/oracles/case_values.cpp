@@ -51,7 +51,8 @@ double size_of_unit(const std::string &unit) {
         {"N", 1},          {"rpm", pi / 30}, {"Hz", 2 * pi}, {"rad/s", 1},    {"1/s", 1},
         {"deg", pi / 180}, {"rad", 1},       {"kg m2", 1},   {"1/kg", 1},     {"1", 1},
         {"GPa", 1e9},      {"N/m", 1},       {"MN/m", 1e6},  {"kN s/m", 1e3}, {"g mm", 1e-6},
-        {"%", 1},          {"g", 1e-3},      {"kN m", 1e3},  {"m/N", 1}};
+        {"%", 1},          {"g", 1e-3},      {"kN m", 1e3},  {"m/N", 1},      {"m/s", 1},
+        {"GN/m", 1e9},     {"MN s/m", 1e6},  {"t", 1e3},     {"kg m", 1}};
     const auto found = sizes.find(unit);
     if (found == sizes.end())
         throw std::runtime_error("unit not known to the oracles: " + unit);

@@ -338,7 +338,7 @@ TEST(DrawnRotors, LevelOneIsTheFirstOfAllMotionsToGrow) {
             (least_damped(scene.own, (low + high) / 2).real() > 0 ? high : low) = (low + high) / 2;
         const bool said =
             std::any_of(result.model.notes.begin(), result.model.notes.end(), [](const auto &note) {
-                return note.find("do not resolve") != std::string::npos;
+                return note.find("does not resolve") != std::string::npos;
             });
         if (said) {
             EXPECT_GT(*found, high) << name;
