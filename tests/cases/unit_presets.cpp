@@ -40,6 +40,8 @@ double size_of(const std::string &unit) {
         {"in/s", inch},   {"cm/s", 1e-2},
         {"N m/rad", 1},   {"N m s/rad", 1},
         {"N m", 1},       {"m/N", 1},
+        {"m/(kg m)", 1},  {"um/(g mm)", 1},
+        {"µm/(g mm)", 1}, {"mil/(oz in)", inch / 1000 / (pound / 16 * inch)},
         {"um/N", 1e-6},   {"µm/N", 1e-6},
         {"mm/kN", 1e-6},  {"mil/lbf", inch / 1000 / lbf}};
     const auto found = sizes.find(unit);

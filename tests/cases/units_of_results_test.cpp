@@ -110,7 +110,10 @@ class Walk {
               const std::string &quantity, const json *marked_row) {
         static const json nothing = json::object();
         const json &si = part.si;
-        const json &schema = resolved(_whole, given);
+        const json &either = resolved(_whole, given);
+        // Of alternatives that have the same keys any does.
+        const json &schema =
+            either.contains("anyOf") ? resolved(_whole, either.at("anyOf").front()) : either;
         const std::string own = schema.value("quantity", quantity);
         if (si.is_object()) {
             const json &properties =

@@ -48,38 +48,47 @@ int height_of(const std::vector<Paragraph> &all) {
     return sum + (hidden ? 1 : 0);
 }
 
-/// Tables from the last one on lose rows, then go altogether; the first keeps more of its rows, and
-/// loses them last.
+/// In the order in which they stand, tables get a place with their first rows, as long as there is
+/// one; then the first gets more rows, then the others, until the lines are full.
 void fit(std::vector<Paragraph> &all, int lines) {
-    constexpr std::size_t least = 3; // the head and two rows
-    constexpr std::size_t least_of_first = 9;
-    const auto too_many = [&] { return height_of(all) - lines; };
-    const auto cut = [&](Paragraph &one, std::size_t to) {
-        if (too_many() <= 0 || one.rows <= to + 1) // a line for one row saves nothing
-            return;
-        // One more for the line that says so, where there is none yet.
-        const auto spare =
-            static_cast<std::size_t>(too_many()) + (one.rows == one.table.size() ? 1 : 0);
-        one.rows = one.rows > to + spare ? one.rows - spare : to;
-    };
+    constexpr std::size_t least = 3;          // the head and two rows
+    constexpr std::size_t least_of_first = 5; // it is the answer
+    constexpr std::size_t enough_of_first = 9;
+    const auto fits = [&] { return height_of(all) <= lines; };
+    if (fits())
+        return;
     const auto first = std::ranges::find_if(all, [](const auto &at) { return !at.table.empty(); });
-    for (auto one = all.end(); one != all.begin();)
-        if (--one; one != first)
-            cut(*one, least);
-    if (first != all.end())
-        cut(*first, least_of_first);
-    for (auto one = all.end(); one != all.begin() && too_many() > 0;)
-        if (--one; one != first && !one->table.empty())
-            one->shown = false;
-    if (first != all.end())
-        cut(*first, least);
-    for (Paragraph &one : all) { // what that leaves free goes to the first
-        const int spare = -too_many();
-        const std::size_t more = one.table.size() - one.rows;
-        if (!one.shown || spare <= 0 || more == 0)
-            continue;
-        one.rows += static_cast<int>(more) <= spare + 1 ? more : static_cast<std::size_t>(spare);
+    // A line that says that one row is left out saves nothing.
+    const auto rows_of = [](const Paragraph &one, std::size_t most) {
+        return one.table.size() <= most + 1 ? one.table.size() : most;
+    };
+    for (auto one = first; one != all.end(); ++one) {
+        one->rows = rows_of(*one, one == first ? least_of_first : least);
+        one->shown = one == first || one->table.empty();
     }
+    if (!fits() && first != all.end())
+        first->rows = rows_of(*first, least);
+    for (Paragraph &one : all)
+        if (!one.shown) {
+            one.shown = true;
+            if (!fits())
+                one.shown = false;
+        }
+    const auto grow = [&](Paragraph &one, std::size_t most) {
+        for (std::size_t rows = one.rows; one.shown && rows < most;) {
+            const std::size_t before = one.rows;
+            one.rows = rows_of(one, ++rows);
+            if (!fits()) {
+                one.rows = before;
+                return;
+            }
+        }
+    };
+    if (first == all.end())
+        return;
+    grow(*first, enough_of_first);
+    for (Paragraph &one : all)
+        grow(one, one.table.size());
 }
 
 } // namespace
@@ -91,7 +100,7 @@ std::string fitted_text(const std::string &body, const std::vector<std::string> 
     if (lines > 0) {
         const int room =
             lines - (last.empty() ? 0 : 1 + static_cast<int>(std::ranges::count(last, '\n')));
-        constexpr int fair = 8; // notes have so many lines at least, the worst are first
+        constexpr int fair = 5; // notes have so many lines at least, the worst are first
         fit(all, std::max(room - static_cast<int>(notes.size()), room - fair));
         const int left = room - height_of(all);
         if (static_cast<int>(notes.size()) > left)
