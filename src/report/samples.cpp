@@ -17,11 +17,14 @@ namespace whirl::report {
 
 std::string answer_text(const results::SampledAnswer &answer, const Units &units) {
     const std::string name = units.text(answer.name);
-    return answer.of == "critical"   ? "critical " + name
-           : answer.of == "ends"     ? "unstable " + name
-           : answer.of == "residual" ? "residual: " + name
-           : answer.of == "margins"  ? "margin of " + name
-                                     : name;
+    // A number alone would stand in front of the unit in headings.
+    const bool by_order = !name.empty() && name.front() >= '0' && name.front() <= '9';
+    return answer.of == "critical" && by_order ? name + ". critical"
+           : answer.of == "critical"           ? "critical " + name
+           : answer.of == "ends"               ? "unstable " + name
+           : answer.of == "residual"           ? "residual: " + name
+           : answer.of == "margins"            ? "margin of " + name
+                                               : name;
 }
 
 using results::SampledAnswer;

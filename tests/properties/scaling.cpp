@@ -56,6 +56,10 @@ CommandOutput run(const std::string &command, const model::Case &scene,
 model::Case scene_in_units(const std::filesystem::path &file,
                            const std::vector<std::string> &overrides, const Units &units) {
     model::Case scene = in_units(input::load_case(file, overrides), units);
+    if (scene.limits) { // standards have numbers and speeds of their own
+        scene.limits->shaft_standard.reset();
+        scene.limits->pedestals.reset();
+    }
     scene.simulate.time /= 20;
     for (auto &[time, speed] : scene.simulate.run_up)
         time /= 20;

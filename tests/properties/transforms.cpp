@@ -132,8 +132,15 @@ void scale_operation(model::Case &scene, const Factors &f) {
     if (auto &operation = scene.operation) {
         operation->from *= f.speed;
         operation->to *= f.speed;
-        if (operation->trip)
-            *operation->trip *= f.speed;
+        for (auto *speed : {&operation->trip, &operation->normal})
+            if (*speed)
+                **speed *= f.speed;
+    }
+    if (auto &limits = scene.limits) {
+        if (limits->shaft)
+            *limits->shaft *= f.length;
+        if (limits->velocity)
+            *limits->velocity *= f.length / f.time;
     }
     if (auto &level1 = scene.level1) {
         level1->z *= f.length;

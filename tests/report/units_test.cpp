@@ -42,7 +42,10 @@ TEST(Units, WithoutAnyAskedForAreThoseOfTheReader) {
     EXPECT_EQ(shown_to(usual, &Column<Row>::page),
               (Texts{{"Speed (rpm)", "Speed (rad/s)", "z (m)", "amplitude (µm)", "static (µm)"},
                      {"600", "62.831853", "0.508", "254", "254"}}));
+    // On the terminal the second column stands only with more than five digits.
     EXPECT_EQ(shown_to(usual, &Column<Row>::text)[0],
+              (std::vector<std::string>{"rpm", "z m", "amplitude µm", "static µm"}));
+    EXPECT_EQ(shown_to(usual.styled({.digits = 10}), &Column<Row>::text)[0],
               (std::vector<std::string>{"rpm", "rad/s", "z m", "amplitude µm", "static µm"}));
     EXPECT_EQ(csv_table(columns, rows, Units::of_files({})),
               "speed [rad/s],z [m],amplitude [m],static [m]\n"
@@ -54,7 +57,9 @@ TEST(Units, AskedForAreThoseOfAllColumnsAndTwoOfOneQuantityAreOne) {
     EXPECT_EQ(shown_to(Units::of_readers(american()), &Column<Row>::page),
               (Texts{{"Speed (Hz)", "z (in)", "amplitude (mil)", "static (mil)"},
                      {"10", "20", "10", "10"}}));
-    EXPECT_EQ(shown_to(Units::of_readers(american()), &Column<Row>::text)[1][0], "10.00000000");
+    EXPECT_EQ(
+        shown_to(Units::of_readers(american()).styled({.digits = 10}), &Column<Row>::text)[1][0],
+        "10.00000000");
     EXPECT_EQ(csv_table(columns, rows, Units::of_files(american())),
               "speed [Hz],z [in],amplitude [mil],static [mil]\n10,20,10,10\n");
 }
