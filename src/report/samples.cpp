@@ -12,19 +12,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 
 namespace whirl::report {
 
+namespace {
+
+/// A number in words, so that none stands in front of a unit: "first", "second", "13th".
+std::string ordinal(const std::string &number) {
+    constexpr std::array words{"first",   "second", "third", "fourth", "fifth",    "sixth",
+                               "seventh", "eighth", "ninth", "tenth",  "eleventh", "twelfth"};
+    const auto n = static_cast<std::size_t>(std::atoi(number.c_str()));
+    return n >= 1 && n <= words.size() ? words[n - 1] : number + "th";
+}
+
+} // namespace
+
 std::string answer_text(const results::SampledAnswer &answer, const Units &units) {
     const std::string name = units.text(answer.name);
-    // A number alone would stand in front of the unit in headings.
-    const bool by_order = !name.empty() && name.front() >= '0' && name.front() <= '9';
-    return answer.of == "critical" && by_order ? name + ". critical"
-           : answer.of == "critical"           ? "critical " + name
-           : answer.of == "ends"               ? "unstable " + name
-           : answer.of == "residual"           ? "residual: " + name
-           : answer.of == "margins"            ? "margin of " + name
-                                               : name;
+    if (answer.of == "critical" && !name.empty() && name.front() >= '0' && name.front() <= '9')
+        return ordinal(name) + " critical";
+    return answer.of == "critical"   ? "critical " + name
+           : answer.of == "ends"     ? "unstable " + name
+           : answer.of == "residual" ? "residual: " + name
+           : answer.of == "margins"  ? "margin of " + name
+                                     : name;
 }
 
 using results::SampledAnswer;

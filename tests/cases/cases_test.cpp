@@ -56,9 +56,9 @@ double unit_size(const std::string &unit) {
         return 2 * std::numbers::pi;
     if (unit == "rpm")
         return std::numbers::pi / 30;
-    if (unit == "rad/s" || unit == "1/s" || unit == "1" || unit == "rad" || unit == "m" ||
-        unit == "N" || unit == "N/m" || unit == "m/N" || unit == "%" || unit == "1/kg" ||
-        unit == "kg m2" || unit == "kg m")
+    if (unit == "rad/s" || unit == "1/s" || unit == "1" || unit == "m/s" || unit == "rad" ||
+        unit == "m" || unit == "N" || unit == "N/m" || unit == "m/N" || unit == "%" ||
+        unit == "1/kg" || unit == "kg m2" || unit == "kg m")
         return 1;
     throw std::runtime_error("unit of expected.json not known: " + unit);
 }
