@@ -407,8 +407,8 @@ void find_scale(OperatingResponse &out, const std::vector<Spot> &spots, const mo
     // API 617 has 0.5 to 6 (theory.md, "Operating speeds"); here the imbalance is never made less.
     constexpr double least = 1;
     constexpr double usual_most = 6;
-    out.scale = std::clamp(largest->value / most, least,
-                           scene.limits->scale_most.value_or(usual_most));
+    out.scale =
+        std::clamp(largest->value / most, least, scene.limits->scale_most.value_or(usual_most));
 }
 
 void add_worst(OperatingResponse &out, const std::vector<Watch> &watches,
