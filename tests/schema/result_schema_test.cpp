@@ -41,9 +41,9 @@ TEST_P(ResultSchema, holds) {
 INSTANTIATE_TEST_SUITE_P(
     Runs, ResultSchema,
     testing::Values(
-        "report cases/compressor_margins", "report cases/id_fan", "show cases/compressor_margins", "modes cases/compressor_margins",
-        "modes cases/anisotropic_disc_flexible", "accuracy cases/friswell_5_9_1",
-        "critical cases/compressor_margins --map-bearing 0",
+        "report cases/compressor_margins", "report cases/id_fan", "show cases/compressor_margins",
+        "modes cases/compressor_margins", "modes cases/anisotropic_disc_flexible",
+        "accuracy cases/friswell_5_9_1", "critical cases/compressor_margins --map-bearing 0",
         "critical cases/compressor_margins --set imbalance=[]",
         "campbell cases/anisotropic_disc_flexible --set speeds.count=3",
         "campbell cases/compressor_margins --set speeds.count=3 --units us --json-units",
