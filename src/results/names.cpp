@@ -2,6 +2,7 @@
 #include "results/margins.h"
 #include "results/simulate.h"
 #include "results/stability.h"
+#include "results/steady_states.h"
 #include "results/whirl.h"
 
 #include <algorithm>
@@ -59,6 +60,10 @@ std::size_t largest_station(const std::vector<StationMotion> &stations) {
 std::string outcome_name(Outcome outcome) {
     return name_of(outcome, {"balanced", "offset", "lagging", "whirling", "growing", "steady",
                              "transient", "undecided"});
+}
+
+std::string steady_kind_name(SteadyState::Kind kind) {
+    return name_of(kind, {"balanced", "partly balanced", "coincident", "split", "swung"});
 }
 
 } // namespace whirl::results

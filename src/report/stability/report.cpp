@@ -8,6 +8,7 @@
 #include "report/pictures/figures.h"
 #include "report/reports.h"
 #include "report/stability/bands.h"
+#include "report/steady_states.h"
 
 #include <fmt/format.h>
 
@@ -163,7 +164,8 @@ Json json_of(const StabilityResult &result, const Units &units) {
             {"harmonics", result.harmonics},
             {"family", result.family ? family_json(*result.family, units) : Json()},
             {"map", result.map ? map_json(*result.map, units) : Json()},
-            {"level1", result.level1 ? json_row(level1_columns, *result.level1, units) : Json()}};
+            {"level1", result.level1 ? json_row(level1_columns, *result.level1, units) : Json()},
+            {"states", states_json(result.states, units)}};
 }
 
 std::string csv_of(const StabilityResult &result, const Units &units) {
@@ -230,6 +232,9 @@ std::vector<Section> sections_of(const StabilityResult &result, const Units &uni
     if (result.level1)
         sections.push_back({"Level-I stability: added cross coupling",
                             page_properties(level1_columns, *result.level1, units)});
+    if (result.states)
+        for (Section &section : states_sections(*result.states, units))
+            sections.push_back(std::move(section));
     if (!result.family)
         return sections;
     const results::ArrangementFamily &family = *result.family;
@@ -285,6 +290,8 @@ std::string text_of(const model::Case &scene, const StabilityResult &result, con
         text += "\nLevel-I stability, added cross coupling:\n" +
                 text_table(
                     properties(level1_columns, *result.level1, &Column<Level1>::text, "-", units));
+    if (result.states)
+        text += states_text(*result.states, units);
     return text + model_text(result.model, units);
 }
 
