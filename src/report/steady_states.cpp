@@ -49,6 +49,20 @@ const Columns<SteadyState> state_columns{
     {"defect", Quantity::number, &SteadyState::defect},
     {"branch", &SteadyState::branch}};
 
+const Columns<results::SteadyBorder> border_columns{
+    {"speed", ForReaders("Speed", "{:.10g}"), Quantity::speed, &results::SteadyBorder::speed},
+    {"kind", ForReaders("what happens"),
+     [](const auto &border) { return results::steady_border_name(border.kind); }},
+    {"branch", ForReaders("branch"), &results::SteadyBorder::branch},
+    {"other", ForReaders("with branch"), Quantity::number,
+     [](const auto &border) { return border.other ? Json(*border.other) : Json(); }},
+    {"growing_below", ForReaders("growing below"), &results::SteadyBorder::growing_below},
+    {"growing_above", ForReaders("growing above"), &results::SteadyBorder::growing_above},
+    {"frequency", ForReaders("frequency in rotating axes", "{:.6g}"), Quantity::frequency,
+     &results::SteadyBorder::frequency},
+    {"residual", ForReaders("residual", "{:.5g}"), Quantity::amplitude,
+     &results::SteadyBorder::residual}};
+
 /// As many rows as somebody reads; the file has all.
 constexpr std::size_t most_rows = 60;
 
@@ -70,14 +84,30 @@ Json states_json(const std::optional<SteadyStates> &states, const Units &units) 
     return states ? json_rows(state_columns, states->states, units) : Json();
 }
 
+Json state_borders_json(const std::optional<SteadyStates> &states, const Units &units) {
+    return states ? json_rows(border_columns, states->borders, units) : Json();
+}
+
+Json states_undecided_json(const std::optional<SteadyStates> &states, const Units &units) {
+    return states ? written(units, Quantity::speed, states->undecided) : Json();
+}
+
 std::string states_text(const SteadyStates &states, const Units &units) {
-    return text_table("\n" + heading_of(states) + ":\n", state_columns, first_rows(states), units);
+    return text_table("\n" + heading_of(states) + ":\n", state_columns, first_rows(states), units) +
+           text_table(
+               "\nWhere branches of steady states end, and roots cross the imaginary axis:\n",
+               border_columns, states.borders, units);
 }
 
 std::vector<Section> states_sections(const SteadyStates &states, const Units &units) {
     if (states.states.empty())
         return {};
-    return {{heading_of(states), page_table(state_columns, first_rows(states), units)}};
+    std::vector<Section> out{
+        {heading_of(states), page_table(state_columns, first_rows(states), units)}};
+    if (!states.borders.empty())
+        out.push_back({"Where branches of steady states end, and roots cross the imaginary axis",
+                       page_table(border_columns, states.borders, units)});
+    return out;
 }
 
 } // namespace whirl::report

@@ -15,6 +15,10 @@ namespace whirl::report {
 /// null without an answer.
 [[nodiscard]] Json states_json(const std::optional<results::SteadyStates> &states,
                                const Units &units);
+[[nodiscard]] Json state_borders_json(const std::optional<results::SteadyStates> &states,
+                                      const Units &units);
+[[nodiscard]] Json states_undecided_json(const std::optional<results::SteadyStates> &states,
+                                         const Units &units);
 [[nodiscard]] std::string states_text(const results::SteadyStates &states, const Units &units);
 [[nodiscard]] std::vector<Section> states_sections(const results::SteadyStates &states,
                                                    const Units &units);

@@ -66,4 +66,8 @@ std::string steady_kind_name(SteadyState::Kind kind) {
     return name_of(kind, {"balanced", "partly balanced", "coincident", "split", "swung"});
 }
 
+std::string steady_border_name(SteadyBorder::Kind kind) {
+    return name_of(kind, {"fold", "limit", "zero", "pair"});
+}
+
 } // namespace whirl::results

@@ -38,9 +38,31 @@ struct SteadyState {
 /// "balanced", "partly balanced", "coincident", "split" or "swung".
 [[nodiscard]] std::string steady_kind_name(SteadyState::Kind kind);
 
+/// A speed at which a branch ends, or motions about its states begin or cease to grow.
+struct SteadyBorder {
+    enum class Kind {
+        fold,  ///< two branches meet and end
+        limit, ///< the masses just reach: they stand at one angle, as those of another branch do
+        zero,  ///< a real root passes zero: another branch passes through, as a rule
+        pair   ///< a complex pair crosses the imaginary axis (Hopf): a limit cycle begins
+    };
+    double speed = 0; ///< rad/s
+    Kind kind = Kind::fold;
+    int branch = 0;
+    std::optional<int> other;        ///< of a fold: the second branch
+    int growing_below = 0;           ///< roots that grow just below this speed; -1: no such state
+    int growing_above = 0;           ///< likewise
+    std::optional<double> frequency; ///< |Im| of the pair in turning axes, rad/s
+    double residual = 0;             ///< of the state there, m
+};
+
+/// "fold", "limit", "zero" or "pair".
+[[nodiscard]] std::string steady_border_name(SteadyBorder::Kind kind);
+
 struct SteadyStates {
-    std::vector<double> speeds;      ///< looked at, rad/s
-    std::vector<SteadyState> states; ///< by speed
+    std::vector<double> speeds;        ///< looked at, rad/s
+    std::vector<SteadyState> states;   ///< by speed
+    std::vector<SteadyBorder> borders; ///< ascending; between the speeds looked at
     /// Speeds at which two states were too close to each other to be told apart, rad/s.
     std::vector<double> undecided;
     std::vector<Sentence> notes;

@@ -7,6 +7,7 @@
 #include "model/errors.h"
 #include "process/progress.h"
 #include "results/sentence.h"
+#include "states/branches.h"
 #include "states/trig_roots.h"
 
 #include <algorithm>
@@ -25,8 +26,6 @@ using std::numbers::pi;
 
 /// Moments of mass that differ by less than this, over all of them, are equal: rounding of inputs.
 constexpr double equal_moments = 1e-9;
-/// Two roots of one way to stand, rad: of a pair that all_roots() tells apart.
-constexpr double same_angle = 1e-6;
 /// The same state from two ways to stand, where a fold makes angles out of square roots of
 /// rounding.
 constexpr double same_at_fold = 3e-5;
@@ -271,6 +270,7 @@ StateSearch::StateSearch(const model::Case &scene, double slowest, double fastes
         throw model::AnalysisFailure("steady states are not isolated: nothing in this rotor marks "
                                      "a direction, and no damping keeps balls from deflecting it "
                                      "in any");
+    _ways = all_ways();
 }
 
 void StateSearch::collect(const model::Case &scene) {
@@ -467,6 +467,10 @@ void StateSearch::describe(Found &found, double speed) const {
     const Eigen::VectorXd parts = roots.tail(roots.size() - found.along - turning).real();
     // Of the largest root: what rounding makes of a root that is zero.
     const double nothing = 1e-12 * std::abs(roots(roots.size() - 1)) + 1e-10 * std::abs(speed);
+    const Eigen::VectorXcd moving = roots.tail(parts.size());
+    Index next = 0;
+    parts.cwiseAbs().minCoeff(&next);
+    found.next_to_axis = moving(next);
     state.growth = state.least_growth = parts.maxCoeff();
     state.growing = static_cast<int>((parts.array() > nothing).count());
     state.stable.reset();
@@ -474,8 +478,9 @@ void StateSearch::describe(Found &found, double speed) const {
         state.stable = state.growth < 0;
 }
 
-void StateSearch::add_states(const Way &way, double speed, double deflection,
-                             std::vector<Found> &out, bool &undecided) const {
+void StateSearch::add_states(int index, double speed, double deflection, std::vector<Found> &out,
+                             bool &undecided) const {
+    const Way &way = _ways[static_cast<std::size_t>(index)];
     const Lines lines(*this, way, speed);
     TrigRoots roots;
     if (lines.unknowns() > 0)
@@ -500,6 +505,7 @@ void StateSearch::add_states(const Way &way, double speed, double deflection,
             if (!place(way, lines, root, member, angles))
                 break;
             Found found;
+            found.way = index;
             found.x = _equations.with_angles(angles, speed);
             found.state.defect = _equations.refine(found.x, speed, deflection);
             found.along = along_family(way, found.x.tail(angles.size()));
@@ -531,24 +537,44 @@ void StateSearch::add_states(const Way &way, double speed, double deflection,
     }
 }
 
+double StateSearch::size_of_deflections(double speed) const {
+    // Without the balls; of a rotor without imbalance that under all of them at one angle.
+    Eigen::VectorXd load = _equations.load(speed);
+    if (!_equations.driven())
+        for (const Plane &plane : _planes)
+            for (const Mass &mass : plane.masses)
+                load += mass.moment * speed * speed *
+                        _equations.plane_rows().row(4 * plane.index).transpose();
+    const Eigen::VectorXd u = linalg::solved(_equations.stiffness(speed).partialPivLu(), load);
+    const Eigen::VectorXd y = _equations.plane_rows() * u;
+    double deflection = 0;
+    for (Index i = 0; i < _equations.planes(); ++i)
+        deflection = std::max(deflection, y.segment<2>(4 * i).norm());
+    return deflection;
+}
+
 std::vector<StateSearch::Found> StateSearch::at(double speed, bool &undecided) const {
     std::vector<Found> out;
-    double deflection = 0;
-    {
-        // Without the balls; of a rotor without imbalance that under all of them at one angle.
-        Eigen::VectorXd load = _equations.load(speed);
-        if (!_equations.driven())
-            for (const Plane &plane : _planes)
-                for (const Mass &mass : plane.masses)
-                    load += mass.moment * speed * speed *
-                            _equations.plane_rows().row(4 * plane.index).transpose();
-        const Eigen::VectorXd u = linalg::solved(_equations.stiffness(speed).partialPivLu(), load);
-        const Eigen::VectorXd y = _equations.plane_rows() * u;
-        for (Index i = 0; i < _equations.planes(); ++i)
-            deflection = std::max(deflection, y.segment<2>(4 * i).norm());
-    }
-    for (const Way &way : all_ways())
+    const double deflection = size_of_deflections(speed);
+    for (int way = 0; way < std::ssize(_ways); ++way)
         add_states(way, speed, deflection, out, undecided);
+    return out;
+}
+
+std::vector<StateSearch::Found> StateSearch::of_way(int way, double speed, bool &undecided) const {
+    std::vector<Found> out;
+    add_states(way, speed, size_of_deflections(speed), out, undecided);
+    return out;
+}
+
+std::optional<StateSearch::Found>
+StateSearch::followed(const Found &from, const Eigen::VectorXd &guess, double speed) const {
+    Found out = from;
+    out.x = _equations.with_angles(guess.tail(_equations.parts().free_angles()), speed);
+    out.state.defect = _equations.refine(out.x, speed, size_of_deflections(speed));
+    if (out.state.defect > refined)
+        return std::nullopt;
+    describe(out, speed);
     return out;
 }
 
@@ -572,15 +598,19 @@ results::SteadyStates steady_states(const model::Case &scene, const std::vector<
     }
     try {
         const StateSearch search(scene, slowest, fastest);
+        std::vector<AtSpeed> all(out.speeds.size());
         for (std::size_t i = 0; i < out.speeds.size(); ++i) {
             bool undecided = false;
-            for (StateSearch::Found &found : search.at(out.speeds[i], undecided))
-                out.states.push_back(std::move(found.state));
+            all[i] = {out.speeds[i], search.at(out.speeds[i], undecided)};
             if (undecided)
                 out.undecided.push_back(out.speeds[i]);
-            process::report_progress(static_cast<double>(i + 1) /
+            process::report_progress(0.8 * static_cast<double>(i + 1) /
                                      static_cast<double>(out.speeds.size()));
         }
+        join_branches(search, all, out);
+        for (AtSpeed &at : all)
+            for (StateSearch::Found &found : at.states)
+                out.states.push_back(std::move(found.state));
     } catch (const linalg::SolverError &error) {
         throw model::AnalysisFailure(
             results::Sentence("steady states were not found: {}", error.sentence()));

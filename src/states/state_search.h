@@ -4,6 +4,8 @@
 #include "results/steady_states.h"
 #include "states/steady_equations.h"
 
+#include <complex>
+#include <optional>
 #include <vector>
 
 namespace whirl::states {
@@ -26,13 +28,22 @@ class StateSearch {
         results::SteadyState state;
         Eigen::VectorXd x;
         int along = 0; ///< motions along the family, which neither grow nor die out
+        int way = 0;   ///< in which the masses stand
+        /// The root that is next to the imaginary axis, 1/s.
+        std::complex<double> next_to_axis;
     };
     /// At a speed other than 0.
     /// @param undecided  set where two states are too close to be told apart
     /// @throws linalg::SolverError
     [[nodiscard]] std::vector<Found> at(double speed, bool &undecided) const;
 
+    /// Those of one way to stand.
+    [[nodiscard]] std::vector<Found> of_way(int way, double speed, bool &undecided) const;
+
     [[nodiscard]] const SteadyEquations &equations() const { return _equations; }
+    /// The same state at another speed near by, from a guess of its unknowns; none: not reached.
+    [[nodiscard]] std::optional<Found> followed(const Found &from, const Eigen::VectorXd &guess,
+                                                double speed) const;
     /// Sets what follows from the unknowns: angles, amplitudes, growth, stability.
     void describe(Found &found, double speed) const;
 
@@ -64,13 +75,15 @@ class StateSearch {
     SteadyEquations _equations;
     std::vector<Plane> _planes;
     std::vector<Swung> _swung;
+    std::vector<Way> _ways;
     std::vector<std::size_t> _angles_of; ///< angles that each balancer shows
     std::vector<Eigen::Index> _first_of; ///< coordinate of its first angle
 
     void collect(const model::Case &scene);
     [[nodiscard]] std::vector<Sides> ways_of(const Plane &plane) const;
     [[nodiscard]] std::vector<Way> all_ways() const;
-    void add_states(const Way &way, double speed, double deflection, std::vector<Found> &out,
+    [[nodiscard]] double size_of_deflections(double speed) const;
+    void add_states(int index, double speed, double deflection, std::vector<Found> &out,
                     bool &undecided) const;
     [[nodiscard]] bool place(const Way &way, const Lines &lines, const Eigen::VectorXd &root,
                              int member, Eigen::VectorXd &angles) const;

@@ -165,7 +165,9 @@ Json json_of(const StabilityResult &result, const Units &units) {
             {"family", result.family ? family_json(*result.family, units) : Json()},
             {"map", result.map ? map_json(*result.map, units) : Json()},
             {"level1", result.level1 ? json_row(level1_columns, *result.level1, units) : Json()},
-            {"states", states_json(result.states, units)}};
+            {"states", states_json(result.states, units)},
+            {"state_borders", state_borders_json(result.states, units)},
+            {"states_undecided", states_undecided_json(result.states, units)}};
 }
 
 std::string csv_of(const StabilityResult &result, const Units &units) {
