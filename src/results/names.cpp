@@ -67,7 +67,7 @@ std::string steady_kind_name(SteadyState::Kind kind) {
 }
 
 std::string steady_border_name(SteadyBorder::Kind kind) {
-    return name_of(kind, {"fold", "limit", "zero", "pair"});
+    return name_of(kind, {"fold", "limit", "zero", "pair", "undecided"});
 }
 
 } // namespace whirl::results

@@ -41,10 +41,11 @@ struct SteadyState {
 /// A speed at which a branch ends, or motions about its states begin or cease to grow.
 struct SteadyBorder {
     enum class Kind {
-        fold,  ///< two branches meet and end
-        limit, ///< the masses just reach: they stand at one angle, as those of another branch do
-        zero,  ///< a real root passes zero: another branch passes through, as a rule
-        pair   ///< a complex pair crosses the imaginary axis (Hopf): a limit cycle begins
+        fold,     ///< two branches meet and end
+        limit,    ///< the masses just reach: they stand at one angle, as those of another branch do
+        zero,     ///< a real root passes zero: another branch passes through, as a rule
+        pair,     ///< a complex pair crosses the imaginary axis (Hopf): a limit cycle begins
+        undecided ///< just beyond it was not found again: it may go on
     };
     double speed = 0; ///< rad/s
     Kind kind = Kind::fold;
@@ -56,7 +57,7 @@ struct SteadyBorder {
     double residual = 0;             ///< of the state there, m
 };
 
-/// "fold", "limit", "zero" or "pair".
+/// "fold", "limit", "zero", "pair" or "undecided".
 [[nodiscard]] std::string steady_border_name(SteadyBorder::Kind kind);
 
 struct SteadyStates {

@@ -113,18 +113,18 @@ class Joining {
             SteadyBorder border;
             border.branch = first.state.branch;
             // The partner with which it ends in a fold: the nearest of its way just before.
-            const auto [speed, last] = last_of(first, there, gone);
+            const auto [speed, last, lost] = last_of(first, there, gone);
             border.speed = speed;
             border.residual = last.state.residual;
             int &growing_before = there < gone ? border.growing_below : border.growing_above;
             int &growing_after = there < gone ? border.growing_above : border.growing_below;
             growing_before = last.state.growing;
             growing_after = -1;
-            border.kind = SteadyBorder::Kind::limit;
+            border.kind = lost ? SteadyBorder::Kind::undecided : SteadyBorder::Kind::limit;
             for (auto other = states.begin(); other != states.end(); ++other) {
                 if ((*other)->way != first.way)
                     continue;
-                const auto [same_speed, partner] = last_of(**other, there, gone);
+                const auto [same_speed, partner, partner_lost] = last_of(**other, there, gone);
                 // Next to a fold two states are as near as the root of what is left to it.
                 if (std::abs(same_speed - speed) > 1e-6 * std::abs(speed) ||
                     apart(partner, last) > 0.05)
@@ -138,15 +138,20 @@ class Joining {
         }
     }
 
+    struct Last {
+        double speed;
+        Found found;
+        bool lost; ///< just beyond Newton's method leads nowhere: it may go on
+    };
     /// The last speed at which a state is found, and the state there.
-    [[nodiscard]] std::pair<double, Found> last_of(const Found &first, double there,
-                                                   double gone) const {
+    [[nodiscard]] Last last_of(const Found &first, double there, double gone) const {
         Found last = first;
-        const auto count = [&](const std::vector<Found> &states) { return states.size(); };
-        bool undecided = false;
-        std::size_t with = count(_search.of_way(first.way, there, undecided));
+        bool ignored = false;
+        bool lost = false;
+        std::size_t with = _search.of_way(first.way, there, ignored).size();
         while (std::abs(gone - there) > known * std::abs(there)) {
             const double middle = (there + gone) / 2;
+            bool undecided = false;
             const std::vector<Found> states = _search.of_way(first.way, middle, undecided);
             const Found *nearest = nullptr;
             for (const Found &state : states)
@@ -161,9 +166,10 @@ class Joining {
                 with = states.size();
             } else {
                 gone = middle;
+                lost = undecided;
             }
         }
-        return {there, last};
+        return {there, last, lost};
     }
 
     /// The state between two of one branch; none: it could not be followed.

@@ -511,8 +511,11 @@ void StateSearch::add_states(int index, double speed, double deflection, std::ve
             found.along = along_family(way, found.x.tail(angles.size()));
             found.state.family = found.along > 0;
             found.state.kind = kind_of(way);
-            if (found.state.defect > (found.state.family ? second_order : refined))
-                throw linalg::SolverError("steady states that Newton's method does not refine");
+            if (found.state.defect > (found.state.family ? second_order : refined)) {
+                // Terms of second order in large slopes moved it away, or undid it.
+                undecided = true;
+                continue;
+            }
             describe(found, speed);
             if (!family) {
                 if (std::ranges::none_of(out, [&](const Found &other) {

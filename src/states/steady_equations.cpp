@@ -205,7 +205,7 @@ Eigen::VectorXd SteadyEquations::with_angles(const Eigen::VectorXd &angles, doub
 }
 
 double SteadyEquations::refine(Eigen::VectorXd &x, double speed, double deflection) const {
-    constexpr int most_steps = 12;
+    constexpr int most_steps = 30;
     const auto left_of = [](const Balance &at) {
         double most = 0;
         const Eigen::Index n = at.left.size();
@@ -227,14 +227,21 @@ double SteadyEquations::refine(Eigen::VectorXd &x, double speed, double deflecti
                 b(row) /= size;
             }
         }
-        const Eigen::VectorXd next = x + linalg::least_squares(A, b);
-        Balance then = balance(next, speed, deflection);
-        const double less = left_of(then);
-        if (!(less < left))
+        const Eigen::VectorXd step = linalg::least_squares(A, b);
+        bool better = false;
+        constexpr double shortest = 1e-2; // of the step: then it leads nowhere
+        for (double part = 1; part > shortest && !better; part /= 2) {
+            const Eigen::VectorXd next = x + part * step;
+            Balance then = balance(next, speed, deflection);
+            if (const double less = left_of(then); less < left) {
+                better = true;
+                x = next;
+                at = std::move(then);
+                left = less;
+            }
+        }
+        if (!better)
             break;
-        x = next;
-        at = std::move(then);
-        left = less;
     }
     return left;
 }

@@ -16,11 +16,11 @@ namespace {
 using Eigen::Index;
 using std::numbers::pi;
 
-/// Cells narrower than this are not halved any more, rad: roots of a pair as close differ by less
-/// than the equations say of them, half of the digits.
-constexpr double narrowest = 1e-6;
-/// Roots this close are one, found from two cells that touch; less than `narrowest`.
-constexpr double same_root = 1e-8;
+/// Cells narrower than this are not halved any more, rad: next to a double root values below their
+/// rounding reach as far as its square root, 3e-7 rad.
+constexpr double narrowest = 1e-8;
+/// Roots this close are one, found from two cells that touch.
+constexpr double same_root = 1e-9;
 /// Isolated roots take some thousands of cells; of a line of them there is no end.
 constexpr long most_cells = 400000;
 
