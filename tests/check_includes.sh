@@ -7,7 +7,7 @@ cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
 # The rooms of src/ from the ground up. A room includes from itself and from those before it, and
 # from no other: so every arrow points down.
 rooms=(model results mesh elements balancers linalg balancing process assembly reduction rigid periodic modes mesh_error
-  tracking synchronous forced stability ends criterion simulation operation analyses)
+  tracking synchronous forced stability ends criterion simulation states operation analyses)
 # What stands on all of them knows only what it needs.
 declare -A allowed=(
   [main]="analyses cli input model process report"

@@ -4,6 +4,7 @@
 #include "analyses/notes/driven_motions.h"
 #include "analyses/stability_ends.h"
 #include "analyses/stability_map.h"
+#include "analyses/steady_states.h"
 #include "balancers/balanced_position.h"
 #include "balancers/kind.h"
 #include "ends/band_ends.h"
@@ -353,6 +354,7 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
         answer(scene, grid, model, result);
         name_modes(result.ends, scene, model.form_of_lines, model.order);
         add_level1(scene, model, result);
+        result.states = steady_states_of(scene, result.model.notes);
     };
     if (scene.map) // which the other processes need not wait with
         result.map = stability_map(*scene.map, with, all_but_map);

@@ -95,6 +95,17 @@ class BallMotion final : public PartsMotion {
         }
     }
 
+    [[nodiscard]] AtRest at_rest(const PlaneVector &place, double speed,
+                                 const double *angles) const override {
+        AtRest out(size());
+        for (std::size_t j = 0; j < _balls.size(); ++j) {
+            const auto index = static_cast<Index>(4 + j);
+            _balls[j].mass.add_at_rest(place, speed, angles[j], index, out);
+            out.damping(index, index) += _balls[j].drag;
+        }
+        return out;
+    }
+
     [[nodiscard]] MassMomenta momenta(const PlaneMotion &plane, const SpinState &spin,
                                       const double *angles, const double *rates) const override {
         MassMomenta sum;
@@ -165,9 +176,9 @@ class BallKind final : public Kind {
 
     [[nodiscard]] std::vector<CircledMass> circled() const override {
         std::vector<CircledMass> out;
-        for (const model::BallRow &row : _balls.rows)
+        for (int index = 0; const model::BallRow &row : _balls.rows)
             out.insert(out.end(), static_cast<std::size_t>(row.n),
-                       {row.mass * row.radius, row.mass * row.radius * row.radius});
+                       {row.mass * row.radius, row.mass * row.radius * row.radius, index++});
         return out;
     }
 

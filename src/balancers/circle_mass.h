@@ -3,6 +3,7 @@
 #include "balancers/parts_motion.h"
 
 #include <cmath>
+#include <optional>
 
 namespace whirl::balancers {
 
@@ -25,6 +26,10 @@ struct CircleMass {
         write_equation(plane, std::cos(angle), std::sin(angle), rate, out);
         return out;
     }
+    /// At rest in the rotor at an angle: adds what it does (parts_motion.h).
+    /// @param index  of its angle among the unknowns, >= 4; none: it is fixed in the rotor
+    void add_at_rest(const PlaneVector &place, double speed, double angle,
+                     std::optional<Eigen::Index> index, AtRest &out) const;
     [[nodiscard]] MassMomenta momenta(const PlaneMotion &plane, double angle, double rate) const;
 };
 

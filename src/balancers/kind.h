@@ -17,6 +17,14 @@ namespace whirl::balancers {
 struct CircledMass {
     double moment = 0;  ///< m R, kg m
     double inertia = 0; ///< m R^2, kg m2
+    int alike = 0;      ///< masses of one number could be exchanged
+};
+
+/// A mass that a spring of the centrifugal force holds back: a displacement sin f across a line.
+struct SwungMass {
+    double line = 0;   ///< angle of the line in the rotor, rad
+    double moment = 0; ///< of mass at f = 90 deg, 2 m l, kg m
+    double pivot = 0;  ///< a: at rest a tan f is the deflection across the line, m
 };
 
 /// All parts together at rest in the rotor; diametral inertias are half of the polar ones.
@@ -106,6 +114,8 @@ class Kind {
     [[nodiscard]] virtual std::optional<double> rate() const { return std::nullopt; }
     /// What can take any angle, in the order of model::Balancer::position; none for pendulums.
     [[nodiscard]] virtual std::vector<CircledMass> circled() const { return {}; }
+    /// What swings about its place at rest, in the order of coordinates(); none for balls.
+    [[nodiscard]] virtual std::vector<SwungMass> swung() const { return {}; }
     /// The position that is taken where the case gives none, angles from the imbalance; none: the
     /// first of the family. Only asked for a position that exists.
     /// @param capacity  at least 1, may be infinite

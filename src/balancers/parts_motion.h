@@ -69,6 +69,27 @@ struct MassMomenta {
     }
 };
 
+/// Parts at rest in the rotor and their small motions about that, in axes that turn with it. The
+/// unknowns are the deflection W and slope Phi of the plane, both in rotating axes, then the
+/// angles:
+///
+///     inertia q'' + (gyroscopic + damping) q' + stiffness q = 0
+///
+/// of the parts alone, without the constant inertia that the rotor's mass matrix already holds.
+struct AtRest {
+    explicit AtRest(int angles);
+
+    Eigen::VectorXd force; ///< on the plane, and along the angles
+    Eigen::MatrixXd inertia, gyroscopic, damping;
+    Eigen::MatrixXd stiffness; ///< minus the derivative of `force`
+
+    /// Adds a pair of symmetric (or skew) entries of one angle and two entries of the plane.
+    static void add_symmetric(Eigen::MatrixXd &matrix, int plane, Eigen::Index angle,
+                              const Eigen::Vector2d &column);
+    static void add_skew(Eigen::MatrixXd &matrix, int plane, Eigen::Index angle,
+                         const Eigen::Vector2d &column);
+};
+
 /// Parts in one race that cannot pass each other.
 struct TouchingRow {
     int first = 0, count = 0; ///< their coordinates
@@ -92,6 +113,12 @@ class PartsMotion {
     virtual void equations(const PlaneMotion &plane, const SpinState &spin, const double *angles,
                            const double *rates, const Directions &towards,
                            MassEquation *out) const = 0;
+    /// All angles constant while plane and rotor turn as one body; without weight, contact and
+    /// resistance to rolling. docs/theory.md, "Steady states".
+    /// @param place   of the plane in rotating axes
+    /// @param angles  in the rotor, rad
+    [[nodiscard]] virtual AtRest at_rest(const PlaneVector &place, double speed,
+                                         const double *angles) const = 0;
     [[nodiscard]] virtual std::vector<TouchingRow> touching() const { return {}; }
     /// A coordinate has dry resistance.
     [[nodiscard]] virtual bool resists([[maybe_unused]] int coordinate) const { return false; }

@@ -22,6 +22,8 @@ struct PendulumPair {
     [[nodiscard]] MassEquation equation(const SpinState &spin, double angle, double rate) const;
     [[nodiscard]] MassMomenta momenta(const SpinState &spin, const PlaneVector &v, double angle,
                                       double rate) const;
+    void add_at_rest(const PlaneVector &place, double speed, double angle, Eigen::Index index,
+                     AtRest &out) const;
     /// 2 i m l sin(f) exp(i line): the moment of mass, kg m.
     [[nodiscard]] Eigen::Vector2d offset(const SpinState &spin, double angle) const;
     /// a^2 + l^2 + 2 a l cos f: radius of a mass, squared, m2.
@@ -71,6 +73,27 @@ MassMomenta PendulumPair::momenta(const SpinState &spin, const PlaneVector &v, d
     return out;
 }
 
+/// L = 2 m l [f' cos f (n.W' + Om e.W) - Om sin f (e.W' - Om n.W)] + 2 m a l Om^2 cos f
+///     + m l^2 f'^2, e along the line of hinges, n across it.
+void PendulumPair::add_at_rest(const PlaneVector &place, double speed, double angle,
+                               Eigen::Index index, AtRest &out) const {
+    const Eigen::Vector2d e(std::cos(line), std::sin(line));
+    const Eigen::Vector2d n(-e(1), e(0));
+    const double twice = 2 * mass * arm;
+    const double cosine = std::cos(angle);
+    const double sine = std::sin(angle);
+    const double squared = speed * speed;
+    const double across = n.dot(place.head<2>());
+    out.force.head<2>() += twice * squared * sine * n;
+    out.force(index) += twice * squared * (cosine * across - pivot * sine);
+    out.inertia(index, index) += twice * arm;
+    AtRest::add_symmetric(out.inertia, 0, index, twice * cosine * n);
+    AtRest::add_skew(out.gyroscopic, 0, index, -2 * twice * speed * cosine * e);
+    out.damping(index, index) += 2 * damping;
+    AtRest::add_symmetric(out.stiffness, 0, index, -twice * squared * cosine * n);
+    out.stiffness(index, index) += twice * squared * (sine * across + pivot * cosine);
+}
+
 Eigen::Vector2d PendulumPair::offset(const SpinState &spin, double angle) const {
     const double e = spin.angle + line;
     return 2 * mass * arm * std::sin(angle) * Eigen::Vector2d(-std::sin(e), std::cos(e));
@@ -90,6 +113,14 @@ class PendulumMotion final : public PartsMotion {
                    MassEquation *out) const override {
         for (std::size_t j = 0; j < _pairs.size(); ++j)
             out[j] = _pairs[j].equation(spin, angles[j], rates[j]);
+    }
+
+    [[nodiscard]] AtRest at_rest(const PlaneVector &place, double speed,
+                                 const double *angles) const override {
+        AtRest out(size());
+        for (std::size_t j = 0; j < _pairs.size(); ++j)
+            _pairs[j].add_at_rest(place, speed, angles[j], static_cast<Eigen::Index>(4 + j), out);
+        return out;
     }
 
     [[nodiscard]] MassMomenta momenta(const PlaneMotion &plane, const SpinState &spin,
@@ -131,6 +162,11 @@ class PendulumKind final : public Kind {
                 "2 m arm/(m0 R0)"};
     }
     [[nodiscard]] bool damped() const override { return _pendulums.damping > 0; }
+
+    [[nodiscard]] std::vector<SwungMass> swung() const override {
+        const double moment = 2 * _pendulums.mass * _pendulums.arm;
+        return {{0, moment, _pendulums.pivot}, {std::numbers::pi / 2, moment, _pendulums.pivot}};
+    }
 
     /// The masses of a pair stand at +-(a + l cos f) along its line of hinges and at l sin f across
     /// it: sum m r^2 exp(2 i b) = 2 m (along^2 - across^2) exp(2 i line).

@@ -26,6 +26,23 @@ struct OwnRotation {
         return out;
     }
 
+    /// L = J (Om + s')^2/2 - J (Om + s') [i Phi . Phi' + Om |Phi|^2]/2, |phi'|^2 in the rotor's
+    /// mass matrix.
+    void add_at_rest(const PlaneVector &place, double speed, Eigen::Index index,
+                     AtRest &out) const {
+        const Eigen::Vector2d slope = place.tail<2>();
+        const Eigen::Vector2d turned(-slope(1), slope(0));
+        Eigen::Matrix2d turn;
+        turn << 0, -1, 1, 0;
+        const double squared = speed * speed;
+        out.force.segment<2>(2) -= tilt * squared * slope;
+        out.inertia(index, index) += inertia;
+        AtRest::add_symmetric(out.inertia, 2, index, -tilt / 2 * turned);
+        out.gyroscopic.block<2, 2>(2, 2) -= tilt * speed * turn;
+        AtRest::add_skew(out.gyroscopic, 2, index, tilt * speed * slope);
+        out.stiffness.block<2, 2>(2, 2) += tilt * squared * Eigen::Matrix2d::Identity();
+    }
+
     [[nodiscard]] MassMomenta momenta(const PlaneMotion &plane, double rate) const {
         const PlaneVector &p = plane.place;
         const PlaneVector &v = plane.velocity;
@@ -71,6 +88,24 @@ class RingMotion final : public PartsMotion {
                 equation->torque(0) = -equation->friction;
             }
         }
+    }
+
+    [[nodiscard]] AtRest at_rest(const PlaneVector &place, double speed,
+                                 const double *angles) const override {
+        AtRest out(size());
+        const Eigen::Vector2d lever(_rings.clearance, -_rings.bore_radius());
+        for (int j = 0; j < _rings.n; ++j) {
+            const Eigen::Index centre = 4 + j;
+            const Eigen::Index own = centre + _rings.n;
+            _centre.add_at_rest(place, speed, angles[j], centre, out);
+            _own.add_at_rest(place, speed, own, out);
+            const Eigen::Matrix2d sliding = _rings.damping * lever * lever.transpose();
+            out.damping(centre, centre) += sliding(0, 0);
+            out.damping(centre, own) += sliding(0, 1);
+            out.damping(own, centre) += sliding(1, 0);
+            out.damping(own, own) += sliding(1, 1) + _rings.drag;
+        }
+        return out;
     }
 
     [[nodiscard]] MassMomenta momenta(const PlaneMotion &plane, const SpinState &spin,
@@ -121,7 +156,7 @@ class RingKind final : public Kind {
 
     [[nodiscard]] std::vector<CircledMass> circled() const override {
         const double moment = _rings.mass * _rings.clearance;
-        return {static_cast<std::size_t>(_rings.n), {moment, moment * _rings.clearance}};
+        return {static_cast<std::size_t>(_rings.n), {moment, moment * _rings.clearance, 0}};
     }
 
     [[nodiscard]] std::optional<std::vector<double>>

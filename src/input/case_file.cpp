@@ -87,6 +87,7 @@ model::Case read_case(CheckedTable &root) {
     read_section(root, "simulate", read_simulate, scene);
     read_section(root, "balance", read_balance, scene);
     read_weights(root, scene);
+    read_section(root, "states", read_states, scene);
     read_section(root, "map", read_map, scene);
     read_section(root, "samples", read_samples, scene);
     read_section(root, "sweep", read_sweep, scene);

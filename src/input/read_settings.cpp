@@ -216,6 +216,18 @@ void read_balance(CheckedTable &table, model::Case &scene) {
             table.fail(key, "expected only with a balancer of kind = \"pendulum4\", got none");
 }
 
+void read_states(CheckedTable &table, model::Case &scene) {
+    model::StatesSettings states;
+    states.speeds = table.numbers("speeds", Quantity::speed);
+    std::ranges::sort(states.speeds);
+    states.max_balls = table.whole_or("max_balls", states.max_balls, 1, 12);
+    constexpr std::size_t most = 10000;
+    if (states.speeds.size() > most)
+        table.fail("speeds",
+                   fmt::format("expected up to {} speeds, got {}", most, states.speeds.size()));
+    scene.states = states;
+}
+
 void read_map(CheckedTable &table, model::Case &scene) {
     model::MapSettings map;
     map.x = read_axis(table, "x");

@@ -51,6 +51,7 @@ void read_modes(CheckedTable &table, model::Case &scene);
 void read_response(CheckedTable &table, model::Case &scene);
 void read_simulate(CheckedTable &table, model::Case &scene);
 void read_balance(CheckedTable &table, model::Case &scene);
+void read_states(CheckedTable &table, model::Case &scene);
 void read_map(CheckedTable &table, model::Case &scene);
 void read_samples(CheckedTable &table, model::Case &scene);
 void read_sweep(CheckedTable &table, model::Case &scene);

@@ -123,6 +123,12 @@ struct MapSettings {
     MapAxis y;
 };
 
+/// Entries of [states]: the steady motions in which everything turns with the rotor.
+struct StatesSettings {
+    std::vector<double> speeds; ///< rad/s; empty: those of [speeds]
+    int max_balls = 6;          ///< in one plane, that are searched
+};
+
 /// A whole case file.
 struct Case {
     std::string name; ///< folder name, or file name without its ending
@@ -141,6 +147,7 @@ struct Case {
     ResponseSettings response;
     SimulateSettings simulate;
     BalanceSettings balance;
+    std::optional<StatesSettings> states; ///< empty: not asked for
     std::optional<MapSettings> map;
     std::optional<SamplesSettings> samples;
     std::optional<SweepSettings> sweep;

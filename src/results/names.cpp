@@ -4,6 +4,7 @@
 #include "results/operating.h"
 #include "results/simulate.h"
 #include "results/stability.h"
+#include "results/steady_states.h"
 #include "results/whirl.h"
 
 #include <algorithm>
@@ -91,6 +92,14 @@ std::size_t largest_station(const std::vector<StationMotion> &stations) {
 std::string outcome_name(Outcome outcome) {
     return name_of(outcome, {"balanced", "offset", "lagging", "whirling", "growing", "steady",
                              "transient", "undecided"});
+}
+
+std::string steady_kind_name(SteadyState::Kind kind) {
+    return name_of(kind, {"balanced", "partly balanced", "coincident", "split", "swung"});
+}
+
+std::string steady_border_name(SteadyBorder::Kind kind) {
+    return name_of(kind, {"fold", "limit", "zero", "pair", "undecided"});
 }
 
 } // namespace whirl::results

@@ -4,6 +4,7 @@
 #include "results/interval.h"
 #include "results/level1.h"
 #include "results/model_summary.h"
+#include "results/steady_states.h"
 
 #include <optional>
 #include <string>
@@ -125,6 +126,7 @@ struct StabilityResult {
     std::optional<ArrangementFamily> family;
     std::optional<StabilityMap> map;
     std::optional<Level1> level1; ///< where the case asks for it
+    std::optional<SteadyStates> states; ///< likewise
 };
 
 } // namespace whirl::results

@@ -10,6 +10,7 @@
 #include "report/pictures/figures.h"
 #include "report/reports.h"
 #include "report/stability/bands.h"
+#include "report/steady_states.h"
 
 #include <fmt/format.h>
 
@@ -236,7 +237,10 @@ Json json_of(const StabilityResult &result, const Units &units) {
             {"harmonics", result.harmonics},
             {"family", result.family ? family_json(*result.family, units) : Json()},
             {"map", result.map ? map_json(*result.map, units) : Json()},
-            {"level1", result.level1 ? level1_json(*result.level1, units) : Json()}};
+            {"level1", result.level1 ? level1_json(*result.level1, units) : Json()},
+            {"states", states_json(result.states, units)},
+            {"state_borders", state_borders_json(result.states, units)},
+            {"states_undecided", states_undecided_json(result.states, units)}};
 }
 
 std::string csv_of(const StabilityResult &result, const Units &units) {
@@ -303,6 +307,9 @@ std::vector<Section> sections_of(const StabilityResult &result, const Units &uni
     if (result.level1)
         for (Section &section : level1_sections(*result.level1, units))
             sections.push_back(std::move(section));
+    if (result.states)
+        for (Section &section : states_sections(*result.states, units))
+            sections.push_back(std::move(section));
     if (!result.family)
         return sections;
     const results::ArrangementFamily &family = *result.family;
@@ -357,6 +364,8 @@ std::string text_of(const model::Case &scene, const StabilityResult &result, con
                        permissible_columns, result.permissible, units);
     if (result.level1)
         text += level1_text(*result.level1, units);
+    if (result.states)
+        text += states_text(*result.states, units);
     return text + model_text(result.model, units);
 }
 

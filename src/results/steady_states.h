@@ -1,0 +1,72 @@
+#pragma once
+
+#include "results/sentence.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace whirl::results {
+
+/// A motion in which rotor and balancers turn as one body at a constant speed.
+struct SteadyState {
+    /// What the masses do.
+    enum class Kind {
+        balanced,        ///< no plane with balls is deflected
+        partly_balanced, ///< some of these planes are not
+        coincident,      ///< the balls of every plane stand at one angle
+        split,           ///< some stand opposite to others of their plane
+        swung            ///< pendulums alone
+    };
+    double speed = 0; ///< rad/s
+    Kind kind = Kind::balanced;
+    std::vector<std::vector<double>> angles; ///< of each balancer, in the rotor, rad
+    /// Balls can move without a force: one point of a family stands for all.
+    bool family = false;
+    std::optional<bool> stable; ///< none: it is neither, or members of the family differ
+    /// Largest real part of small motions about it, 1/s, of a family over those looked at; without
+    /// the motions along the family.
+    double growth = 0;
+    double least_growth = 0;        ///< of a family, over those looked at
+    int growing = 0;                ///< roots with a positive real part
+    std::vector<double> amplitudes; ///< of the planes of the balancers, m
+    double residual = 0;            ///< the largest of them, m
+    double defect = 0;              ///< what is left of the equations over the sizes of their terms
+    int branch = 0;                 ///< states of one number follow each other over speed
+};
+
+/// "balanced", "partly balanced", "coincident", "split" or "swung".
+[[nodiscard]] std::string steady_kind_name(SteadyState::Kind kind);
+
+/// A speed at which a branch ends, or motions about its states begin or cease to grow.
+struct SteadyBorder {
+    enum class Kind {
+        fold,     ///< two branches meet and end
+        limit,    ///< the masses just reach: they stand at one angle, as those of another branch do
+        zero,     ///< a real root passes zero: another branch passes through, as a rule
+        pair,     ///< a complex pair crosses the imaginary axis (Hopf): a limit cycle begins
+        undecided ///< just beyond it was not found again: it may go on
+    };
+    double speed = 0; ///< rad/s
+    Kind kind = Kind::fold;
+    int branch = 0;
+    std::optional<int> other;        ///< of a fold: the second branch
+    int growing_below = 0;           ///< roots that grow just below this speed; -1: no such state
+    int growing_above = 0;           ///< likewise
+    std::optional<double> frequency; ///< |Im| of the pair in turning axes, rad/s
+    double residual = 0;             ///< of the state there, m
+};
+
+/// "fold", "limit", "zero", "pair" or "undecided".
+[[nodiscard]] std::string steady_border_name(SteadyBorder::Kind kind);
+
+struct SteadyStates {
+    std::vector<double> speeds;        ///< looked at, rad/s
+    std::vector<SteadyState> states;   ///< by speed
+    std::vector<SteadyBorder> borders; ///< ascending; between the speeds looked at
+    /// Speeds at which two states were too close to each other to be told apart, rad/s.
+    std::vector<double> undecided;
+    std::vector<Sentence> notes;
+};
+
+} // namespace whirl::results

@@ -1,0 +1,233 @@
+#include "states/branches.h"
+
+#include "linalg/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace whirl::states {
+
+namespace {
+
+using Found = StateSearch::Found;
+using results::SteadyBorder;
+using Kind = results::SteadyState::Kind;
+using std::numbers::pi;
+
+/// Borders are known to this of the speed: next to a fold angles differ by its root, and two are
+/// told apart to 1e-6.
+constexpr double known = 1e-10;
+/// Angles that differ by more between neighbouring speeds are not taken for the same state, rad.
+constexpr double farthest = 1.5;
+
+class Joining {
+  public:
+    Joining(const StateSearch &search, std::vector<AtSpeed> &all, results::SteadyStates &out)
+        : _search(search), _all(all), _out(out) {}
+
+    void run() {
+        for (Found &found : _all.front().states)
+            found.state.branch = _next++;
+        for (std::size_t i = 1; i < _all.size(); ++i)
+            between(_all[i - 1], _all[i]);
+        std::ranges::stable_sort(_out.borders, {}, &SteadyBorder::speed);
+    }
+
+  private:
+    const StateSearch &_search;
+    std::vector<AtSpeed> &_all;
+    results::SteadyStates &_out;
+    int _next = 1;
+
+    [[nodiscard]] Eigen::Index angles() const { return _search.equations().parts().free_angles(); }
+
+    /// Largest difference of two angles, rad; of a family and of other ways to stand none counts.
+    [[nodiscard]] double apart(const Found &a, const Found &b) const {
+        if (a.way != b.way)
+            return HUGE_VAL;
+        if (a.state.family)
+            return 0;
+        double most = 0;
+        for (Eigen::Index k = 0; k < angles(); ++k) {
+            const Eigen::Index at = a.x.size() - angles() + k;
+            most = std::max(most, std::abs(std::remainder(a.x(at) - b.x(at), 2 * pi)));
+        }
+        return most;
+    }
+
+    /// Pairs of states at two speeds, nearest first.
+    [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>>
+    pairs_of(const std::vector<Found> &low, const std::vector<Found> &high) const {
+        struct Pair {
+            double apart;
+            std::size_t low, high;
+        };
+        std::vector<Pair> all;
+        for (std::size_t i = 0; i < low.size(); ++i)
+            for (std::size_t k = 0; k < high.size(); ++k)
+                if (const double d = apart(low[i], high[k]); d < farthest)
+                    all.push_back({d, i, k});
+        std::ranges::sort(all, {}, &Pair::apart);
+        std::vector<bool> low_taken(low.size(), false);
+        std::vector<bool> high_taken(high.size(), false);
+        std::vector<std::pair<std::size_t, std::size_t>> out;
+        for (const Pair &pair : all) {
+            if (low_taken[pair.low] || high_taken[pair.high])
+                continue;
+            low_taken[pair.low] = high_taken[pair.high] = true;
+            out.emplace_back(pair.low, pair.high);
+        }
+        return out;
+    }
+
+    void between(const AtSpeed &low, AtSpeed &high) {
+        for (Found &found : high.states)
+            found.state.branch = 0;
+        std::vector<bool> goes_on(low.states.size(), false);
+        for (const auto &[i, k] : pairs_of(low.states, high.states)) {
+            goes_on[i] = true;
+            high.states[k].state.branch = low.states[i].state.branch;
+            find_crossings(low.states[i], high.states[k], 0);
+        }
+        std::vector<const Found *> ending;
+        for (std::size_t i = 0; i < goes_on.size(); ++i)
+            if (!goes_on[i])
+                ending.push_back(&low.states[i]);
+        std::vector<const Found *> beginning;
+        for (Found &found : high.states)
+            if (found.state.branch == 0) {
+                found.state.branch = _next++;
+                beginning.push_back(&found);
+            }
+        find_ends(ending, low.speed, high.speed);
+        find_ends(beginning, high.speed, low.speed);
+    }
+
+    /// Where states that are there at one speed and not at the other end.
+    void find_ends(std::vector<const Found *> states, double there, double gone) {
+        while (!states.empty()) {
+            const Found first = *states.front();
+            states.erase(states.begin());
+            SteadyBorder border;
+            border.branch = first.state.branch;
+            // The partner with which it ends in a fold: the nearest of its way just before.
+            const auto [speed, last, lost] = last_of(first, there, gone);
+            border.speed = speed;
+            border.residual = last.state.residual;
+            int &growing_before = there < gone ? border.growing_below : border.growing_above;
+            int &growing_after = there < gone ? border.growing_above : border.growing_below;
+            growing_before = last.state.growing;
+            growing_after = -1;
+            border.kind = lost ? SteadyBorder::Kind::undecided : SteadyBorder::Kind::limit;
+            for (auto other = states.begin(); other != states.end(); ++other) {
+                if ((*other)->way != first.way)
+                    continue;
+                const auto [same_speed, partner, partner_lost] = last_of(**other, there, gone);
+                // Next to a fold two states are as near as the root of what is left to it.
+                if (std::abs(same_speed - speed) > 1e-6 * std::abs(speed) ||
+                    apart(partner, last) > 0.05)
+                    continue;
+                border.kind = SteadyBorder::Kind::fold;
+                border.other = (*other)->state.branch;
+                states.erase(other);
+                break;
+            }
+            _out.borders.push_back(border);
+        }
+    }
+
+    struct Last {
+        double speed;
+        Found found;
+        bool lost; ///< just beyond Newton's method leads nowhere: it may go on
+    };
+    /// The last speed at which a state is found, and the state there.
+    [[nodiscard]] Last last_of(const Found &first, double there, double gone) const {
+        Found last = first;
+        bool ignored = false;
+        bool lost = false;
+        std::size_t with = _search.of_way(first.way, there, ignored).size();
+        while (std::abs(gone - there) > known * std::abs(there)) {
+            const double middle = (there + gone) / 2;
+            bool undecided = false;
+            const std::vector<Found> states = _search.of_way(first.way, middle, undecided);
+            const Found *nearest = nullptr;
+            for (const Found &state : states)
+                if (nearest == nullptr || apart(state, last) < apart(*nearest, last))
+                    nearest = &state;
+            // Fewer than there were, and the nearest is another's: gone.
+            const bool is_there =
+                nearest != nullptr && apart(*nearest, last) < farthest && states.size() >= with;
+            if (is_there) {
+                last = *nearest;
+                there = middle;
+                with = states.size();
+            } else {
+                gone = middle;
+                lost = undecided;
+            }
+        }
+        return {there, last, lost};
+    }
+
+    /// The state between two of one branch; none: it could not be followed.
+    [[nodiscard]] std::optional<Found> at_middle(const Found &low, const Found &high,
+                                                 double speed) const {
+        if (low.state.family) {
+            bool undecided = false;
+            std::vector<Found> states = _search.of_way(low.way, speed, undecided);
+            if (states.empty())
+                return std::nullopt;
+            return std::move(states.front());
+        }
+        Eigen::VectorXd guess = low.x;
+        for (Eigen::Index k = guess.size() - angles(); k < guess.size(); ++k)
+            guess(k) += std::remainder(high.x(k) - low.x(k), 2 * pi) / 2;
+        std::optional<Found> out = _search.followed(low, guess, speed);
+        if (out && (apart(*out, low) > farthest || apart(*out, high) > farthest))
+            out.reset();
+        return out;
+    }
+
+    /// Roots that cross the imaginary axis between two states of one branch.
+    void find_crossings(const Found &low, const Found &high, int depth) {
+        if (low.state.growing == high.state.growing)
+            return;
+        const double from = low.state.speed;
+        const double to = high.state.speed;
+        if (to - from > known * std::max(std::abs(from), std::abs(to)) && depth < 60) {
+            const double speed = (from + to) / 2;
+            std::optional<Found> middle = at_middle(low, high, speed);
+            if (middle) {
+                find_crossings(low, *middle, depth + 1);
+                find_crossings(*middle, high, depth + 1);
+                return;
+            }
+        }
+        SteadyBorder border;
+        border.speed = (from + to) / 2;
+        border.branch = low.state.branch > 0 ? low.state.branch : high.state.branch;
+        border.growing_below = low.state.growing;
+        border.growing_above = high.state.growing;
+        border.residual = high.state.residual;
+        const double swing = std::abs(low.next_to_axis.imag());
+        // Of a real root nothing is left but rounding.
+        const bool pair = swing > 1e-7 * std::abs(border.speed);
+        border.kind = pair ? SteadyBorder::Kind::pair : SteadyBorder::Kind::zero;
+        if (pair)
+            border.frequency = swing;
+        _out.borders.push_back(border);
+    }
+};
+
+} // namespace
+
+void join_branches(const StateSearch &search, std::vector<AtSpeed> &all,
+                   results::SteadyStates &out) {
+    if (!all.empty())
+        Joining(search, all, out).run();
+}
+
+} // namespace whirl::states

@@ -1,0 +1,624 @@
+#include "states/state_search.h"
+
+#include "balancers/balance_family.h"
+#include "balancers/kind.h"
+#include "linalg/check.h"
+#include "linalg/dense/products.h"
+#include "model/errors.h"
+#include "process/progress.h"
+#include "results/sentence.h"
+#include "states/branches.h"
+#include "states/trig_roots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace whirl::states {
+
+namespace {
+
+using Eigen::Index;
+using results::SteadyState;
+using std::numbers::pi;
+
+/// Moments of mass that differ by less than this, over all of them, are equal: rounding of inputs.
+constexpr double equal_moments = 1e-9;
+/// The same state from two ways to stand, where a fold makes angles out of square roots of
+/// rounding.
+constexpr double same_at_fold = 3e-5;
+/// Members of a family that are looked at: more than the kinds of arrangements that six balls have.
+constexpr int members = 9;
+/// More ways to stand than any rotor has that somebody would wait for.
+constexpr std::size_t most_ways = 20000;
+/// A root found by Newton's method: some digits more than are shown.
+constexpr double refined = 1e-9;
+/// What second order terms in the slopes may leave of the equations of a family, which they break.
+constexpr double second_order = 1e-3;
+
+} // namespace
+
+/// The directions of the lines of one way to stand at one speed: y, deflections and slopes of the
+/// planes, is linear in the loads, of which those of balanced planes are eliminated.
+class StateSearch::Lines {
+  public:
+    Lines(const StateSearch &search, const Way &way, double speed) {
+        const SteadyEquations &equations = search._equations;
+        const double squared = speed * speed;
+        const Eigen::MatrixXd &rows = equations.plane_rows();
+        Eigen::MatrixXd K = equations.stiffness(speed);
+        add_free_parts(search, speed, K);
+        for (std::size_t i = 0; i < way.sides.size(); ++i) {
+            const Plane &plane = search._planes[i];
+            if (!way.sides[i].empty()) {
+                double moment = 0;
+                for (std::size_t k = 0; k < plane.masses.size(); ++k)
+                    moment += way.sides[i][k] * plane.masses[k].moment;
+                _lines.push_back({plane.index, moment, plane.tilt, i});
+                continue;
+            }
+            _balanced.push_back(plane.index);
+            // Of balanced masses the mean over all arrangements.
+            const Eigen::MatrixXd slopes = rows.middleRows<2>(4 * plane.index + 2);
+            K += squared * plane.tilt / 2 * slopes.transpose() * slopes;
+        }
+        _swung = search._swung;
+        const Index y_size = rows.rows();
+        const auto factors = K.partialPivLu();
+        Eigen::MatrixXd right(K.rows(), y_size + 1);
+        right << squared * rows.transpose(), equations.load(speed);
+        const Eigen::MatrixXd all = rows * linalg::solved(factors, right);
+        _per_load = all.leftCols(y_size);
+        _alone = all.col(y_size);
+        eliminate_balanced();
+        for (const Line &line : _lines)
+            _tilts = _tilts || line.tilt > 0;
+    }
+
+    [[nodiscard]] Index unknowns() const { return std::ssize(_lines) + std::ssize(_swung); }
+    [[nodiscard]] const std::vector<Index> &balanced() const { return _balanced; }
+
+    /// Moments of mass that the masses of a balanced plane must make, kg m.
+    [[nodiscard]] std::complex<double> needed(std::size_t which, const Eigen::VectorXd &x) const {
+        const Solution at = solve(x);
+        const auto row = static_cast<Index>(2 * which);
+        const Eigen::Vector2d s =
+            -_needed_alone.segment<2>(row) - _needed_per_load.middleRows<2>(row) * at.load;
+        return {s(0), s(1)};
+    }
+    [[nodiscard]] double direction(std::size_t plane, const Eigen::VectorXd &x) const {
+        for (std::size_t i = 0; i < _lines.size(); ++i)
+            if (_lines[i].which == plane)
+                return x(static_cast<Index>(i));
+        return 0;
+    }
+
+    [[nodiscard]] TrigRoots roots() const {
+        Eigen::VectorXi degrees(unknowns());
+        // The own line: its load, its force, and twice in the determinant.
+        degrees.setConstant(2);
+        if (_tilts)
+            degrees.head(std::ssize(_lines)).setConstant(4);
+        return all_roots(
+            interpolated(degrees, sizes(), [this](const Eigen::VectorXd &x) { return forces(x); }));
+    }
+
+  private:
+    struct Line {
+        Index plane;
+        double moment; ///< kg m
+        double tilt;   ///< kg m2
+        std::size_t which;
+    };
+    std::vector<Line> _lines;
+    std::vector<Swung> _swung;
+    std::vector<Index> _balanced;
+    Eigen::VectorXd _alone;    ///< y without loads of free parts, m
+    Eigen::MatrixXd _per_load; ///< y per moment of mass at each plane; of slopes per kg m2
+    Eigen::VectorXd _needed_alone;
+    Eigen::MatrixXd _needed_per_load;
+    bool _tilts = false;
+
+    /// What free parts do to the slopes wherever they stand: all but mu e e^T of each mass.
+    static void add_free_parts(const StateSearch &search, double speed, Eigen::MatrixXd &K) {
+        const SteadyEquations &equations = search._equations;
+        for (const simulation::FreeParts &free : equations.parts().free) {
+            const Eigen::VectorXd zero = Eigen::VectorXd::Zero(free.motion->size());
+            const balancers::AtRest rest =
+                free.motion->at_rest(balancers::PlaneVector::Zero(), speed, zero.data());
+            const Eigen::MatrixXd rows = equations.plane_rows().middleRows<4>(4 * free.plane);
+            K += rows.transpose() * rest.stiffness.topLeftCorner<4, 4>() * rows;
+        }
+        for (const Plane &plane : search._planes) {
+            const Eigen::VectorXd row = equations.plane_rows().row(4 * plane.index + 2);
+            K -= speed * speed * plane.tilt * row * row.transpose();
+        }
+    }
+
+    void eliminate_balanced() {
+        const auto n = 2 * std::ssize(_balanced);
+        if (n == 0)
+            return;
+        Eigen::MatrixXd to(_per_load.rows(), n);
+        Eigen::MatrixXd from(n, _per_load.cols());
+        Eigen::VectorXd alone(n);
+        for (std::size_t i = 0; i < _balanced.size(); ++i) {
+            const auto at = static_cast<Index>(2 * i);
+            to.middleCols<2>(at) = _per_load.middleCols<2>(4 * _balanced[i]);
+            from.middleRows<2>(at) = _per_load.middleRows<2>(4 * _balanced[i]);
+            alone.segment<2>(at) = _alone.segment<2>(4 * _balanced[i]);
+        }
+        Eigen::MatrixXd own(n, n);
+        for (std::size_t i = 0; i < _balanced.size(); ++i)
+            own.middleCols<2>(static_cast<Index>(2 * i)) = from.middleCols<2>(4 * _balanced[i]);
+        const Eigen::FullPivLU<Eigen::MatrixXd> factors(own);
+        if (!factors.isInvertible())
+            throw linalg::SolverError("balanced planes that deflect together");
+        _needed_alone = factors.solve(alone);
+        _needed_per_load = factors.solve(from);
+        _alone -= to * _needed_alone;
+        _per_load -= to * _needed_per_load;
+    }
+
+    struct Solution {
+        Eigen::VectorXd load; ///< moments of mass
+        Eigen::VectorXd y;
+        double determinant = 1; ///< of what tilting masses change
+    };
+    [[nodiscard]] Solution solve(const Eigen::VectorXd &x) const {
+        Solution out;
+        out.load = Eigen::VectorXd::Zero(_per_load.cols());
+        const Index lines = std::ssize(_lines);
+        for (Index i = 0; i < lines; ++i) {
+            const Line &line = _lines[static_cast<std::size_t>(i)];
+            out.load.segment<2>(4 * line.plane) +=
+                line.moment * Eigen::Vector2d(std::cos(x(i)), std::sin(x(i)));
+        }
+        for (std::size_t i = 0; i < _swung.size(); ++i) {
+            const Swung &one = _swung[i];
+            const double across = one.moment * std::sin(x(lines + static_cast<Index>(i)));
+            out.load.segment<2>(4 * one.plane) +=
+                across * Eigen::Vector2d(-std::sin(one.line), std::cos(one.line));
+        }
+        out.y = _alone + _per_load * out.load;
+        if (!_tilts)
+            return out;
+        // Each line is pulled by -mu e t, t = e.Phi: (1 + E^T H E mu) t = E^T y.
+        Eigen::MatrixXd pulls = Eigen::MatrixXd::Zero(_per_load.cols(), lines);
+        for (Index i = 0; i < lines; ++i) {
+            const Line &line = _lines[static_cast<std::size_t>(i)];
+            pulls.col(i).segment<2>(4 * line.plane + 2) << std::cos(x(i)), std::sin(x(i));
+        }
+        const Eigen::MatrixXd answers = _per_load * pulls;
+        Eigen::MatrixXd A = pulls.transpose() * answers;
+        for (Index i = 0; i < lines; ++i)
+            A.col(i) *= _lines[static_cast<std::size_t>(i)].tilt;
+        A.diagonal().array() += 1;
+        const auto factors = A.partialPivLu();
+        Eigen::VectorXd t = factors.solve(pulls.transpose() * out.y);
+        for (Index i = 0; i < lines; ++i)
+            t(i) *= _lines[static_cast<std::size_t>(i)].tilt;
+        out.y -= answers * t;
+        out.load -= pulls * t;
+        out.determinant = factors.determinant();
+        return out;
+    }
+
+    /// Force along the circle of each line and balance of what swings, over Omega^2 and the masses,
+    /// times the determinant: trigonometric polynomials.
+    [[nodiscard]] Eigen::VectorXd forces(const Eigen::VectorXd &x) const {
+        const Solution at = solve(x);
+        Eigen::VectorXd out(x.size());
+        const Index lines = std::ssize(_lines);
+        for (Index i = 0; i < lines; ++i) {
+            const Eigen::Vector2d w =
+                at.y.segment<2>(4 * _lines[static_cast<std::size_t>(i)].plane);
+            out(i) = w(1) * std::cos(x(i)) - w(0) * std::sin(x(i));
+        }
+        for (std::size_t k = 0; k < _swung.size(); ++k) {
+            const Index i = lines + static_cast<Index>(k);
+            const Swung &one = _swung[k];
+            const Eigen::Vector2d w = at.y.segment<2>(4 * one.plane);
+            const double across = w(1) * std::cos(one.line) - w(0) * std::sin(one.line);
+            out(i) = std::cos(x(i)) * across - one.pivot * std::sin(x(i));
+        }
+        return at.determinant * out;
+    }
+
+    /// Of the terms of forces().
+    [[nodiscard]] Eigen::VectorXd sizes() const {
+        Eigen::VectorXd load = Eigen::VectorXd::Zero(_per_load.cols());
+        double determinant = 1;
+        for (const Line &line : _lines) {
+            load.segment<2>(4 * line.plane).array() += std::abs(line.moment);
+            const Index slope = 4 * line.plane + 2;
+            determinant *= 1 + line.tilt * _per_load.block<2, 2>(slope, slope).norm();
+        }
+        for (const Swung &one : _swung)
+            load.segment<2>(4 * one.plane).array() += one.moment;
+        Eigen::VectorXd y = _alone.cwiseAbs() + _per_load.cwiseAbs() * load;
+        if (_tilts) {
+            Eigen::VectorXd tilting = Eigen::VectorXd::Zero(y.size());
+            for (const Line &line : _lines)
+                tilting.segment<2>(4 * line.plane + 2) +=
+                    line.tilt * y.segment<2>(4 * line.plane + 2);
+            y += _per_load.cwiseAbs() * tilting;
+        }
+        Eigen::VectorXd out(unknowns());
+        Index i = 0;
+        for (const Line &line : _lines)
+            out(i++) = determinant * y.segment<2>(4 * line.plane).sum();
+        for (const Swung &one : _swung)
+            out(i++) = determinant * (y.segment<2>(4 * one.plane).sum() + one.pivot);
+        return out;
+    }
+};
+
+StateSearch::StateSearch(const model::Case &scene, double slowest, double fastest)
+    : _equations(scene, slowest, fastest) {
+    collect(scene);
+    const int most = scene.states ? scene.states->max_balls : model::StatesSettings{}.max_balls;
+    for (const Plane &plane : _planes)
+        if (std::ssize(plane.masses) > most)
+            throw model::AnalysisFailure(results::Sentence(
+                "steady states are searched for up to {} balls in a plane (states.max_balls); one "
+                "here has {}",
+                most, static_cast<int>(plane.masses.size())));
+    if (!_equations.driven() && _equations.round() && !_equations.damped() && !_planes.empty())
+        throw model::AnalysisFailure("steady states are not isolated: nothing in this rotor marks "
+                                     "a direction, and no damping keeps balls from deflecting it "
+                                     "in any");
+    _ways = all_ways();
+}
+
+void StateSearch::collect(const model::Case &scene) {
+    const auto plane_at = [this](Index index) -> Plane & {
+        for (Plane &plane : _planes)
+            if (plane.index == index)
+                return plane;
+        _planes.push_back({index, {}, 0});
+        return _planes.back();
+    };
+    Index first = 0;
+    int alike = 0;
+    for (std::size_t i = 0; i < scene.rotor.balancers.size(); ++i) {
+        const model::Balancer &b = scene.rotor.balancers[i];
+        const auto kind = balancers::kind_of(b);
+        const simulation::FreeParts &free = _equations.parts().free[i];
+        _first_of.push_back(first);
+        _angles_of.push_back(kind->start_angles());
+        int kinds = 0;
+        for (Index at = first; const balancers::CircledMass &mass : kind->circled()) {
+            Plane &plane = plane_at(free.plane);
+            const double tilt = b.tilt_inertia ? mass.inertia : 0;
+            plane.masses.push_back({at++, mass.moment, tilt, alike + mass.alike});
+            plane.tilt += tilt;
+            kinds = std::max(kinds, mass.alike + 1);
+        }
+        alike += kinds;
+        for (Index at = first; const balancers::SwungMass &mass : kind->swung())
+            _swung.push_back({free.plane, at++, mass.line, mass.moment, mass.pivot});
+        first += free.motion->size();
+    }
+}
+
+std::vector<StateSearch::Sides> StateSearch::ways_of(const Plane &plane) const {
+    std::vector<Sides> out;
+    if (plane.masses.size() > 1)
+        out.emplace_back(); // balanced: one mass alone is so on its line
+    const std::size_t n = plane.masses.size();
+    double all = 0;
+    for (const Mass &mass : plane.masses)
+        all += mass.moment;
+    for (std::size_t pattern = 0; pattern < (std::size_t{1} << n); ++pattern) {
+        Sides sides(n);
+        double sum = 0;
+        for (std::size_t k = 0; k < n; ++k) {
+            sides[k] = (pattern >> k & 1) != 0 ? -1 : 1;
+            sum += sides[k] * plane.masses[k].moment;
+        }
+        // Turned by half a turn the others are the same.
+        if (sum < -equal_moments * all || (sum <= equal_moments * all && sides[0] < 0))
+            continue;
+        // Of masses that could be exchanged those that stand opposite come last.
+        bool ordered = true;
+        for (std::size_t k = 1; k < n; ++k)
+            for (std::size_t l = 0; l < k; ++l)
+                ordered = ordered &&
+                          !(plane.masses[l].alike == plane.masses[k].alike && sides[l] < sides[k]);
+        if (ordered)
+            out.push_back(std::move(sides));
+    }
+    return out;
+}
+
+std::vector<StateSearch::Way> StateSearch::all_ways() const {
+    std::vector<Way> out{{}};
+    const bool only_balanced = !_equations.driven() && _equations.round();
+    for (const Plane &plane : _planes) {
+        std::vector<Way> longer;
+        for (const Way &way : out)
+            for (const Sides &sides : ways_of(plane)) {
+                // Without an imbalance balls that deflect a damped rotor lag behind: nothing but
+                // their own pull along the circle would make up for the loss.
+                if (only_balanced && !sides.empty())
+                    continue;
+                longer.push_back(way);
+                longer.back().sides.push_back(sides);
+            }
+        out = std::move(longer);
+        if (out.size() > most_ways)
+            throw model::AnalysisFailure("there are too many ways in which the balls of this rotor "
+                                         "can stand to search all of them for steady states");
+    }
+    return out;
+}
+
+bool StateSearch::place(const Way &way, const Lines &lines, const Eigen::VectorXd &root, int member,
+                        Eigen::VectorXd &angles) const {
+    angles = Eigen::VectorXd::Zero(_equations.parts().free_angles());
+    const auto line_count = lines.unknowns() - std::ssize(_swung);
+    for (std::size_t i = 0; i < _swung.size(); ++i)
+        angles(_swung[i].coordinate) = root(line_count + static_cast<Index>(i));
+    for (std::size_t i = 0, balanced = 0; i < _planes.size(); ++i) {
+        const Plane &plane = _planes[i];
+        if (!way.sides[i].empty()) {
+            const double direction = lines.direction(i, root);
+            for (std::size_t k = 0; k < plane.masses.size(); ++k)
+                angles(plane.masses[k].coordinate) = direction + (way.sides[i][k] < 0 ? pi : 0);
+            continue;
+        }
+        const std::complex<double> needed = lines.needed(balanced++, root);
+        std::vector<balancers::CircledMass> masses;
+        for (const Mass &mass : plane.masses)
+            masses.push_back({mass.moment, 0, 0});
+        if (!balancers::balance_exists(masses, std::abs(needed)))
+            return false;
+        const bool pair = masses.size() == 2;
+        const std::vector<double> from_opposite =
+            balancers::position_of_family(masses, std::abs(needed), pair ? 0 : member);
+        const double mirror = pair && (member & 1) != 0 ? -1 : 1;
+        for (std::size_t k = 0; k < masses.size(); ++k)
+            angles(plane.masses[k].coordinate) = std::arg(needed) + pi + mirror * from_opposite[k];
+    }
+    return true;
+}
+
+int StateSearch::along_family(const Way &way, const Eigen::VectorXd &angles) const {
+    int along = 0;
+    for (std::size_t i = 0; i < _planes.size(); ++i) {
+        if (!way.sides[i].empty())
+            continue;
+        Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+        for (const Mass &mass : _planes[i].masses) {
+            const double a = angles(mass.coordinate);
+            const Eigen::Vector2d across(-std::sin(a), std::cos(a));
+            squares += mass.moment * mass.moment * across * across.transpose();
+        }
+        // On one diameter they move across it alone.
+        const double trace = squares.trace();
+        const bool diameter = squares.determinant() < equal_moments * trace * trace;
+        along += static_cast<int>(_planes[i].masses.size()) - (diameter ? 1 : 2);
+    }
+    return along;
+}
+
+bool StateSearch::same(const Eigen::VectorXd &a, const Eigen::VectorXd &b) const {
+    const auto close = [](double one, double other) {
+        return std::abs(std::remainder(one - other, 2 * pi)) < same_at_fold;
+    };
+    for (const Swung &one : _swung)
+        if (!close(a(one.coordinate), b(one.coordinate)))
+            return false;
+    for (const Plane &plane : _planes) {
+        std::vector<bool> taken(plane.masses.size(), false);
+        for (const Mass &mass : plane.masses) {
+            bool found = false;
+            for (std::size_t k = 0; k < taken.size() && !found; ++k)
+                if (!taken[k] && plane.masses[k].alike == mass.alike &&
+                    close(a(mass.coordinate), b(plane.masses[k].coordinate)))
+                    taken[k] = found = true;
+            if (!found)
+                return false;
+        }
+    }
+    return true;
+}
+
+SteadyState::Kind StateSearch::kind_of(const Way &way) const {
+    if (_planes.empty())
+        return SteadyState::Kind::swung;
+    std::size_t balanced = 0;
+    bool split = false;
+    for (const Sides &sides : way.sides) {
+        balanced += sides.empty() ? 1 : 0;
+        split = split || std::ranges::find(sides, -1) != sides.end();
+    }
+    return balanced == way.sides.size() ? SteadyState::Kind::balanced
+           : balanced > 0               ? SteadyState::Kind::partly_balanced
+           : split                      ? SteadyState::Kind::split
+                                        : SteadyState::Kind::coincident;
+}
+
+void StateSearch::describe(Found &found, double speed) const {
+    SteadyState &state = found.state;
+    const Eigen::VectorXd angles = found.x.tail(_equations.parts().free_angles());
+    state.speed = speed;
+    state.angles.clear();
+    state.amplitudes.clear();
+    state.residual = 0;
+    const std::vector<std::complex<double>> w = _equations.deflections(found.x);
+    int turning = 0; // rings about themselves
+    for (std::size_t i = 0; i < _first_of.size(); ++i) {
+        state.angles.emplace_back();
+        for (std::size_t k = 0; k < _angles_of[i]; ++k)
+            state.angles.back().push_back(
+                std::remainder(angles(_first_of[i] + static_cast<Index>(k)), 2 * pi));
+        const simulation::FreeParts &free = _equations.parts().free[i];
+        turning += free.motion->size() - static_cast<int>(_angles_of[i]);
+        state.amplitudes.push_back(std::abs(w[static_cast<std::size_t>(free.plane)]));
+        state.residual = std::max(state.residual, state.amplitudes.back());
+    }
+    Eigen::VectorXcd roots = roots_of(_equations.about(found.x, speed));
+    std::sort(roots.data(), roots.data() + roots.size(),
+              [](const auto &a, const auto &b) { return std::abs(a) < std::abs(b); });
+    const Eigen::VectorXd parts = roots.tail(roots.size() - found.along - turning).real();
+    // Of the largest root: what rounding makes of a root that is zero.
+    const double nothing = 1e-12 * std::abs(roots(roots.size() - 1)) + 1e-10 * std::abs(speed);
+    const Eigen::VectorXcd moving = roots.tail(parts.size());
+    Index next = 0;
+    parts.cwiseAbs().minCoeff(&next);
+    found.next_to_axis = moving(next);
+    state.growth = state.least_growth = parts.maxCoeff();
+    state.growing = static_cast<int>((parts.array() > nothing).count());
+    state.stable.reset();
+    if (std::abs(state.growth) > nothing)
+        state.stable = state.growth < 0;
+}
+
+void StateSearch::add_states(int index, double speed, double deflection, std::vector<Found> &out,
+                             bool &undecided) const {
+    const Way &way = _ways[static_cast<std::size_t>(index)];
+    const Lines lines(*this, way, speed);
+    TrigRoots roots;
+    if (lines.unknowns() > 0)
+        roots = lines.roots();
+    else
+        roots.roots.emplace_back(Eigen::VectorXd(0));
+    undecided = undecided || !roots.undecided.empty();
+    int mirrored = 1;
+    bool family = false;
+    for (std::size_t i = 0; i < _planes.size(); ++i) {
+        const std::vector<Mass> &masses = _planes[i].masses;
+        if (!way.sides[i].empty())
+            continue;
+        if (masses.size() == 2 && masses[0].alike != masses[1].alike)
+            mirrored = 2;
+        family = family || masses.size() > 2;
+    }
+    for (const Eigen::VectorXd &root : roots.roots) {
+        std::optional<Found> whole;
+        for (int member = 0; member < (family ? members : mirrored); ++member) {
+            Eigen::VectorXd angles;
+            if (!place(way, lines, root, member, angles))
+                break;
+            Found found;
+            found.way = index;
+            found.x = _equations.with_angles(angles, speed);
+            found.state.defect = _equations.refine(found.x, speed, deflection);
+            found.along = along_family(way, found.x.tail(angles.size()));
+            found.state.family = found.along > 0;
+            found.state.kind = kind_of(way);
+            if (found.state.defect > (found.state.family ? second_order : refined)) {
+                // Terms of second order in large slopes moved it away, or undid it.
+                undecided = true;
+                continue;
+            }
+            describe(found, speed);
+            if (!family) {
+                if (std::ranges::none_of(out, [&](const Found &other) {
+                        return same(other.x.tail(angles.size()), found.x.tail(angles.size()));
+                    }))
+                    out.push_back(std::move(found));
+                continue;
+            }
+            if (!whole) {
+                whole = std::move(found);
+                continue;
+            }
+            SteadyState &state = whole->state;
+            if (state.stable != found.state.stable)
+                state.stable.reset();
+            state.growth = std::max(state.growth, found.state.growth);
+            state.least_growth = std::min(state.least_growth, found.state.growth);
+            state.growing = std::max(state.growing, found.state.growing);
+        }
+        if (whole)
+            out.push_back(std::move(*whole));
+    }
+}
+
+double StateSearch::size_of_deflections(double speed) const {
+    // Without the balls; of a rotor without imbalance that under all of them at one angle.
+    Eigen::VectorXd load = _equations.load(speed);
+    if (!_equations.driven())
+        for (const Plane &plane : _planes)
+            for (const Mass &mass : plane.masses)
+                load += mass.moment * speed * speed *
+                        _equations.plane_rows().row(4 * plane.index).transpose();
+    const Eigen::VectorXd u = linalg::solved(_equations.stiffness(speed).partialPivLu(), load);
+    const Eigen::VectorXd y = _equations.plane_rows() * u;
+    double deflection = 0;
+    for (Index i = 0; i < _equations.planes(); ++i)
+        deflection = std::max(deflection, y.segment<2>(4 * i).norm());
+    return deflection;
+}
+
+std::vector<StateSearch::Found> StateSearch::at(double speed, bool &undecided) const {
+    std::vector<Found> out;
+    const double deflection = size_of_deflections(speed);
+    for (int way = 0; way < std::ssize(_ways); ++way)
+        add_states(way, speed, deflection, out, undecided);
+    return out;
+}
+
+std::vector<StateSearch::Found> StateSearch::of_way(int way, double speed, bool &undecided) const {
+    std::vector<Found> out;
+    add_states(way, speed, size_of_deflections(speed), out, undecided);
+    return out;
+}
+
+std::optional<StateSearch::Found>
+StateSearch::followed(const Found &from, const Eigen::VectorXd &guess, double speed) const {
+    Found out = from;
+    out.x = _equations.with_angles(guess.tail(_equations.parts().free_angles()), speed);
+    out.state.defect = _equations.refine(out.x, speed, size_of_deflections(speed));
+    if (out.state.defect > refined)
+        return std::nullopt;
+    describe(out, speed);
+    return out;
+}
+
+results::SteadyStates steady_states(const model::Case &scene, const std::vector<double> &speeds) {
+    results::SteadyStates out;
+    for (const double speed : speeds)
+        if (speed != 0)
+            out.speeds.push_back(speed);
+    if (scene.rotor.balancers.empty())
+        throw model::AnalysisFailure("steady states are those of balancers; there are none");
+    if (out.speeds.size() < speeds.size())
+        out.notes.emplace_back(
+            "at rest every position of the balls is steady: speed 0 is left out");
+    if (out.speeds.empty())
+        return out;
+    double slowest = std::abs(out.speeds.front());
+    double fastest = slowest;
+    for (const double speed : out.speeds) {
+        slowest = std::min(slowest, std::abs(speed));
+        fastest = std::max(fastest, std::abs(speed));
+    }
+    try {
+        const StateSearch search(scene, slowest, fastest);
+        std::vector<AtSpeed> all(out.speeds.size());
+        for (std::size_t i = 0; i < out.speeds.size(); ++i) {
+            bool undecided = false;
+            all[i] = {out.speeds[i], search.at(out.speeds[i], undecided)};
+            if (undecided)
+                out.undecided.push_back(out.speeds[i]);
+            process::report_progress(0.8 * static_cast<double>(i + 1) /
+                                     static_cast<double>(out.speeds.size()));
+        }
+        join_branches(search, all, out);
+        for (AtSpeed &at : all)
+            for (StateSearch::Found &found : at.states)
+                out.states.push_back(std::move(found.state));
+    } catch (const linalg::SolverError &error) {
+        throw model::AnalysisFailure(
+            results::Sentence("steady states were not found: {}", error.sentence()));
+    }
+    return out;
+}
+
+} // namespace whirl::states

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "model/case.h"
+#include "results/steady_states.h"
+#include "states/steady_equations.h"
+
+#include <complex>
+#include <optional>
+#include <vector>
+
+namespace whirl::states {
+
+/// All steady states of a rotor with balancers at one speed; docs/theory.md, "Steady states".
+///
+/// A mass on a circle feels no force along it where the deflection of its plane is zero, or points
+/// to it or away from it. So in each plane the deflection is zero, and the masses make what that
+/// needs, or all masses stand on one line through the axis. For each way to share out the masses
+/// of all planes between the two ends of their lines the directions of the lines are the roots of
+/// as many trigonometric polynomials, all of which are found (trig_roots.h).
+class StateSearch {
+  public:
+    /// @throws model::AnalysisFailure as SteadyEquations; more balls than are searched; states that
+    ///         are not isolated
+    StateSearch(const model::Case &scene, double slowest, double fastest);
+
+    /// A state with what is needed to follow it.
+    struct Found {
+        results::SteadyState state;
+        Eigen::VectorXd x;
+        int along = 0; ///< motions along the family, which neither grow nor die out
+        int way = 0;   ///< in which the masses stand
+        /// The root that is next to the imaginary axis, 1/s.
+        std::complex<double> next_to_axis;
+    };
+    /// At a speed other than 0.
+    /// @param undecided  set where two states are too close to be told apart
+    /// @throws linalg::SolverError
+    [[nodiscard]] std::vector<Found> at(double speed, bool &undecided) const;
+
+    /// Those of one way to stand.
+    [[nodiscard]] std::vector<Found> of_way(int way, double speed, bool &undecided) const;
+
+    [[nodiscard]] const SteadyEquations &equations() const { return _equations; }
+    /// The same state at another speed near by, from a guess of its unknowns; none: not reached.
+    [[nodiscard]] std::optional<Found> followed(const Found &from, const Eigen::VectorXd &guess,
+                                                double speed) const;
+    /// Sets what follows from the unknowns: angles, amplitudes, growth, stability.
+    void describe(Found &found, double speed) const;
+
+  private:
+    struct Mass {
+        Eigen::Index coordinate; ///< among all angles
+        double moment;           ///< kg m
+        double tilt;             ///< kg m2
+        int alike;               ///< masses of one number could be exchanged
+    };
+    struct Plane {
+        Eigen::Index index; ///< among those of the equations
+        std::vector<Mass> masses;
+        double tilt = 0; ///< of all masses, kg m2
+    };
+    struct Swung {
+        Eigen::Index plane;
+        Eigen::Index coordinate;
+        double line, moment, pivot;
+    };
+    /// How the masses of a plane stand: empty: balanced; else which end of the line each takes.
+    using Sides = std::vector<int>;
+    struct Way {
+        std::vector<Sides> sides; ///< of each plane
+    };
+    /// Roots for one way to stand.
+    class Lines;
+
+    SteadyEquations _equations;
+    std::vector<Plane> _planes;
+    std::vector<Swung> _swung;
+    std::vector<Way> _ways;
+    std::vector<std::size_t> _angles_of; ///< angles that each balancer shows
+    std::vector<Eigen::Index> _first_of; ///< coordinate of its first angle
+
+    void collect(const model::Case &scene);
+    [[nodiscard]] std::vector<Sides> ways_of(const Plane &plane) const;
+    [[nodiscard]] std::vector<Way> all_ways() const;
+    [[nodiscard]] double size_of_deflections(double speed) const;
+    void add_states(int index, double speed, double deflection, std::vector<Found> &out,
+                    bool &undecided) const;
+    [[nodiscard]] bool place(const Way &way, const Lines &lines, const Eigen::VectorXd &root,
+                             int member, Eigen::VectorXd &angles) const;
+    [[nodiscard]] int along_family(const Way &way, const Eigen::VectorXd &angles) const;
+    [[nodiscard]] bool same(const Eigen::VectorXd &a, const Eigen::VectorXd &b) const;
+    [[nodiscard]] results::SteadyState::Kind kind_of(const Way &way) const;
+};
+
+/// All steady states at the speeds of a case, ascending.
+/// @throws model::AnalysisFailure
+[[nodiscard]] results::SteadyStates steady_states(const model::Case &scene,
+                                                  const std::vector<double> &speeds);
+
+} // namespace whirl::states

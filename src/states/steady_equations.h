@@ -1,0 +1,80 @@
+#pragma once
+
+#include "model/case.h"
+#include "simulation/moving_parts.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <string>
+#include <vector>
+
+namespace whirl::states {
+
+/// The equations of `simulate` for motions in which all angles are constant and the rotor turns
+/// with its deflection as one body, at any speed of a range; and small motions about them, all in
+/// axes that turn with the rotor. docs/theory.md, "Steady states".
+///
+/// Unknowns: (Re u; Im u) of the reduced rotor, then all angles of the balancers in their order.
+class SteadyEquations {
+  public:
+    /// @param fastest  the largest |speed| asked for, rad/s
+    /// @throws model::AnalysisFailure where no state is steady in rotating axes, or the equations
+    /// have terms that these have not: bearings that differ between directions, balls that touch,
+    /// dry friction.
+    SteadyEquations(const model::Case &scene, double slowest, double fastest);
+
+    [[nodiscard]] const simulation::MovingParts &parts() const { return _parts; }
+    [[nodiscard]] Eigen::Index rotor_unknowns() const { return 2 * _parts.rotor.size(); }
+    [[nodiscard]] Eigen::Index unknowns() const { return rotor_unknowns() + _parts.free_angles(); }
+    [[nodiscard]] Eigen::Index planes() const { return std::ssize(_parts.planes); }
+
+    /// Something that turns with the rotor deflects it.
+    [[nodiscard]] bool driven() const;
+    /// The rotor loses energy as it whirls in turning axes.
+    [[nodiscard]] bool damped() const { return _damped; }
+    /// The rotor is the same from all sides but for what deflects it.
+    [[nodiscard]] bool round() const;
+
+    /// Real matrix of the rotor with all that is fixed in it, without the free parts, at rest in
+    /// turning axes.
+    [[nodiscard]] Eigen::MatrixXd stiffness(double speed) const;
+    /// Load of the fixed masses on the rotor.
+    [[nodiscard]] Eigen::VectorXd load(double speed) const;
+    /// Deflections and slopes of all planes (x, y, slope x, slope y of each) over (Re u; Im u).
+    [[nodiscard]] const Eigen::MatrixXd &plane_rows() const { return _rows; }
+
+    /// Deflections of the planes, m.
+    [[nodiscard]] std::vector<std::complex<double>> deflections(const Eigen::VectorXd &x) const;
+
+    /// The rotor's deflection with the free parts at these angles: with equal angles a unique one.
+    [[nodiscard]] Eigen::VectorXd with_angles(const Eigen::VectorXd &angles, double speed) const;
+    /// Towards a root by Newton's method, the shortest step along families.
+    /// @param deflection  a size of deflections, m: forces along circles are measured by it
+    /// @returns what is left of the equations over the sizes of their terms
+    double refine(Eigen::VectorXd &x, double speed, double deflection) const;
+
+    /// Small motions about a state: M q'' + C q' + K q = 0.
+    struct SmallMotions {
+        Eigen::MatrixXd inertia, damping, stiffness;
+    };
+    [[nodiscard]] SmallMotions about(const Eigen::VectorXd &x, double speed) const;
+
+  private:
+    simulation::MovingParts _parts;
+    Eigen::MatrixXd _rows; ///< 4P x 2r
+    bool _damped = false;
+
+    struct Balance {
+        Eigen::VectorXd left;  ///< what is not in balance
+        Eigen::VectorXd sizes; ///< of the terms of each
+        SmallMotions motions;
+    };
+    [[nodiscard]] Balance balance(const Eigen::VectorXd &x, double speed, double deflection) const;
+};
+
+/// Roots of small motions, 1/s.
+/// @throws linalg::SolverError
+[[nodiscard]] Eigen::VectorXcd roots_of(const SteadyEquations::SmallMotions &motions);
+
+} // namespace whirl::states

@@ -1,0 +1,311 @@
+// All steady states of rotors with balancers, against closed forms, and against where motions in
+// time end.
+
+#include "analyses/simulate.h"
+#include "analyses/steady_states.h"
+#include "balancers/arrangement.h"
+#include "model/errors.h"
+#include "stability/motions.h"
+#include "stability/rotor_at_speeds.h"
+#include "states/state_search.h"
+#include "support/balancer_scenes.h"
+#include "support/rigid_jeffcott.h"
+#include "support/ring_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace whirl::states {
+namespace {
+
+using results::SteadyState;
+using Kind = results::SteadyState::Kind;
+using std::numbers::pi;
+
+std::vector<StateSearch::Found> all_at(const model::Case &scene, double speed) {
+    bool undecided = false;
+    const StateSearch search(scene, speed, speed);
+    auto out = search.at(speed, undecided);
+    EXPECT_FALSE(undecided);
+    return out;
+}
+
+int count(const std::vector<StateSearch::Found> &states, Kind kind) {
+    return static_cast<int>(std::ranges::count_if(
+        states, [kind](const StateSearch::Found &found) { return found.state.kind == kind; }));
+}
+
+/// A planar Jeffcott rotor (point mass on kx = ky and c) with n balls.
+struct PlanarJeffcott {
+    tests::RigidJeffcott rotor;
+    int n = 2;
+    double ball = 0.05;  ///< kg
+    double radius = 0.1; ///< m
+    double drag = 0.5;   ///< N s/m
+    double imbalance = 0.004;
+
+    [[nodiscard]] model::Case scene() const {
+        model::Case scene = rotor.scene();
+        scene.name = "jeffcott";
+        scene.rotor.balancers = {tests::ball_balancer(0.5, n, ball, radius, drag, imbalance)};
+        scene.states = model::StatesSettings{};
+        return scene;
+    }
+    [[nodiscard]] std::complex<double> dynamic(double speed) const {
+        return {rotor.kx - (rotor.mass + n * ball) * speed * speed, rotor.c * speed};
+    }
+};
+
+TEST(StateSearch, PlanarJeffcottHasTheStatesOfItsClosedForm) {
+    // W = Omega^2 (U + b e^{i t})/D: balls at t, b = m R (p - q), on the line of W where
+    // Im e^{-i t} W = 0, that is U sin(t + arg D) = -b sin(arg D); for b = 0 one direction.
+    for (const int n : {1, 2, 3, 4, 6}) {
+        PlanarJeffcott jeffcott;
+        jeffcott.n = n;
+        jeffcott.ball = 0.1 / n;
+        for (const double imbalance : {0.003, 0.0085, 0.02}) {
+            jeffcott.imbalance = imbalance;
+            for (const double speed : {60.0, 200.0, 305.0, 330.0, 700.0}) {
+                const auto states = all_at(jeffcott.scene(), speed);
+                const std::complex<double> D = jeffcott.dynamic(speed);
+                const double moment = jeffcott.ball * jeffcott.radius;
+                const bool can = n > 1 && imbalance <= n * moment;
+                int expected = can ? 1 : 0;
+                EXPECT_EQ(count(states, Kind::balanced), can ? 1 : 0);
+                for (int opposite = 0; 2 * opposite <= n; ++opposite) {
+                    const double b = moment * (n - 2 * opposite);
+                    const double sine = -b / imbalance * std::sin(std::arg(D));
+                    if (std::abs(sine) > 1)
+                        continue;
+                    std::vector<double> directions{std::asin(sine) - std::arg(D)};
+                    if (b > 1e-12)
+                        directions.push_back(pi - std::asin(sine) - std::arg(D));
+                    for (const double t : directions) {
+                        ++expected;
+                        const double residual =
+                            std::abs(speed * speed * (imbalance + b * std::polar(1.0, t)) / D);
+                        const auto is_there = [&](const StateSearch::Found &found) {
+                            int at_ends[2] = {0, 0};
+                            for (const double angle : found.state.angles[0])
+                                for (const int end : {0, 1})
+                                    at_ends[end] += std::abs(std::remainder(angle - t - end * pi,
+                                                                            2 * pi)) < 1e-9;
+                            return at_ends[0] + at_ends[1] == n &&
+                                   (at_ends[1] == opposite ||
+                                    (b < 1e-12 && at_ends[0] == opposite)) &&
+                                   std::abs(found.state.residual - residual) < 1e-9 * residual;
+                        };
+                        EXPECT_EQ(std::ranges::count_if(states, is_there), 1)
+                            << n << " balls, " << opposite << " opposite at " << t;
+                    }
+                }
+                EXPECT_EQ(states.size(), expected);
+            }
+        }
+    }
+}
+
+TEST(StateSearch, BalancedStateIsAsStableAsItsLinearElementSays) {
+    // Without slopes the forms agree; the other way to the same eigenvalues.
+    for (const double speed : {200.0, 320.0, 340.0, 500.0, 900.0}) {
+        model::Case scene = PlanarJeffcott{}.scene();
+        scene.speeds = model::SpeedRange{speed, speed, 1};
+        const auto states = all_at(scene, speed);
+        const auto balanced = std::ranges::find_if(states, [](const StateSearch::Found &found) {
+            return found.state.kind == Kind::balanced;
+        });
+        ASSERT_NE(balanced, states.end());
+        const double growth = stability::growth_of(
+            stability::MotionSolver(stability::stability_model(scene, {speed}),
+                                    balancers::arrangement_at_balance(scene.rotor))
+                .at(speed));
+        EXPECT_NEAR(balanced->state.growth, growth, 1e-7 * speed);
+        EXPECT_LT(balanced->state.residual, 1e-15);
+    }
+}
+
+TEST(StateSearch, PublishedBordersOfTwoBallsInAPlane) {
+    // K. Green, A. R. Champneys, N. J. Lieven, Bifurcation analysis of an automatic dynamic
+    // balancing mechanism for eccentric rotors, J. Sound Vib. 291 (2006): mu = m/M = 0.05,
+    // delta = eps/R = 0.01, zeta = beta = 0.01. In units of M, R and sqrt(k/M): balanced stable
+    // from 1.030 to 1.094 and above 1.882 (three digits).
+    const auto balanced_stable = [](double speed) {
+        model::Case scene;
+        scene.rotor.shaft = tests::uniform_shaft(2, 0.01, tests::weightless_steel());
+        scene.rotor.shaft.rigid = true;
+        scene.rotor.discs = {tests::disc_at(1, 1, 1, 0.1)};
+        scene.rotor.bearings = {tests::isotropic_bearing(0, 0.5, 0.01),
+                                tests::isotropic_bearing(2, 0.5, 0.01)};
+        scene.rotor.balancers = {tests::ball_balancer(1, 2, 0.05, 1, 0.01 * 0.05, 0.01)};
+        scene.rotor.balancers[0].tilt_inertia = false; // a planar rotor
+        for (const StateSearch::Found &found : all_at(scene, speed))
+            if (found.state.kind == Kind::balanced)
+                return found.state.stable == true;
+        return false;
+    };
+    EXPECT_FALSE(balanced_stable(0.9));
+    EXPECT_FALSE(balanced_stable(1.0));
+    EXPECT_TRUE(balanced_stable(1.06));
+    EXPECT_FALSE(balanced_stable(1.2));
+    EXPECT_FALSE(balanced_stable(1.8));
+    EXPECT_TRUE(balanced_stable(2.0));
+}
+
+TEST(StateSearch, RaceOfTwoPlanesByItself) {
+    // Two planes with two balls, static imbalance in the middle of a symmetric rotor: states come
+    // with their mirror image, planes exchanged.
+    const auto states = all_at(tests::rodrigues_rotor(2.6, 0.01, 0.01), 2.6);
+    EXPECT_EQ(count(states, Kind::balanced), 1);
+    EXPECT_EQ(count(states, Kind::partly_balanced) % 2, 0);
+    for (const StateSearch::Found &found : states) {
+        EXPECT_LT(found.state.defect, 1e-9);
+        const double left = found.state.amplitudes[0];
+        const double right = found.state.amplitudes[1];
+        EXPECT_EQ(
+            std::ranges::count_if(states,
+                                  [&](const StateSearch::Found &other) {
+                                      return std::abs(other.state.amplitudes[0] - right) < 1e-9 &&
+                                             std::abs(other.state.amplitudes[1] - left) < 1e-9;
+                                  }) > 0,
+            true);
+    }
+}
+
+TEST(StateSearch, MoreStatesThanNewtonFromRandomStarts) {
+    // From 3000 random starts Newton's method finds no state that the search has not.
+    for (const double speed : {1.2, 2.0, 3.1}) {
+        const model::Case scene = tests::rodrigues_rotor(speed, 0.0012, 0.0008);
+        const StateSearch search(scene, speed, speed);
+        bool undecided = false;
+        const auto states = search.at(speed, undecided);
+        std::mt19937 random(11);
+        std::uniform_real_distribution<double> angle(-pi, pi);
+        int found_again = 0;
+        for (int run = 0; run < 3000; ++run) {
+            Eigen::VectorXd angles(4);
+            for (double &one : angles)
+                one = angle(random);
+            Eigen::VectorXd x = search.equations().with_angles(angles, speed);
+            if (search.equations().refine(x, speed, 0.001) > 1e-10)
+                continue;
+            ++found_again;
+            const auto w = search.equations().deflections(x);
+            const auto close = [](double a, double b) {
+                return std::abs(std::remainder(a - b, 2 * pi)) < 1e-6;
+            };
+            EXPECT_TRUE(std::ranges::any_of(states,
+                                            [&](const StateSearch::Found &state) {
+                                                for (const Eigen::Index first : {0, 2}) {
+                                                    const auto a = x.tail(4).segment<2>(first);
+                                                    const auto b =
+                                                        state.x.tail(4).segment<2>(first);
+                                                    if (!(close(a(0), b(0)) && close(a(1), b(1))) &&
+                                                        !(close(a(0), b(1)) && close(a(1), b(0))))
+                                                        return false;
+                                                }
+                                                return true;
+                                            }))
+                << x.tail(4).transpose() << " deflections " << std::abs(w[0]) << " "
+                << std::abs(w[1]);
+        }
+        EXPECT_GT(found_again, 100);
+    }
+}
+
+/// What becomes of motions from random starts.
+struct Ends {
+    int at_rest = 0; ///< in a state that was found
+    int cycles = 0;  ///< named so by simulate
+    int others = 0;  ///< undecided
+};
+
+Ends ends_of(model::Case scene, double speed, int starts, unsigned seed) {
+    scene.speeds = model::SpeedRange{speed, speed, 1};
+    const auto states = all_at(scene, speed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> angle(-pi, pi);
+    Ends out;
+    for (int run = 0; run < starts; ++run) {
+        scene.simulate.ball_angles.clear();
+        for (const std::vector<double> &balancer : states.front().state.angles) {
+            scene.simulate.ball_angles.emplace_back(balancer.size());
+            for (double &one : scene.simulate.ball_angles.back())
+                one = angle(random);
+        }
+        const results::SimulateResult motion = analyses::simulate(scene);
+        using results::Outcome;
+        if (motion.outcome == Outcome::lagging || motion.outcome == Outcome::whirling ||
+            motion.outcome == Outcome::growing) {
+            ++out.cycles;
+            continue;
+        }
+        const bool found = std::ranges::any_of(states, [&](const StateSearch::Found &state) {
+            if (state.state.family)
+                return motion.outcome == Outcome::balanced;
+            for (std::size_t b = 0; b < state.state.angles.size(); ++b) {
+                std::vector<double> left = state.state.angles[b];
+                for (std::size_t k = 0; k < left.size(); ++k) {
+                    const double is = motion.balancers[b].angles[k];
+                    const auto near = std::ranges::find_if(left, [is](double at) {
+                        return std::abs(std::remainder(at - is, 2 * pi)) < 0.02;
+                    });
+                    if (near == left.end())
+                        return false;
+                    *near = 1e9; // taken
+                }
+            }
+            return true;
+        });
+        ++(found ? out.at_rest : out.others);
+        if (!found && motion.outcome != Outcome::undecided)
+            ADD_FAILURE() << "no such state: " << results::outcome_name(motion.outcome) << " "
+                          << motion.balancers[0].angles[0];
+    }
+    return out;
+}
+
+TEST(StateSearch, RandomStartsEndInStatesThatWereFound) {
+    PlanarJeffcott jeffcott;
+    jeffcott.drag = 3;
+    for (const double speed : {150.0, 290.0, 330.0, 500.0}) {
+        model::Case scene = jeffcott.scene();
+        scene.simulate.time = 25;
+        const Ends ends = ends_of(scene, speed, 15, 3);
+        EXPECT_EQ(ends.others, 0) << speed;
+        EXPECT_GT(ends.at_rest + ends.cycles, 0);
+    }
+}
+
+TEST(StateSearch, RefusesWhatIsNotSteady) {
+    model::Case scene = PlanarJeffcott{}.scene();
+    scene.speeds = model::SpeedRange{300, 300, 1};
+    std::vector<results::Sentence> notes;
+    EXPECT_TRUE(analyses::steady_states_of(scene, notes));
+    EXPECT_TRUE(notes.empty());
+    model::Case anisotropic = scene;
+    anisotropic.rotor.bearings[0].rows[0].k(0, 0) *= 2;
+    EXPECT_FALSE(analyses::steady_states_of(anisotropic, notes));
+    ASSERT_EQ(notes.size(), 1);
+    EXPECT_NE(notes[0].text().find("bearings that are the same in x and y"), std::string::npos);
+    model::Case many = scene;
+    tests::row(many.rotor.balancers[0]).n = 7;
+    EXPECT_THROW(StateSearch(many, 300, 300), model::AnalysisFailure);
+    model::Case none = scene;
+    none.rotor.balancers.clear();
+    EXPECT_THROW((void)steady_states(none, {300}), model::AnalysisFailure);
+    // Nothing marks a direction: with damping balanced positions alone are steady.
+    model::Case even = scene;
+    even.rotor.balancers[0].imbalance = 0;
+    const auto states = all_at(even, 300);
+    ASSERT_EQ(states.size(), 1);
+    EXPECT_TRUE(states[0].state.family);
+    EXPECT_LT(states[0].state.residual, 1e-15);
+    EXPECT_TRUE(steady_states(scene, {0}).states.empty());
+}
+
+} // namespace
+} // namespace whirl::states
