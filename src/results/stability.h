@@ -125,7 +125,7 @@ struct StabilityResult {
     int harmonics = 0;     ///< of the Hill series
     std::optional<ArrangementFamily> family;
     std::optional<StabilityMap> map;
-    std::optional<Level1> level1; ///< where the case asks for it
+    std::optional<Level1> level1;       ///< where the case asks for it
     std::optional<SteadyStates> states; ///< likewise
 };
 
