@@ -136,7 +136,7 @@ model::Sentence running_sentence(const MachineReport &result) {
         "");
     return said.empty()
                ? said
-               : model::Sentence("at {} ({} speed){}", as::speed(chosen->speed), chosen->at, said);
+               : model::Sentence("At {} ({} speed){}", as::speed(chosen->speed), chosen->at, said);
 }
 
 Document document_of(const model::Case &scene, const MachineReport &result, const Units &units) {
@@ -180,8 +180,10 @@ Json json_of(const model::Case &scene, const MachineReport &result, const Units 
 std::string text_of(const model::Case &scene, const MachineReport &result, const Units &units) {
     std::string verdict = results::judgement_name(result.assessment.verdict);
     verdict.front() = static_cast<char>(verdict.front() - 'a' + 'A');
-    std::string text = fmt::format("{}\n{}: {}\n\n", title_of(scene), verdict,
-                                   printable(units.text(result.assessment.sentence))) +
+    const model::Sentence running = running_sentence(result);
+    std::string text = fmt::format("{}\n{}: {}\n{}\n", title_of(scene), verdict,
+                                   printable(units.text(result.assessment.sentence)),
+                                   running.empty() ? "" : printable(units.text(running)) + "\n") +
                        checks_text(result.assessment.checks, most_checks, units);
     std::string failed;
     for (const Of &part : all_parts(scene, result))
