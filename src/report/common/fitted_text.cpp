@@ -68,12 +68,14 @@ void fit(std::vector<Paragraph> &all, int lines) {
     }
     if (!fits() && first != all.end())
         first->rows = rows_of(*first, least);
-    for (Paragraph &one : all)
-        if (!one.shown) {
-            one.shown = true;
-            if (!fits())
-                one.shown = false;
-        }
+    for (Paragraph &one : all) {
+        const bool before = one.shown;
+        one.shown = true;
+        if (before || fits())
+            continue;
+        one.shown = false; // and what comes after it is worth less
+        break;
+    }
     const auto grow = [&](Paragraph &one, std::size_t most) {
         for (std::size_t rows = one.rows; one.shown && rows < most;) {
             const std::size_t before = one.rows;
@@ -100,7 +102,7 @@ std::string fitted_text(const std::string &body, const std::vector<std::string> 
     if (lines > 0) {
         const int room =
             lines - (last.empty() ? 0 : 1 + static_cast<int>(std::ranges::count(last, '\n')));
-        constexpr int fair = 5; // notes have so many lines at least, the worst are first
+        constexpr int fair = 4; // notes have so many lines at least, the worst are first
         fit(all, std::max(room - static_cast<int>(notes.size()), room - fair));
         const int left = room - height_of(all);
         if (static_cast<int>(notes.size()) > left)

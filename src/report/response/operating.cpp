@@ -242,11 +242,10 @@ std::string operating_text(const ResponseResult &result, const Units &units) {
                : row.at.find("trip") != std::string::npos    ? 2
                                                              : 3;
     });
-    std::string limits = text_table("Limits:\n", worst_columns, result.operating->worst, units);
+    std::string limits = text_table("\nLimits:\n", worst_columns, result.operating->worst, units);
     for (const std::string &reason : reasons(result, units))
         limits += "  " + reason + "\n";
-    return limits + (limits.empty() ? "" : "\n") + "At the operating speeds:\n" +
-           text_table(row_columns, rows, units) + "\n";
+    return "At the operating speeds:\n" + text_table(row_columns, rows, units) + limits + "\n";
 }
 
 std::string operating_csv(const ResponseResult &result, const Units &units) {
