@@ -52,6 +52,8 @@ void read_entries(CheckedTable &table, model::SweepAxis &axis, std::optional<Qua
                                            "change = \"factor\" scales entries of any kind",
                                            describe(*quantity), describe(found->quantity)));
         quantity = found->quantity;
+        if (axis.label.empty())
+            axis.label = path;
         for (const std::string &own : found->paths) {
             if (!relative) {
                 axis.entries.push_back({own, 0});

@@ -23,6 +23,7 @@ struct SweptEntry {
 
 /// Entries that change together over some values.
 struct SweepAxis {
+    std::string label; ///< `path` as it is written, of several the first
     std::vector<SweptEntry> entries;
     SweepChange change = SweepChange::value;
     Quantity quantity = Quantity::number; ///< of the values: of factors a plain number

@@ -109,7 +109,7 @@ const Columns<SampleFailure> rotor_failure_columns{
 
 /// What an axis is called: the entry, or the first of those that change together.
 std::string axis_name(const SweepAxis &axis) {
-    const std::string first = axis.entries.empty() ? "" : axis.entries.front().path;
+    const std::string first = axis.label;
     const std::string more =
         axis.entries.size() > 1 ? fmt::format(" and {} more", axis.entries.size() - 1) : "";
     return axis.change == model::SweepChange::value

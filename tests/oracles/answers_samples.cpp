@@ -27,11 +27,11 @@ Real normal_deviations(Real share) {
 }
 
 Real &entry_of(const std::string &path, Real &k, Real &kt, Real &mass) {
-    if (path == "bearing[0].k")
+    if (path == "bearing[0].k" || path == "bearing.k")
         return k;
-    if (path == "bearing[0].kt")
+    if (path == "bearing[0].kt" || path == "bearing.kt")
         return kt;
-    if (path == "disc[0].mass")
+    if (path == "disc[0].mass" || path == "disc.mass")
         return mass;
     throw std::runtime_error("samples: no oracle where " + path + " varies");
 }

@@ -39,7 +39,7 @@ std::vector<std::size_t> spread_over(std::size_t count, std::size_t most) {
 
 /// The entry under an axis: what it is, and how much.
 std::string under_axis(const Units &units, const SweepAxis &axis) {
-    const std::string entry = axis.entries.empty() ? "" : axis.entries.front().path;
+    const std::string entry = axis.label;
     const std::string more =
         axis.entries.size() > 1 ? fmt::format(" and {} more", axis.entries.size() - 1) : "";
     const char *change = axis.change == model::SweepChange::factor  ? "factor of "

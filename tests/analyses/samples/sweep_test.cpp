@@ -64,8 +64,9 @@ const SampledAnswer &swept_answer(const SweepResult &result, const std::string &
 TEST(Sweep, TwoEntriesRunTheFirstFastest) {
     model::Case scene = swept_disc();
     model::SweepSettings settings;
-    settings.axes = {{{{"k", 1e6}}, model::SweepChange::factor, model::Quantity::number, {1, 4, 9}},
-                     {{{"m", 0}}, model::SweepChange::value, model::Quantity::mass, {2, 8}}};
+    settings.axes = {
+        {"k", {{"k", 1e6}}, model::SweepChange::factor, model::Quantity::number, {1, 4, 9}},
+        {"m", {{"m", 0}}, model::SweepChange::value, model::Quantity::mass, {2, 8}}};
     scene.sweep = settings;
     const SweepResult result = analyses::sweep(scene, swept(scene));
     EXPECT_EQ(result.count, 6);
@@ -89,7 +90,7 @@ TEST(Sweep, DampingIsThatOfTheDamper) {
     settings.of.damping = true;
     settings.of.at = {50};
     settings.axes = {
-        {{{"c", 100}}, model::SweepChange::shift, model::Quantity::damping, {0, 100, 900}}};
+        {"c", {{"c", 100}}, model::SweepChange::shift, model::Quantity::damping, {0, 100, 900}}};
     scene.sweep = settings;
     const SweepResult result = analyses::sweep(scene, swept(scene));
     for (const char *name : {"mode 1", "mode 2", "least damped mode"}) {
@@ -123,7 +124,7 @@ TEST(Sweep, RotorsThatCannotBeAreListed) {
     model::Case scene = swept_disc();
     model::SweepSettings settings;
     settings.axes = {
-        {{{"k", 0}}, model::SweepChange::value, model::Quantity::stiffness, {-1, 1e6, -2}}};
+        {"k", {{"k", 0}}, model::SweepChange::value, model::Quantity::stiffness, {-1, 1e6, -2}}};
     scene.sweep = settings;
     const SweepResult result = analyses::sweep(scene, swept(scene));
     EXPECT_EQ(result.failed, 2);
