@@ -25,7 +25,7 @@ using process::Outcome;
 // did not, the first number counts the answers, four follow for each, and the text has a line of
 // their words for each.
 
-constexpr char between = '\t';
+constexpr char separator = '\t';
 constexpr double no_place = std::numeric_limits<double>::quiet_NaN();
 
 Outcome packed(const std::vector<Answer> &answers) {
@@ -37,8 +37,8 @@ Outcome packed(const std::vector<Answer> &answers) {
                             static_cast<double>(answer.quantity), answer.z.value_or(no_place)});
         for (std::string word : {answer.key, answer.of, answer.name, answer.behind}) {
             std::replace_if(
-                word.begin(), word.end(), [](char c) { return c == between || c == '\n'; }, ' ');
-            out.text += word + between;
+                word.begin(), word.end(), [](char c) { return c == separator || c == '\n'; }, ' ');
+            out.text += word + separator;
         }
         out.text += '\n';
     }
@@ -54,7 +54,7 @@ std::vector<Answer> unpacked(const Outcome &outcome) {
         std::istringstream words(line);
         for (std::string *word :
              {&answers[i].key, &answers[i].of, &answers[i].name, &answers[i].behind})
-            std::getline(words, *word, between);
+            std::getline(words, *word, separator);
         answers[i].value = outcome.numbers.at(1 + 4 * i);
         answers[i].asked_for = outcome.numbers.at(2 + 4 * i) != 0;
         answers[i].quantity = static_cast<model::Quantity>(outcome.numbers.at(3 + 4 * i));

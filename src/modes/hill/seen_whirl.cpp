@@ -12,6 +12,7 @@ namespace whirl::modes {
 namespace {
 
 using assembly::i_unit;
+using Complex = std::complex<double>;
 
 /// x(t) + i y(t) = with exp(l t) + against exp(conj(l) t) for (x, y)(t) = Re(term exp(l t)).
 struct Whirls {
@@ -72,8 +73,7 @@ SeenWhirl seen_whirl(const Stations &stations, const linalg::ComplexPair &pair, 
 
 void drop_copies_of_straight(const Stations &stations, Eigen::Index size, double speed,
                              std::vector<linalg::ComplexPair> &all) {
-    using Complex = std::complex<double>; // real part, frequency in the fixed frame
-    std::vector<Complex> kept;
+    std::vector<Complex> kept; // real part, frequency in the fixed frame
     std::vector<std::optional<Complex>> other;
     for (const linalg::ComplexPair &pair : all) {
         const SeenWhirl whirl = seen_whirl(stations, pair, size, speed);

@@ -51,7 +51,7 @@ std::vector<DoubleRoot> roots_between(const modes::SpectrumSolver &solver, const
     return out;
 }
 
-LockEnd end_of(const DoubleRoot &root) {
+LockEnd lock_end(const DoubleRoot &root) {
     // Far enough outside that the meeting eigenvalues are apart by much more than their rounding.
     constexpr double beside = 1e-7;
     const double outwards = root.opens ? -1 : 1;
@@ -192,7 +192,7 @@ std::optional<std::vector<LockEnd>> of_whole(const modes::SpectrumSolver &whole,
                                       near * std::abs(end.speed));
         if (!root || root->opens != (end.outside < end.speed))
             return std::nullopt;
-        out.push_back(end_of(*root));
+        out.push_back(lock_end(*root));
     }
     return out;
 }
