@@ -10,7 +10,11 @@
 
 namespace whirl::forced {
 
+namespace {
+
 using Complex = std::complex<double>;
+
+} // namespace
 
 Eigen::Vector2d TurnParts::at(double angle) const {
     Eigen::Vector2d out(0, 0);

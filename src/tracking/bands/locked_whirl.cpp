@@ -94,7 +94,7 @@ void add_ends(const modes::SpectrumSolver &solver, const Count &a, const Count &
     }
     const std::vector<DoubleRoot> roots = roots_between(solver, a, b);
     if (explained(solver, a, b, wanted, roots)) {
-        std::transform(roots.begin(), roots.end(), std::back_inserter(ends), end_of);
+        std::transform(roots.begin(), roots.end(), std::back_inserter(ends), lock_end);
         return;
     }
     const Count middle = count_at(solver, a.speed + (b.speed - a.speed) / 2, wanted);
