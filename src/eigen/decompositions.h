@@ -1,8 +1,8 @@
 #pragma once
 
-// Eigen with the decompositions that many rooms use compiled once, in decompositions.cpp: each takes
-// seconds, and without this every room would compile its own. One that is not listed works as well.
-// Comes with the precompiled header.
+// Eigen with the decompositions that many rooms use compiled once, in decompositions.cpp: each
+// takes seconds, and without this every room would compile its own. One that is not listed works as
+// well. Comes with the precompiled header.
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>

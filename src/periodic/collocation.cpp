@@ -12,14 +12,14 @@ using Real = long double; // rates to the last digit of double
 
 /// The beginning of a step, and the zeros of P_8 - P_7, Legendre's polynomials, moved to [0, 1].
 constexpr std::array<Real, stages + 1> collocation_places{0,
-                                              0.0224793864387124981L,
-                                              0.114679053160904232L,
-                                              0.265789822784589468L,
-                                              0.452846373669444617L,
-                                              0.647375282886830363L,
-                                              0.819759308263107635L,
-                                              0.943737439463077854L,
-                                              1};
+                                                          0.0224793864387124981L,
+                                                          0.114679053160904232L,
+                                                          0.265789822784589468L,
+                                                          0.452846373669444617L,
+                                                          0.647375282886830363L,
+                                                          0.819759308263107635L,
+                                                          0.943737439463077854L,
+                                                          1};
 
 /// Rate at one of the places of the polynomial that is 1 at another, or the same one, and 0 at the
 /// rest.
@@ -31,7 +31,8 @@ Real rate(std::size_t at, std::size_t of) {
         if (at == of)
             out += 1 / (collocation_places[at] - collocation_places[k]);
         else
-            out *= (collocation_places[at] - collocation_places[k]) / (collocation_places[of] - collocation_places[k]);
+            out *= (collocation_places[at] - collocation_places[k]) /
+                   (collocation_places[of] - collocation_places[k]);
     }
     return out;
 }

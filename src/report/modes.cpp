@@ -143,7 +143,8 @@ std::string text_of(const model::Case &scene, const ModesResult &result, const U
     return heading(scene, "Mode shapes at " + units.text(Quantity::speed, result.speed)) +
            text_table(shape_columns, result.modes, units) +
            after_a_line(dissipation_texts(result.modes, "-", units)) +
-           text_table("\nAt the critical speeds:\n", critical_shape_columns(), result.critical, units) +
+           text_table("\nAt the critical speeds:\n", critical_shape_columns(), result.critical,
+                      units) +
            after_a_line(dissipation_texts(result.critical, "-", units)) +
            model_text(result.model, units);
 }

@@ -255,7 +255,8 @@ std::vector<Section> sections_of(const SimulateResult &result, const Units &unit
         sections.push_back(
             {"Balancers", page_table(balancer_motion_columns, result.balancers, units)});
     if (!result.stations.empty())
-        sections.push_back({"Stations", page_table(moving_station_columns, result.stations, units)});
+        sections.push_back(
+            {"Stations", page_table(moving_station_columns, result.stations, units)});
     if (!result.other_starts.empty())
         sections.push_back(
             {"From other starts", page_table(start_columns, all_starts(result), units)});

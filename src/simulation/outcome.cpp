@@ -299,7 +299,9 @@ void classify(const model::Case &scene, results::SimulateResult &result) {
     const double tolerance = scene.simulate.tolerance;
     Sentence why;
     if (ends_at_constant_speed(result))
-        why = judge(ending, trends_of(result.series, integration_noise * tolerance * scale, integration_noise * tolerance),
+        why = judge(ending,
+                    trends_of(result.series, integration_noise * tolerance * scale,
+                              integration_noise * tolerance),
                     tolerance, result);
     else
         result.outcome = ending.outcome;

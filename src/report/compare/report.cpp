@@ -169,7 +169,8 @@ std::vector<std::filesystem::path> write_comparison(const Comparison &comparison
         }
     }
     files.add("compare.json", json_text(comparison_json(comparison, Units::of_json(asked))));
-    files.add("compare.csv", csv_table(difference_columns, all_of(comparison), Units::of_files(asked)));
+    files.add("compare.csv",
+              csv_table(difference_columns, all_of(comparison), Units::of_files(asked)));
     std::vector<std::string> linked{"compare.json", "compare.csv"};
     if (!still.empty())
         linked.insert(linked.end(), {"compare.svg", "compare.png"});

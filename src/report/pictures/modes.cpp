@@ -81,9 +81,9 @@ std::string critical_heading(const Units &units, const ModeShape &mode) {
     return name_before(mode) + drawn_value(units, Quantity::speed, mode.at) + motion_words(mode);
 }
 
-constexpr double panel_head = 120;   // pixels: above the first panels
-constexpr double pitch = 238;  // from a row of panels to the next
-constexpr double between = 45; // what says that critical speeds follow
+constexpr double panel_head = 120; // pixels: above the first panels
+constexpr double pitch = 238;      // from a row of panels to the next
+constexpr double between = 45;     // what says that critical speeds follow
 
 /// One shape below its heading, but for the margins of the panel.
 std::string shape_script(const Units &units, const ModeShape &mode, const std::string &heading,

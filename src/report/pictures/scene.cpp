@@ -16,8 +16,8 @@ namespace whirl::report {
 
 namespace {
 
-constexpr double text_size = 13; ///< pixels
-constexpr double line_height = 17;      ///< from text line_height to text line_height, pixels
+constexpr double text_size = 13;   ///< pixels
+constexpr double line_height = 17; ///< from text line_height to text line_height, pixels
 
 /// A name with the place it points to.
 struct Callout {

@@ -16,7 +16,7 @@ using results::Waterfall;
 namespace {
 
 constexpr double shown_share = 2e-3; ///< of the largest: nothing of that size beyond is not drawn
-constexpr double line_room = 8;           ///< the highest line is as high as so many gaps between lines
+constexpr double line_room = 8;      ///< the highest line is as high as so many gaps between lines
 constexpr double orders[] = {1, 2, 3};
 
 /// The speed changes, and only rises or only falls.
