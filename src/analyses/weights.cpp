@@ -118,6 +118,8 @@ class Measured {
                 {found.freedom > 0 ? found.squares / found.freedom : 0, found.freedom});
             add_outliers(i, found);
         }
+        if (trials)
+            refuse_idle_trials(known, weights);
         add_scatter(known);
     }
 
@@ -126,6 +128,18 @@ class Measured {
     const WeightsSettings &_settings;
     WeightsResult &_result;
     std::vector<std::vector<const model::RunReading *>> _of_place;
+
+    /// Coefficients that are the rounding of readings would ask for weights without limit.
+    void refuse_idle_trials(const Known &known, const Eigen::MatrixXcd &weights) const {
+        constexpr double rounding = 1e-9; // of the largest reading: those have some five digits
+        for (Eigen::Index p = 0; p < known.H.cols(); ++p)
+            if (known.H.col(p).cwiseAbs().maxCoeff() * weights.col(p).cwiseAbs().maxCoeff() <=
+                rounding * known.a.cwiseAbs().maxCoeff())
+                refuse(_scene,
+                       fmt::format("trial: expected a trial weight in plane \"{}\" that changes a "
+                                   "reading, got runs that read as they do without it",
+                                   plane_name(_scene.rotor, static_cast<std::size_t>(p))));
+    }
 
     /// In an order of their own: the table may have any.
     void read_by_place() {
@@ -293,6 +307,7 @@ class Answer {
 
     Eigen::VectorXcd add() {
         const model::WeightsMethod method = _scene.weights->method;
+        leave_out_idle_planes();
         const Solution best = solved(_balance, method);
         note_solution(best);
         _w = best.w;
@@ -331,6 +346,29 @@ class Answer {
     }
     [[nodiscard]] double permissible_of(std::size_t plane) const {
         return _result.weights[plane].permissible.value_or(0);
+    }
+
+    /// A plane that moves no probe gets no weight; of one that moves them little it is said.
+    void leave_out_idle_planes() {
+        constexpr double nothing = 1e-9; // of what the plane that does most does, for one weight
+        constexpr double little = 1e-2;
+        const double most = _balance.H.colwise().norm().maxCoeff();
+        for (Eigen::Index p = 0; p < _balance.H.cols(); ++p) {
+            const double share = most > 0 ? _balance.H.col(p).norm() / most : 1;
+            const std::string plane = name(static_cast<std::size_t>(p));
+            if (share <= nothing) {
+                _balance.H.col(p).setZero();
+                _result.model.notes.emplace_back(
+                    model::Weight::warning, "plane {} moves none of the probes: no weight in it",
+                    plane);
+            } else if (share < little) {
+                _result.model.notes.emplace_back(
+                    model::Weight::warning,
+                    "plane {} moves the probes little, by {} of what another plane does with the "
+                    "same weight: its weight is large, and errors of readings count most there",
+                    plane, results::as::number(share, 2));
+            }
+        }
     }
 
     void note_solution(const Solution &best) {

@@ -23,8 +23,10 @@ std::vector<std::string> paths_of(CheckedTable &table) {
                            "change together");
         return {};
     }
-    if (!entry->node.is_list())
-        return {table.text("path").value_or("")};
+    if (!entry->node.is_list()) {
+        const auto path = table.text("path"); // of another kind: told
+        return path ? std::vector{*path} : std::vector<std::string>{};
+    }
     std::vector<std::string> paths;
     for (const CheckedEntry &item : entry->items())
         if (item.node.kind == Node::Kind::text)
@@ -41,8 +43,10 @@ std::vector<std::string> paths_of(CheckedTable &table) {
 void read_entries(CheckedTable &table, model::SweepAxis &axis, std::optional<Quantity> &quantity) {
     const bool relative = axis.change != model::SweepChange::value;
     for (const std::string &path : paths_of(table)) {
-        if (path.empty())
+        if (path.empty()) {
+            table.fail("path", "expected a numeric entry of the case, got \"\"");
             continue;
+        }
         const auto found = numeric_entries(table, path, "");
         if (!found)
             continue;
