@@ -299,6 +299,33 @@ TEST(SimulatedReadings, WithWeightsThatDoNotTellPlanesApartAreRefused) {
     }
 }
 
+// Else rounding of the readings would be divided by: weights without limit.
+TEST(SimulatedReadings, WithATrialWeightThatChangesNothingAreRefused) {
+    Machine machine(2);
+    for (auto &row : machine.H)
+        row[1] = 0;
+    for (const char *method : {"", "method = \"minimax\"\n"})
+        try {
+            (void)answer(head + method + two_trials, joined(readings_of(machine)));
+            ADD_FAILURE() << "accepted";
+        } catch (const model::BadInput &error) {
+            EXPECT_NE(std::string(error.what()).find("\"fwd\" that changes a reading"),
+                      std::string::npos)
+                << error.what();
+        }
+}
+
+// It moves the probes by a thousandth of what the other does.
+TEST(SimulatedReadings, OfAPlaneThatDoesLittleAreSaidToBe) {
+    Machine machine(3);
+    for (auto &row : machine.H)
+        row[1] *= 1e-3;
+    const results::WeightsResult result = answer(head + two_trials, joined(readings_of(machine)));
+    EXPECT_TRUE(std::ranges::any_of(result.model.notes, [](const auto &note) {
+        return note.text().find("plane fwd moves the probes little") != std::string::npos;
+    }));
+}
+
 /// A grade for a rotor of 100 kg at 3000 rpm: G 2.5 gives 2.5e-3 * 100 / 314.16 kg m, half of it in
 /// each of two planes.
 TEST(SimulatedReadings, WithAGradeSayWhatMayStay) {

@@ -17,6 +17,8 @@ inline std::vector<BrokenCase> broken_sweep() {
         {"no such swept entry", 9, "sweep.x.path",
          "expected a numeric entry of the case, got \"shaft.colour\"",
          begin + "x = {path = \"shaft.colour\", from = 1, to = 2, count = 2}\n"},
+        {"an entry without a name", 9, "sweep.x.path", "got \"\"",
+         begin + "x = {path = \"\", from = 1, to = 2, count = 2}\n"},
         {"an empty list of entries", 9, "sweep.x.path", "at least one numeric entry",
          begin + "x = {path = [], from = 1, to = 2, count = 2}\n"},
         {"one swept value", 9, "sweep.x.count", "from 2 to 1000000, got 1",
