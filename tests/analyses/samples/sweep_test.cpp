@@ -112,7 +112,7 @@ TEST(Sweep, MarginsAreToTheNearerEndOfTheOperatingSpeeds) {
     settings.of.critical = false;
     settings.of.margins = true;
     settings.axes = {
-        {{{"k", 1e6}}, model::SweepChange::value, model::Quantity::stiffness, {1e6, 8e6}}};
+        {"k", {{"k", 1e6}}, model::SweepChange::value, model::Quantity::stiffness, {1e6, 8e6}}};
     scene.sweep = settings;
     const SweepResult result = analyses::sweep(scene, swept(scene));
     const SampledAnswer &nearest = swept_answer(result, "the nearest");
