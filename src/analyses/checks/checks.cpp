@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace whirl::analyses {
@@ -91,21 +92,63 @@ struct Doubt {
     bool either_way = false;
 };
 
-Doubt doubt_of_rotor(const model::Case &scene) {
+/// @param from,to  speeds that a judgement needs, rad/s
+Doubt doubt_of_rotor(const model::Case &scene, double from, double to) {
     if (!scene.rotor.balancers.empty())
         return {{"peaks and critical speeds are those without the balancers' own parts"}, true};
-    const double top = operation::top_speed(*scene.operation);
     for (const model::Bearing &bearing : scene.rotor.bearings)
         if (bearing.depends_on_speed() &&
-            (bearing.speeds.front() > scene.operation->from || bearing.speeds.back() < top))
-            return {{"the table of the {} ends inside the operating speeds",
-                     place_in_words(bearing.seal ? "seal" : "bearing", bearing.name, bearing.z)}};
+            (bearing.speeds.front() > from || bearing.speeds.back() < to))
+            return {{"the table of the {} ends inside the speeds that count, {}",
+                     place_in_words(bearing.seal ? "seal" : "bearing", bearing.name, bearing.z),
+                     as::speed.range(from, to)}};
     return {};
+}
+/// At the operating speeds.
+Doubt doubt_of_rotor(const model::Case &scene) {
+    return doubt_of_rotor(scene, scene.operation->from, operation::top_speed(*scene.operation));
 }
 
 void apply(const Doubt &doubt, Check &check) {
     if (!doubt.why.empty() && (doubt.either_way || check.pass.value_or(false)))
         reset(check, doubt.why);
+}
+
+/// Whether a margin belongs to a critical speed: a damped peak is some way off, the farther the
+/// more it is damped.
+bool covers(const SeparationMargin &margin, const results::CriticalSpeed &critical) {
+    constexpr double near = 0.05;
+    const double width =
+        critical.damping.amplification ? 0.5 / *critical.damping.amplification : 0.0;
+    return std::abs(margin.speed - critical.speed) <= (near + width) * critical.speed;
+}
+
+/// Critical speeds that could be too near and have no margin of their own: their damping is not
+/// known, or the peak that was seen next to them is that of another, broader motion. A backward one
+/// that no peak shows needs none.
+void add_uncovered_criticals(std::vector<Check> &checks, const results::CriticalResult &critical,
+                             const std::vector<SeparationMargin> &margins, double lowest,
+                             double highest) {
+    for (const results::CriticalSpeed &one : critical.critical_speeds) {
+        const bool known = one.damping.known();
+        if (one.speed < lowest || one.speed > highest || (known && one.damping.heavy()) ||
+            (known && one.whirl == results::Whirl::backward) ||
+            std::ranges::any_of(margins,
+                                [&one](const auto &margin) { return covers(margin, one); }))
+            continue;
+        checks.push_back(not_judged(
+            margin_name,
+            known ? Sentence("the {} critical speed {} is little damped (amplification factor {}), "
+                             "and no peak of its own was seen",
+                             results::whirl_name(one.whirl), as::speed(one.speed),
+                             one.damping.amplification
+                                 ? Sentence("{}", as::number(*one.damping.amplification, 4))
+                                 : Sentence("without limit"))
+                  : Sentence("the damping of the {} critical speed {} is not known, and no peak of "
+                             "its own was seen",
+                             results::whirl_name(one.whirl), as::speed(one.speed)),
+            api617));
+    }
 }
 
 /// Where critical speeds may be missing in a list.
@@ -140,8 +183,9 @@ void add_margins(std::vector<Check> &checks, const model::Case &scene, const Com
         return;
     }
     const model::Operation &operation = *scene.operation;
-    const Doubt doubt = doubt_of_rotor(scene);
     const double highest = operation::highest_relevant_speed(operation);
+    const double lowest = (1 - 0.16) * operation.from; // the largest margin below
+    const Doubt doubt = doubt_of_rotor(scene, lowest, highest);
     std::vector<Check> own;
     for (const SeparationMargin &margin : *margins)
         own.push_back(check_of(margin, operation));
@@ -159,8 +203,13 @@ void add_margins(std::vector<Check> &checks, const model::Case &scene, const Com
         own.push_back(not_judged(margin_name,
                                  or_else(computed.no_critical, "critical speeds were not computed"),
                                  api617));
-    else
+    else {
         add_missing_criticals(own, *computed.critical, highest);
+        add_uncovered_criticals(own, *computed.critical, *margins, lowest, highest);
+        // What is not known is not none.
+        if (own.size() > 1 && margins->empty())
+            own.erase(own.begin());
+    }
     const bool driven = computed.response != nullptr && !computed.response->nodes.empty();
     if (driven && !speeds_cover(scene))
         own.push_back(not_judged(
@@ -324,7 +373,27 @@ void add_level1(std::vector<Check> &checks, const model::Case &scene, const Comp
         ratio.value = infinite;
         ratio.pass = true;
     }
-    checks.insert(checks.end(), {decrement, ratio});
+    // Axial stages alone are judged by the decrement; in region B more is asked for.
+    const std::string ratio_found = "critical over anticipated cross coupling";
+    std::vector<Check> own{decrement};
+    if (found->checks.empty() ||
+        std::ranges::find(found->checks, ratio_found, &results::Level1Check::name) !=
+            found->checks.end())
+        own.push_back(ratio);
+    for (const results::Level1Check &more : found->checks) {
+        if (more.name == ratio_found || more.name.starts_with("log. decrement"))
+            continue;
+        Check check = decrement;
+        check.name = more.name;
+        check.value = more.value;
+        check.limit = more.limit;
+        check.pass = more.passes;
+        check.why = more.passes ? Sentence() : more.why;
+        own.push_back(std::move(check));
+    }
+    for (Check &check : own)
+        apply(doubt_of_rotor(scene), check);
+    checks.insert(checks.end(), own.begin(), own.end());
 }
 
 const char *const shaft_name = "vibration of the shaft";

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -115,6 +117,19 @@ Doubt doubt_of(const model::Case &scene) {
         return {"the response leaves the balancers' own parts out", true};
     if (std::ranges::none_of(rotor.imbalances, [](const auto &one) { return one.mr != 0; }))
         return {"there is no imbalance that drives the rotor"};
+    std::map<double, std::complex<double>> at; // imbalances at one place act as their sum
+    double all = 0;
+    for (const model::Imbalance &one : rotor.imbalances) {
+        at[one.z] += std::polar(std::abs(one.mr), one.phase + (one.mr < 0 ? std::numbers::pi : 0));
+        all += std::abs(one.mr);
+    }
+    double largest = 0;
+    for (const auto &[z, sum] : at)
+        largest = std::max(largest, std::abs(sum));
+    constexpr double cancelled = 1e-9; // of their sizes: rounding of phases
+    constexpr double nothing = 1e-15;  // kg m, a billionth of a g mm
+    if (largest <= std::max(cancelled * all, nothing))
+        return {"the imbalances cancel one another, or are next to nothing"};
     const model::Operation &operation = *scene.operation;
     const double top = operation::top_speed(operation);
     for (const model::Bearing &bearing : rotor.bearings)
