@@ -99,6 +99,8 @@ std::string plain_unit(const std::string &text, const std::vector<Number> &numbe
             for (std::size_t at = words.find(before + unit); at != std::string::npos;
                  at = words.find(before + unit, at + 1)) {
                 const std::string after = words.substr(at + before.size() + unit.size());
+                if (at > 0 && words[at - 1] == '/') // of "µm/(g mm)", which has no entry
+                    continue;
                 // "N m/rad" and "kg m2/s" are other units.
                 const bool goes_on = after.size() > 2 && after[0] == ' ' &&
                                      (after[1] == 'm' || after[1] == 's') &&
