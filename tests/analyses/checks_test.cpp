@@ -378,7 +378,48 @@ TEST(Checks, TablesThatEndBelowTheTripSpeed) {
         expect_not_judged(all, name);
     for (model::Bearing &bearing : scene.rotor.bearings)
         bearing.speeds = {0, 600};
+    // A critical speed up to 1.26 times the maximum of 560 rad/s could be too near.
+    const Assessment below = assess(scene);
+    expect_not_judged(below, margin);
+    for (const std::string &name : {shaft, pedestal, clearance, growth})
+        EXPECT_TRUE(named(below, name).front().pass.value_or(false)) << name;
+    for (model::Bearing &bearing : scene.rotor.bearings)
+        bearing.speeds = {0, 800};
     EXPECT_EQ(assess(scene).verdict, Judgement::passes);
+}
+
+/// Two imbalances at one place that cancel drive nothing: small motions say nothing then.
+TEST(Checks, ImbalancesThatCancel) {
+    model::Case scene = sound();
+    model::Imbalance opposite = scene.rotor.imbalances.front();
+    opposite.phase += std::numbers::pi;
+    scene.rotor.imbalances = {scene.rotor.imbalances.front(), opposite};
+    const Assessment all = assess(scene);
+    for (const std::string &name : {shaft, pedestal, clearance})
+        expect_not_judged(all, name);
+    EXPECT_EQ(all.verdict, Judgement::incomplete);
+}
+
+/// The critical speeds of a rotor whose inertias differ are found without their damping: without a
+/// peak none is known to need no margin. Here sqrt(k/m) of 100 rad/s lies inside.
+TEST(Checks, CriticalSpeedsOfUnknownDamping) {
+    model::Case scene;
+    scene.rotor.shaft = tests::uniform_shaft(1, 0.05, tests::weightless_steel());
+    scene.rotor.shaft.rigid = true;
+    scene.rotor.discs = {tests::disc_at(0.5, 100, 1, 1.5)};
+    scene.rotor.bearings = {tests::isotropic_bearing(0, 5e5), tests::isotropic_bearing(1, 5e5)};
+    for (model::Bearing &bearing : scene.rotor.bearings)
+        bearing.rows[0].c = 5 * Eigen::Matrix2d::Identity();
+    scene.speeds = model::SpeedRange{0, 400, 81};
+    scene.operation = model::Operation{90, 115};
+    model::Anisotropy unequal;
+    unequal.z = 0.5;
+    unequal.dI = 1e-3;
+    scene.rotor.anisotropies = {unequal};
+    const Assessment all = assess(scene);
+    EXPECT_NE(all.verdict, Judgement::passes);
+    for (const Check &check : named(all, margin))
+        EXPECT_FALSE(check.pass.value_or(false)) << check.where.text();
 }
 
 TEST(Checks, MarginsThatWereNotFound) {
