@@ -443,10 +443,13 @@ void add_worst(OperatingResponse &out, const std::vector<Watch> &watches,
         worst.source = limits[i]->source;
         worst.scale = watches[i].mix.scale;
         worst.pass = keeps(worst.value, worst.error, worst.limit);
+        // What is too large is so in spite of most doubts.
+        const bool doubtful =
+            doubt.either_way || (worst.pass.value_or(false) && !doubt.why.empty());
         if (!limits[i]->why.empty()) {
             worst.pass.reset();
             worst.why = limits[i]->why;
-        } else if (doubt.either_way) {
+        } else if (doubtful) {
             worst.pass.reset();
             worst.why = doubt.why;
         } else if (!worst.pass) {
@@ -454,9 +457,6 @@ void add_worst(OperatingResponse &out, const std::vector<Watch> &watches,
                             ? Sentence("it is nearer to its limit than the error of the value, {}",
                                        as::number(worst.error, 2))
                             : Sentence("the error of the value is not known");
-        } else if (*worst.pass && !doubt.why.empty()) {
-            worst.pass.reset();
-            worst.why = doubt.why;
         }
         out.worst.push_back(std::move(worst));
     }
