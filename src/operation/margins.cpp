@@ -197,6 +197,10 @@ SeparationMargin margin_of(double speed, std::optional<double> amplification,
     return out;
 }
 
+double lowest_relevant_speed(const model::Operation &operation) {
+    return operation.from * (1 - most_below / 100);
+}
+
 double highest_relevant_speed(const model::Operation &operation) {
     return std::max(operation.to * (1 + most_above / 100), operation.trip.value_or(0));
 }
@@ -209,7 +213,7 @@ peaks_without_factor(const model::Operation &operation,
         critical_speeds, [](const CriticalSpeed &critical) { return !critical.damping.known(); });
     std::vector<const ResponsePeak *> out;
     for (const ResponsePeak *peak : judged(peaks))
-        if (!has_factor(*peak) && peak->speed > operation.from * (1 - most_below / 100) &&
+        if (!has_factor(*peak) && peak->speed > lowest_relevant_speed(operation) &&
             peak->speed < highest_relevant_speed(operation) &&
             (unknown || critical_speeds.empty() ||
              std::ranges::any_of(critical_speeds, [peak](const CriticalSpeed &critical) {

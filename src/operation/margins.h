@@ -49,6 +49,8 @@ peaks_without_factor(const model::Operation &operation,
                      const std::vector<results::CriticalSpeed> &critical_speeds,
                      const std::vector<results::ResponsePeak> &peaks);
 
+/// Speed from which critical speeds matter: below it every margin is enough, rad/s.
+[[nodiscard]] double lowest_relevant_speed(const model::Operation &operation);
 /// Speed up to which critical speeds matter: above it every margin is enough, rad/s.
 [[nodiscard]] double highest_relevant_speed(const model::Operation &operation);
 

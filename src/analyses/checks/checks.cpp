@@ -78,10 +78,9 @@ Check check_of(const SeparationMargin &margin, const model::Operation &operation
 /// Peaks were looked for wherever one could be too near.
 bool speeds_cover(const model::Case &scene) {
     const model::Operation &operation = *scene.operation;
-    constexpr double most_below = 0.16; // no more is asked for below the lowest operating speed
     constexpr double rounding = 1e-9;
     return scene.speeds && scene.speeds->count > 1 &&
-           scene.speeds->from <= (1 - most_below) * operation.from * (1 + rounding) &&
+           scene.speeds->from <= operation::lowest_relevant_speed(operation) * (1 + rounding) &&
            scene.speeds->to >= operation::highest_relevant_speed(operation) * (1 - rounding);
 }
 
@@ -184,7 +183,7 @@ void add_margins(std::vector<Check> &checks, const model::Case &scene, const Com
     }
     const model::Operation &operation = *scene.operation;
     const double highest = operation::highest_relevant_speed(operation);
-    const double lowest = (1 - 0.16) * operation.from; // the largest margin below
+    const double lowest = operation::lowest_relevant_speed(operation);
     const Doubt doubt = doubt_of_rotor(scene, lowest, highest);
     std::vector<Check> own;
     for (const SeparationMargin &margin : *margins)
@@ -216,7 +215,7 @@ void add_margins(std::vector<Check> &checks, const model::Case &scene, const Com
             margin_name,
             {"peaks were not looked for at all speeds {}, where one could be too near: [speeds] "
              "must reach beyond both",
-             as::speed.range((1 - 0.16) * operation.from, highest)},
+             as::speed.range(lowest, highest)},
             api617));
     if (driven && computed.critical != nullptr)
         for (const results::ResponsePeak *peak : operation::peaks_without_factor(
