@@ -40,6 +40,13 @@ std::string answer_text(const results::SampledAnswer &answer, const Units &units
                                      : name;
 }
 
+std::string failure_of(const std::vector<results::SampleFailure> &failures, int rotor) {
+    for (const results::SampleFailure &failure : failures)
+        if (std::binary_search(failure.samples.begin(), failure.samples.end(), rotor))
+            return failure.message;
+    return "";
+}
+
 using results::SampledAnswer;
 using results::SampledInput;
 using results::SampleFailure;
@@ -135,21 +142,13 @@ const Columns<SampleFailure> failure_columns{
      [](const SampleFailure &failure) { return failure.samples.front(); }},
     {"samples", &SampleFailure::samples}};
 
-/// Why a sample failed; empty: it did not.
-std::string failure_of(const SamplesResult &result, int sample) {
-    for (const SampleFailure &failure : result.failures)
-        if (std::binary_search(failure.samples.begin(), failure.samples.end(), sample))
-            return failure.message;
-    return "";
-}
-
 /// A line a sample; its columns are the inputs and answers.
 std::string csv_of(const SamplesResult &result, const Units &units) {
     Json samples = Json::array();
     Json failures = Json::array();
     for (int sample = 0; sample < result.count; ++sample) {
         samples.push_back(sample);
-        failures.push_back(failure_of(result, sample));
+        failures.push_back(failure_of(result.failures, sample));
     }
     std::vector<CsvList> lists{{{"sample"}, samples}};
     for (const SampledInput &input : result.inputs)

@@ -18,15 +18,8 @@
 
 namespace whirl::report {
 
-using model::SweepAxis;
-using results::SampledAnswer;
-using results::SampleFailure;
-using results::SweepResult;
-
-namespace {
-
-const char *change_of(const SweepAxis &axis) {
-    switch (axis.change) {
+const char *change_name(model::SweepChange change) {
+    switch (change) {
     case model::SweepChange::factor:
         return "factor";
     case model::SweepChange::shift:
@@ -36,6 +29,29 @@ const char *change_of(const SweepAxis &axis) {
     }
     return "value";
 }
+
+std::string axis_name(const model::SweepAxis &axis) {
+    const std::string name =
+        axis.entries.size() > 1 ? fmt::format("{} and {} more", axis.label, axis.entries.size() - 1)
+                                : axis.label;
+    return axis.change == model::SweepChange::value
+               ? name
+               : fmt::format("{} of {}", change_name(axis.change), name);
+}
+
+std::vector<std::size_t> spread_over(std::size_t count, std::size_t most) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < std::min(count, most); ++i)
+        places.push_back(count <= most ? i : i * (count - 1) / (most - 1));
+    return places;
+}
+
+using model::SweepAxis;
+using results::SampledAnswer;
+using results::SampleFailure;
+using results::SweepResult;
+
+namespace {
 
 std::vector<std::string> paths_of(const SweepAxis &axis) {
     std::vector<std::string> paths;
@@ -48,7 +64,7 @@ const Columns<SweepAxis> axis_columns{
     {"entries", paths_of},
     {OnPage("Entries"),
      [](const SweepAxis &axis) { return fmt::format("{}", fmt::join(paths_of(axis), ", ")); }},
-    {"change", OnPage("change"), change_of},
+    {"change", OnPage("change"), [](const SweepAxis &axis) { return change_name(axis.change); }},
     {"unit", OnPage("unit"),
      [](const SweepAxis &axis, const Units &units) { return units.name(axis.quantity); }},
     {"values", OfEach{[](const SweepAxis &axis) { return axis.quantity; }}, &SweepAxis::values}};
@@ -107,16 +123,6 @@ const Columns<SampleFailure> rotor_failure_columns{
      [](const SampleFailure &failure) { return failure.samples.front(); }},
     {"rotors", &SampleFailure::samples}};
 
-/// What an axis is called: the entry, or the first of those that change together.
-std::string axis_name(const SweepAxis &axis) {
-    const std::string first = axis.label;
-    const std::string more =
-        axis.entries.size() > 1 ? fmt::format(" and {} more", axis.entries.size() - 1) : "";
-    return axis.change == model::SweepChange::value
-               ? first + more
-               : fmt::format("{} of {}{}", change_of(axis), first, more);
-}
-
 /// The value of an axis at each rotor.
 std::vector<double> along(const SweepResult &result, std::size_t axis) {
     std::size_t repeat = 1;
@@ -129,14 +135,6 @@ std::vector<double> along(const SweepResult &result, std::size_t axis) {
     return out;
 }
 
-/// Why a rotor has no answer; empty: it has.
-std::string rotor_failure_of(const SweepResult &result, int rotor) {
-    for (const SampleFailure &failure : result.failures)
-        if (std::binary_search(failure.samples.begin(), failure.samples.end(), rotor))
-            return failure.message;
-    return "";
-}
-
 /// A line a rotor; its columns are the entries and answers.
 std::string sweep_csv(const SweepResult &result, const Units &units) {
     std::vector<CsvList> lists;
@@ -146,7 +144,7 @@ std::string sweep_csv(const SweepResult &result, const Units &units) {
         lists.push_back({{answer_text(answer, units), answer.quantity}, answer.values});
     Json failures = Json::array();
     for (int rotor = 0; rotor < result.count; ++rotor)
-        failures.push_back(rotor_failure_of(result, rotor));
+        failures.push_back(failure_of(result.failures, rotor));
     lists.push_back({{"failure"}, failures});
     return csv_lists(lists, units);
 }
@@ -184,8 +182,8 @@ Columns<SweepRow> table_columns(const SweepResult &result, std::size_t most, con
 std::vector<SweepRow> table_rows(const SweepResult &result, std::size_t most) {
     const auto count = static_cast<std::size_t>(result.answers.empty() ? 0 : result.count);
     std::vector<SweepRow> rows;
-    for (std::size_t i = 0; i < std::min(count, most); ++i)
-        rows.push_back({count <= most ? i : i * (count - 1) / (most - 1)});
+    for (const std::size_t rotor : spread_over(count, most))
+        rows.push_back({rotor});
     return rows;
 }
 

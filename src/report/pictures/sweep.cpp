@@ -29,23 +29,9 @@ struct SweepPanel {
     bool left_out = false; ///< there are more curves than are drawn
 };
 
-/// Of `count` places at most so many, evenly spread, with the first and the last.
-std::vector<std::size_t> spread_over(std::size_t count, std::size_t most) {
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < std::min(count, most); ++i)
-        places.push_back(count <= most ? i : i * (count - 1) / (most - 1));
-    return places;
-}
-
 /// The entry under an axis: what it is, and how much.
 std::string under_axis(const Units &units, const SweepAxis &axis) {
-    const std::string entry = axis.label;
-    const std::string more =
-        axis.entries.size() > 1 ? fmt::format(" and {} more", axis.entries.size() - 1) : "";
-    const char *change = axis.change == model::SweepChange::factor  ? "factor of "
-                         : axis.change == model::SweepChange::shift ? "shift of "
-                                                                    : "";
-    return change + entry + more +
+    return axis_name(axis) +
            (axis.quantity == Quantity::number ? "" : " (" + units.name(axis.quantity) + ")");
 }
 
