@@ -96,6 +96,19 @@ bool SteadyEquations::round() const {
         _parts.fixed, [](const simulation::FixedMass &mass) { return mass.mass.tilt != 0; });
 }
 
+void SteadyEquations::for_tilting_masses(
+    double speed,
+    const std::function<void(const Eigen::MatrixXd &, const balancers::AtRest &)> &add) const {
+    for (const simulation::FixedMass &mass : _parts.fixed) {
+        if (mass.plane < 0 || mass.mass.tilt == 0)
+            continue;
+        balancers::AtRest rest(0);
+        mass.mass.add_at_rest(balancers::PlaneVector::Zero(), speed, mass.phase, std::nullopt,
+                              rest);
+        add(_rows.middleRows<4>(4 * mass.plane), rest);
+    }
+}
+
 // In turning axes q' becomes u' + i Omega u; internal damping acts on u' alone:
 //     u'' + [C + C_i + i Omega (2 - G)] u' + [K + i Omega C - Omega^2 (1 - G)] u = loads.
 Eigen::MatrixXd SteadyEquations::stiffness(double speed) const {
@@ -106,15 +119,9 @@ Eigen::MatrixXd SteadyEquations::stiffness(double speed) const {
     add_complex(rotor.elastic +
                     speed * speed * (rotor.gyroscopic - Eigen::MatrixXd::Identity(r, r)),
                 Eigen::MatrixXd::Zero(r, r), K);
-    for (const simulation::FixedMass &mass : _parts.fixed) {
-        if (mass.plane < 0 || mass.mass.tilt == 0)
-            continue;
-        balancers::AtRest rest(0);
-        mass.mass.add_at_rest(balancers::PlaneVector::Zero(), speed, mass.phase, std::nullopt,
-                              rest);
-        const Eigen::MatrixXd rows = _rows.middleRows<4>(4 * mass.plane);
+    for_tilting_masses(speed, [&](const Eigen::MatrixXd &rows, const balancers::AtRest &rest) {
         K += rows.transpose() * rest.stiffness * rows;
-    }
+    });
     return K;
 }
 
@@ -161,16 +168,10 @@ SteadyEquations::Balance SteadyEquations::balance(const Eigen::VectorXd &x, doub
     out.left.head(r2) = fixed - K * u;
     out.sizes = Eigen::VectorXd::Zero(n);
     out.sizes.head(r2) = fixed.cwiseAbs() + K.cwiseAbs() * u.cwiseAbs();
-    for (const simulation::FixedMass &mass : _parts.fixed) {
-        if (mass.plane < 0 || mass.mass.tilt == 0)
-            continue;
-        balancers::AtRest rest(0);
-        mass.mass.add_at_rest(balancers::PlaneVector::Zero(), speed, mass.phase, std::nullopt,
-                              rest);
-        const Eigen::MatrixXd rows = _rows.middleRows<4>(4 * mass.plane);
+    for_tilting_masses(speed, [&](const Eigen::MatrixXd &rows, const balancers::AtRest &rest) {
         m.inertia.topLeftCorner(r2, r2) += rows.transpose() * rest.inertia * rows;
         m.damping.topLeftCorner(r2, r2) += rows.transpose() * rest.gyroscopic * rows;
-    }
+    });
     for (Index first = r2; const simulation::FreeParts &free : _parts.free) {
         const Eigen::MatrixXd rows = _rows.middleRows<4>(4 * free.plane);
         const Eigen::Index size = free.motion->size();

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <complex>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,11 @@ class SteadyEquations {
         SmallMotions motions;
     };
     [[nodiscard]] Balance balance(const Eigen::VectorXd &x, double speed, double deflection) const;
+    /// Calls `add` for each fixed mass that tilts with its plane, with the rows of that plane, 4 x
+    /// 2r, and what the mass adds there.
+    void for_tilting_masses(double speed,
+                            const std::function<void(const Eigen::MatrixXd &rows,
+                                                     const balancers::AtRest &rest)> &add) const;
 };
 
 /// Roots of small motions, 1/s.
