@@ -144,7 +144,8 @@ ModalSeries::ModalSeries(const System &system, double speed) : _speed(speed) {
     take_modes(linalg::general_eigen(
         _weights.asDiagonal() * A * _weights.cwiseInverse().asDiagonal(), linalg::Vectors::both));
     MatrixXd B = MatrixXd::Zero(2 * n, m);
-    B.bottomRows(n) = _weights.tail(n).asDiagonal() * linalg::solved(mass, P);
+    if (m > 0) // nothing turns where the equations are constant
+        B.bottomRows(n) = _weights.tail(n).asDiagonal() * linalg::solved(mass, P);
     const MatrixXd at_start = system.turning(speed, 0);
     const MatrixXd quarter = system.turning(speed, std::numbers::pi / 2);
     MatrixXd Y = MatrixXd::Zero(at_start.cols(), 2 * n);

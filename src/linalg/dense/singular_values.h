@@ -11,7 +11,7 @@ struct SingularValues {
     Eigen::MatrixXcd V;
 };
 
-/// LAPACK's gesvd. Empty factors where A is empty; NaN where it is not finite.
-[[nodiscard]] SingularValues singular_values(Eigen::MatrixXcd A);
+/// By Jacobi's rotations. Empty factors where A is empty; NaN where it is not finite.
+[[nodiscard]] SingularValues singular_values(const Eigen::MatrixXcd &A);
 
 } // namespace whirl::linalg

@@ -176,7 +176,7 @@ double widest_text(const std::vector<std::string> &texts) {
 
 LegendedFigure beside_legend(double right, int least, int height,
                              const std::vector<std::string> &names) {
-    constexpr double left = 92;
+    constexpr double left = legended_left;
     constexpr double sample = 62; // as gnuplot draws it: the line before a name and the gaps
     const double needed = right + 0.02 * (right - left) + sample + widest_text(names) + 8;
     const int width = std::max(least, static_cast<int>(std::ceil(needed)));

@@ -137,6 +137,8 @@ struct LegendedFigure {
         return panel_margins(left, right, 1 - bottom * pixel, 1 - top * pixel);
     }
 };
+/// Where such panels begin, pixels: room for a name beside numbers of eight characters.
+constexpr int legended_left = 112;
 /// @param right  end of the panels, pixels
 /// @param least  width of the figure where the names are short
 [[nodiscard]] LegendedFigure beside_legend(double right, int least, int height,

@@ -341,7 +341,7 @@ Figure polar_figure(const model::Case &scene, const ResponseResult &result, cons
     }
     drawn.add("$tops with points pt 6 ps 1.5 lw 1.6 lc rgb '#000000' title " + plot_text(names[0]));
     constexpr int pixels = 640;
-    const LegendedFigure room = beside_legend(92 + pixels, 980, 800, names);
+    const LegendedFigure room = beside_legend(legended_left + pixels, 1000, 800, names);
     const bool probes = !result.probes.empty();
     return figure_of(
         room.width, room.height, "Polar plot: " + title_of(scene),
