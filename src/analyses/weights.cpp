@@ -45,10 +45,6 @@ constexpr std::size_t most_choices = 10;
 
 Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
-std::string plane_name(const model::Rotor &rotor, std::size_t i) {
-    return rotor.planes[i].name.empty() ? fmt::format("plane {}", i + 1) : rotor.planes[i].name;
-}
-
 [[noreturn]] void refuse(const model::Case &scene, const std::string &problem) {
     throw model::BadInput(fmt::format("{}: {}", scene.file.string(), problem));
 }
@@ -138,7 +134,7 @@ class Measured {
                 refuse(_scene,
                        fmt::format("trial: expected a trial weight in plane \"{}\" that changes a "
                                    "reading, got runs that read as they do without it",
-                                   plane_name(_scene.rotor, static_cast<std::size_t>(p))));
+                                   _scene.rotor.plane_name(static_cast<std::size_t>(p))));
     }
 
     /// In an order of their own: the table may have any.
@@ -337,7 +333,7 @@ class Answer {
     Balance _balance;
     Eigen::VectorXcd _w;
 
-    [[nodiscard]] std::string name(std::size_t plane) const { return plane_name(_rotor, plane); }
+    [[nodiscard]] std::string name(std::size_t plane) const { return _rotor.plane_name(plane); }
     [[nodiscard]] std::vector<std::string> names(const std::vector<std::size_t> &planes) const {
         std::vector<std::string> out;
         for (const std::size_t plane : planes)
@@ -373,13 +369,20 @@ class Answer {
 
     void note_solution(const Solution &best) {
         std::vector<Sentence> &notes = _result.model.notes;
-        if (!best.unique)
-            notes.emplace_back(
-                _balance.H.cols() > _balance.H.rows()
-                    ? "more planes than readings: other weights leave the same; these are the "
-                      "smallest, by the sum of their squares"
-                    : "some planes do nothing that others cannot do: other weights leave the same; "
-                      "these are the smallest, by the sum of their squares");
+        if (!best.unique) {
+            const bool many = _balance.H.cols() > _balance.H.rows();
+            if (best.shortest)
+                notes.emplace_back(
+                    many ? "more planes than readings: other weights leave the same; these are the "
+                           "smallest, by the sum of their squares"
+                         : "some planes do nothing that others cannot do: other weights leave the "
+                           "same; these are the smallest, by the sum of their squares");
+            else
+                notes.emplace_back(
+                    many ? "more planes than readings: other weights may leave the same"
+                         : "some planes do nothing that others cannot do: other weights may leave "
+                           "the same");
+        }
         if (best.bounded)
             notes.emplace_back("a weight is at its bound (plane.max): without bounds less would "
                                "stay");

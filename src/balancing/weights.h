@@ -29,7 +29,8 @@ struct Solution {
     double bound = 0;
     /// Other weights do as well; of least squares without bounds these are the smallest.
     bool unique = true;
-    bool bounded = false; ///< some plane is at its bound
+    bool bounded = false;  ///< without the bounds of the planes less would stay
+    bool shortest = false; ///< of all that leave the same, the least sum of squares
 };
 
 /// The weights of least sum of squares of |factor residual|.

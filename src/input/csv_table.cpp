@@ -9,6 +9,7 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 namespace whirl::input {
 namespace {
@@ -128,6 +129,45 @@ Heading heading_of(std::string_view cell) {
         std::string_view unit = cell.substr(bracket + 1);
         unit = unit.substr(0, cell[bracket] == '[' ? unit.find(']') : unit.rfind(')'));
         out.unit = trimmed(unit);
+    }
+    return out;
+}
+
+/// A unit of a column, without the words that say how a vibration is read.
+struct ColumnUnit {
+    std::string unit;
+    std::optional<double> amplitude; ///< of a harmonic vibration for a reading of 1
+};
+ColumnUnit column_unit(std::string_view text, Quantity quantity) {
+    struct Words {
+        std::string_view words;
+        double amplitude;
+    };
+    // The longest first where one is in another.
+    static constexpr std::array readings{Words{"peak-to-peak", 0.5},
+                                         Words{"peak to peak", 0.5},
+                                         Words{"pk-pk", 0.5},
+                                         Words{"pkpk", 0.5},
+                                         Words{"p-p", 0.5},
+                                         Words{"pp", 0.5},
+                                         Words{"0-peak", 1},
+                                         Words{"0-pk", 1},
+                                         Words{"0-p", 1},
+                                         Words{"peak", 1},
+                                         Words{"pk", 1},
+                                         Words{"rms", std::numbers::sqrt2}};
+    ColumnUnit out{std::string(text), {}};
+    if (quantity != Quantity::amplitude && quantity != Quantity::influence)
+        return out;
+    for (const Words &one : readings) {
+        const std::size_t at = text.find(one.words);
+        const std::size_t end = at + one.words.size();
+        if (at == std::string_view::npos || at == 0 || text[at - 1] != ' ' ||
+            (end < text.size() && text[end] != ' ' && text[end] != '/'))
+            continue;
+        out.unit = std::string(trimmed(text.substr(0, at))) + std::string(text.substr(end));
+        out.amplitude = one.amplitude;
+        break;
     }
     return out;
 }
@@ -317,10 +357,11 @@ void CsvTable::read_column(const std::string &cell, const std::vector<CsvRule> &
         column.quantity = rule->quantity;
     }
     if (column.quantity && unit) {
-        const auto factor = unit_factor(*unit, *column.quantity);
-        column.unit = factor.has_value();
-        column.factor = factor.value_or(1);
-        if (!factor)
+        const ColumnUnit own = column_unit(*unit, *column.quantity);
+        const auto factor = unit_factor(own.unit, *column.quantity);
+        if (factor)
+            column.take(*factor * own.amplitude.value_or(1), own.amplitude.has_value());
+        else
             refuse_it(fmt::format("expected a unit of {} in the header, got {}{}",
                                   describe(*column.quantity), in_quotes(*unit),
                                   unit_hint(*unit, *column.quantity)));
@@ -333,7 +374,7 @@ void CsvTable::read_column(const std::string &cell, const std::vector<CsvRule> &
 bool CsvTable::read_units(const Line &line) {
     if (line.cells.size() < _columns.size() || !_usable)
         return false;
-    std::vector<double> factors(_columns.size(), 0);
+    std::vector<std::optional<ColumnUnit>> units(_columns.size());
     bool any = false;
     for (std::size_t i = 0; i < _columns.size(); ++i) {
         std::string_view unit = line.cells[i];
@@ -343,18 +384,23 @@ bool CsvTable::read_units(const Line &line) {
             continue;
         if (!_columns[i].quantity || _columns[i].unit)
             return false;
-        const auto factor = unit_factor(unit, *_columns[i].quantity);
-        if (!factor)
+        units[i] = column_unit(unit, *_columns[i].quantity);
+        if (!unit_factor(units[i]->unit, *_columns[i].quantity))
             return false;
-        factors[i] = *factor;
         any = true;
     }
-    for (std::size_t i = 0; any && i < _columns.size(); ++i)
-        if (factors[i] != 0) {
-            _columns[i].factor = factors[i];
-            _columns[i].unit = true;
-        }
+    for (std::size_t i = 0; i < _columns.size(); ++i)
+        if (units[i])
+            _columns[i].take(*unit_factor(units[i]->unit, *_columns[i].quantity) *
+                                 units[i]->amplitude.value_or(1),
+                             units[i]->amplitude.has_value());
     return any;
+}
+
+void CsvTable::Column::take(double unit_factor, bool says_reading) {
+    factor = unit_factor;
+    unit = true;
+    reading = says_reading;
 }
 
 void CsvTable::add_line(Line line) {
@@ -440,6 +486,11 @@ bool CsvTable::has_unit(const std::string &column) const {
     return found && (found->unit || std::ranges::none_of(_lines, [&](const Line &line) {
                          return parse_number(cell(line, *found)).has_value();
                      }));
+}
+
+bool CsvTable::says_reading(const std::string &column) const {
+    const Column *found = find(column);
+    return found && found->reading;
 }
 
 void CsvTable::fail(const std::string &column, std::string text) const {

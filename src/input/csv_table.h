@@ -41,6 +41,9 @@ class CsvTable {
     [[nodiscard]] bool has(const std::string &column) const { return find(column) != nullptr; }
     /// Whether the header of the column or all its cells say in which unit they are.
     [[nodiscard]] bool has_unit(const std::string &column) const;
+    /// Whether its unit says how a vibration is read, as in "um pk-pk" or "mil rms": what stands in
+    /// the column is then read as amplitudes.
+    [[nodiscard]] bool says_reading(const std::string &column) const;
     /// Collects a mistake at the header.
     void fail(const std::string &column, std::string text) const;
 
@@ -50,7 +53,9 @@ class CsvTable {
         std::string name;
         std::optional<Quantity> quantity;
         double factor = 1; ///< of its unit to SI
-        bool unit = false; ///< given in the header
+        bool unit = false;    ///< given in the header
+        bool reading = false; ///< how a vibration is read is given there too
+        void take(double unit_factor, bool says_reading);
     };
     struct Line {
         int number = 0;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <numbers>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -30,15 +31,27 @@ bool same(const std::optional<double> &a, const std::optional<double> &b) {
            (!a || std::abs(*a - *b) <= same_speed * std::max(std::abs(*a), std::abs(*b)));
 }
 
-/// " at 314.159 rad/s", or nothing without a speed.
-std::string at_speed(const std::optional<double> &speed) {
-    return speed ? fmt::format(" at {:.6g} rad/s", *speed) : "";
+/// In the units of most tables: "314.159 rad/s (3000 rpm)".
+std::string speed_text(double speed) {
+    return fmt::format("{:.6g} rad/s ({:.7g} rpm)", speed, speed * 30 / std::numbers::pi);
 }
 
-template <class Items> std::vector<std::string> names_in(const Items &items) {
+/// " at 314.159 rad/s (3000 rpm)", or nothing without a speed.
+std::string at_speed(const std::optional<double> &speed) {
+    return speed ? " at " + speed_text(*speed) : "";
+}
+
+std::vector<std::string> plane_names(const model::Rotor &rotor) {
     std::vector<std::string> names;
-    for (const auto &item : items)
-        names.push_back(item.name);
+    for (const model::CorrectionPlane &plane : rotor.planes)
+        names.push_back(plane.name);
+    return names;
+}
+
+std::vector<std::string> probe_names(const model::Rotor &rotor) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < rotor.probes.size(); ++i)
+        names.push_back(rotor.probe_name(i));
     return names;
 }
 
@@ -75,8 +88,8 @@ std::string name_in_row(const CsvRow &row, const std::string &column) {
 class WeightsReader {
   public:
     WeightsReader(CheckedTable &table, CheckedTable &root, model::Case &scene)
-        : _table(table), _root(root), _scene(scene), _planes(names_in(scene.rotor.planes)),
-          _probes(names_in(scene.rotor.probes)) {}
+        : _table(table), _root(root), _scene(scene), _planes(plane_names(scene.rotor)),
+          _probes(probe_names(scene.rotor)) {}
 
     model::WeightsSettings read() {
         read_plain_entries();
@@ -238,6 +251,12 @@ class WeightsReader {
                                    {"plane", {}},
                                    {"amplitude", Quantity::influence},
                                    {"phase", Quantity::angle}});
+        if (influence && readings && !influence->says_reading("amplitude") &&
+            readings->says_reading("amplitude"))
+            influence->fail("amplitude",
+                            "expected a unit that says how the vibration was read, as the heading "
+                            "of the readings does, for example \"um pk-pk/(g mm)\" or \"um "
+                            "peak/(g mm)\", got one that does not say");
         if (influence)
             read_influence(*influence);
     }
@@ -271,6 +290,17 @@ class WeightsReader {
         const bool there = found != of_probe->second.end() &&
                            found->first <= wanted + same_speed * std::abs(wanted);
         return there ? std::optional(found->second) : std::nullopt;
+    }
+
+    /// ", the nearest is 314.159 rad/s (3000 rpm)": nothing where the probe was not read at any speed.
+    std::string nearest_speed(const std::string &probe, const std::optional<double> &speed) const {
+        const auto of_probe = _places.find(probe);
+        if (of_probe == _places.end() || !speed)
+            return "";
+        const auto nearest = std::ranges::min_element(of_probe->second, {}, [&](const auto &place) {
+            return std::abs(place.first - *speed);
+        });
+        return nearest->first < 0 ? "" : fmt::format(", the nearest is {}", speed_text(nearest->first));
     }
 
     void read_readings(const CsvTable &csv) {
@@ -366,16 +396,25 @@ class WeightsReader {
             if (read.run == runout_run)
                 of_runout[read.probe].push_back(&read);
         std::vector<std::optional<std::complex<double>>> runout;
+        std::set<std::string> without;
         for (const model::ReadingPlace &place : _settings.places) {
             bool several = false;
             const std::vector<const ReadRow *> &own = of_runout[place.probe];
             runout.push_back(runout_at(own, place.speed, several));
+            if (own.empty() && !of_runout.empty())
+                without.insert(place.probe);
             if (several)
                 own.front()->row.fail(
                     "run", fmt::format("expected runout of probe {} at one speed, that of "
                                        "slow roll, or at all of them, got none{}",
                                        in_quotes(place.probe), at_speed(place.speed)));
         }
+        if (without.size() < _places.size()) // else the probes of runout are others, which is told
+            for (const std::string &probe : without)
+                _table.context().remarks.emplace_back(
+                    "weights.readings: no runout of probe {}: its readings are taken as vibration "
+                    "alone, those of others without their runout",
+                    probe);
         for (const ReadRow &read : rows) {
             if (read.run == runout_run) {
                 if (!_places.contains(read.probe))
@@ -388,8 +427,9 @@ class WeightsReader {
             if (!place) {
                 read.row.fail("speed",
                               fmt::format("expected a speed at which probe {} has a reading of the "
-                                          "run \"initial\", got one without{}",
-                                          in_quotes(read.probe), at_speed(read.speed)));
+                                          "run \"initial\", got one without{}{}",
+                                          in_quotes(read.probe), at_speed(read.speed),
+                                          nearest_speed(read.probe, read.speed)));
                 continue;
             }
             const std::size_t run =

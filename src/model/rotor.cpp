@@ -118,4 +118,14 @@ std::vector<double> Rotor::table_bends() const {
     return out;
 }
 
+std::string Rotor::probe_name(std::size_t probe) const {
+    const std::string &own = probes[probe].name;
+    return own.empty() ? fmt::format("probe {}", probe + 1) : own;
+}
+
+std::string Rotor::plane_name(std::size_t plane) const {
+    const std::string &own = planes[plane].name;
+    return own.empty() ? fmt::format("plane {}", plane + 1) : own;
+}
+
 } // namespace whirl::model

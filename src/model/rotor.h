@@ -47,6 +47,11 @@ struct Rotor {
     /// one that it names, else the nearest. None: that has no pedestal, and stands still.
     [[nodiscard]] std::optional<std::size_t> pedestal_of(const Probe &probe) const;
 
+    /// By which correction weights and their tables know them: "probe 2" is the second where it has
+    /// no name.
+    [[nodiscard]] std::string probe_name(std::size_t probe) const;
+    [[nodiscard]] std::string plane_name(std::size_t plane) const;
+
     /// Something holds for the coefficients of every bearing at every speed.
     template <class Predicate> [[nodiscard]] bool every_row(Predicate holds) const {
         return std::ranges::all_of(

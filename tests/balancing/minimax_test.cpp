@@ -161,6 +161,29 @@ TEST(LeastSquares, OfMorePlanesThanPlacesIsTheShortest) {
     }
 }
 
+/// Two planes in one place share what one of them may not hold: bounds cost nothing there.
+TEST(Bounds, ThatCostNothingAreNotSaidToCost) {
+    Random random(21);
+    for (int draw = 0; draw < 10; ++draw) {
+        Balance balance = random_balance(random, 6, 2);
+        const double alone =
+            std::abs(balancing::least_squares(balance.of_planes({0})).w(0)); // within any phase
+        balance.H.col(1) = balance.H.col(0);
+        balance.largest << 0.8 * alone, 3 * alone;
+        for (const Solution &found :
+             {balancing::least_squares(balance), balancing::minimax(balance)}) {
+            EXPECT_FALSE(found.unique);
+            EXPECT_FALSE(found.bounded) << "draw " << draw;
+        }
+        balance.largest << 0.1 * alone, 0.2 * alone;
+        for (const Solution &found :
+             {balancing::least_squares(balance), balancing::minimax(balance)}) {
+            EXPECT_TRUE(found.bounded) << "draw " << draw;
+            EXPECT_FALSE(found.shortest);
+        }
+    }
+}
+
 TEST(LeastSquares, WithFactorsIsThatOfRowsRepeated) {
     Random random(9);
     Balance balance = random_balance(random, 5, 2);

@@ -115,6 +115,43 @@ TEST(SimulatedReadings, InAnyOrderGiveTheSame) {
     }
 }
 
+TEST(SimulatedReadings, WithoutTheRunoutOfOneProbeAreRemarkedOn) {
+    std::vector<std::string> lines = readings_of(Machine(2));
+    const auto remarks = [&] {
+        std::size_t of_runout = 0;
+        for (const model::Sentence &one :
+             measured_case(head + two_trials, {{"runs.csv", joined(lines)}}).remarks)
+            of_runout += one.text().find("no runout of probe p1") != std::string::npos ? 1 : 0;
+        return of_runout;
+    };
+    EXPECT_EQ(remarks(), 0U) << "nobody took any";
+    lines.push_back("250,p0,runout,1,2\n");
+    EXPECT_EQ(remarks(), 1U);
+    for (std::size_t i = 1; i < probes; ++i)
+        lines.push_back(fmt::format("250,p{},runout,1,2\n", i));
+    EXPECT_EQ(remarks(), 0U);
+}
+
+/// A harmonic vibration of amplitude 1 is 2 from peak to peak and 1/sqrt(2) root mean square.
+TEST(SimulatedReadings, FromPeakToPeakGiveTheSame) {
+    const Machine machine(3);
+    const auto before = answer(head + two_trials, joined(readings_of(machine)));
+    const std::vector<std::pair<std::string, std::vector<Phasor>>> runs{
+        {"initial", {0, 0}}, {"t1", {trial[0], 0}}, {"t2", {0, trial[1]}}};
+    for (const auto &[unit, factor] : std::vector<std::pair<std::string, double>>{
+             {"um pk-pk", 2}, {"um pp", 2}, {"um peak", 1}, {"um rms", 1 / std::numbers::sqrt2}})
+        for (const bool below : {false, true}) {
+            std::string text = below
+                                   ? "speed,probe,run,amplitude,phase\nrpm,,," + unit + ",deg\n"
+                                   : "speed [rpm],probe,run,amplitude [" + unit + "],phase [deg]\n";
+            for (const auto &[run, weights] : runs)
+                for (std::size_t i = 0; i < places; ++i)
+                    text += line_of(i, run, factor * machine.reading(i, weights));
+            SCOPED_TRACE(text.substr(0, 80));
+            expect_alike(before, answer(head + two_trials, text), 1e-12);
+        }
+}
+
 TEST(SimulatedReadings, InOtherUnitsGiveTheSame) {
     const Machine machine(3);
     const auto before = answer(head + two_trials, joined(readings_of(machine)));

@@ -232,6 +232,29 @@ TEST(WeightsOfAUniformShaft, NeedTwoPlanesMoreThanItHasBendingMotions) {
     EXPECT_GT(left_with({0.5}), 0.02);
 }
 
+/// Probes on pedestals and against them read there what `response` says that they read.
+TEST(WeightsOfAFan, ReadProbesOnPedestalsAsTheResponseDoes) {
+    model::Case scene = input::load_case(WHIRL_ROOT "/cases/id_fan");
+    ASSERT_GE(scene.rotor.probes.size(), 3U);
+    scene.rotor.probes[0].relative = true;
+    ASSERT_TRUE(scene.rotor.pedestal_of(scene.rotor.probes[0]));
+    ASSERT_TRUE(std::ranges::any_of(scene.rotor.probes, &model::Probe::on_pedestal));
+    model::CorrectionPlane plane;
+    plane.z = scene.rotor.imbalances.front().z;
+    scene.rotor.planes = {plane};
+    scene.weights = model::WeightsSettings{};
+    scene.weights->speeds = {900 * rpm};
+    const results::WeightsResult weights = analyses::correction_weights(scene);
+    scene.speeds = model::SpeedRange{900 * rpm, 900 * rpm, 1};
+    scene.operation.reset();
+    const results::ResponseResult response = analyses::unbalance_response(scene);
+    ASSERT_EQ(weights.residual.size(), response.probes.size());
+    for (std::size_t i = 0; i < response.probes.size(); ++i)
+        EXPECT_NEAR(std::abs(weights.residual[i].before), response.probes[i].amplitude[0],
+                    1e-9 * response.probes[i].amplitude[0])
+            << i;
+}
+
 /// What has no coefficients, no speeds, no probes or nothing to balance.
 TEST(WeightsOfACompressor, OfAnAsymmetricRotorAreRefused) {
     model::Case scene = from_model(compressor());

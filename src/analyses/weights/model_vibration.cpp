@@ -25,8 +25,10 @@ model::Case without_balancers(const model::Case &scene) {
     return bare;
 }
 
-std::string probe_name(const model::Rotor &rotor, std::size_t i) {
-    return rotor.probes[i].name.empty() ? fmt::format("probe {}", i + 1) : rotor.probes[i].name;
+/// What the probe reads: the shaft, against its pedestal or not, or the pedestal.
+std::complex<double> read(const forced::ForcedMotion &motion, const assembly::Discretization &d,
+                          const model::Probe &probe) {
+    return forced::reading(motion.motion(forced::stretch_of_probe(d, probe)), probe.angle);
 }
 
 [[noreturn]] void refuse_places(const model::Case &scene, const std::string &problem) {
@@ -90,9 +92,9 @@ std::vector<model::ReadingPlace> ModelVibration::places() const {
         for (std::size_t i = 0; i < _rotor.probes.size(); ++i) {
             double factor = 1;
             for (const auto &[name, own] : _settings.factors)
-                if (name == probe_name(_rotor, i))
+                if (name == _rotor.probe_name(i))
                     factor = own;
-            places.push_back({probe_name(_rotor, i), speed, factor});
+            places.push_back({_rotor.probe_name(i), speed, factor});
         }
     return places;
 }
@@ -113,9 +115,8 @@ Eigen::VectorXcd ModelVibration::readings(const assembly::Discretization &d,
                 refuse_resonance(*speed);
         }
         for (std::size_t k = 0; k < _rotor.probes.size(); ++k)
-            if (probe_name(_rotor, k) == places[i].probe)
-                out(static_cast<Eigen::Index>(i)) =
-                    turned(forced::reading(motion.at(_rotor.probes[k].z), _rotor.probes[k].angle));
+            if (_rotor.probe_name(k) == places[i].probe)
+                out(static_cast<Eigen::Index>(i)) = turned(read(motion, d, _rotor.probes[k]));
     }
     return out;
 }
@@ -149,7 +150,7 @@ void ModelVibration::add_curves(const Eigen::VectorXcd &weights,
     const assembly::Discretization after = discretized(with_weights(weights));
     forced::ForcedMotion motion_before(before, _form), motion_after(after, _form);
     for (std::size_t k = 0; k < _rotor.probes.size(); ++k)
-        result.curves.push_back({probe_name(_rotor, k), {}, {}});
+        result.curves.push_back({_rotor.probe_name(k), {}, {}});
     for (const double speed : result.curve_speeds) {
         const auto solve = [speed](forced::ForcedMotion &motion) {
             return forced::solves(motion, speed) && motion.rounding() <= forced::resonance_rounding;
@@ -157,13 +158,12 @@ void ModelVibration::add_curves(const Eigen::VectorXcd &weights,
         const bool known_before = solve(motion_before), known_after = solve(motion_after);
         for (std::size_t k = 0; k < _rotor.probes.size(); ++k) {
             const model::Probe &probe = _rotor.probes[k];
-            const auto read = [&](const forced::ForcedMotion &motion, bool known) {
-                return known ? std::optional(
-                                   std::abs(forced::reading(motion.at(probe.z), probe.angle)))
-                             : std::nullopt;
+            const auto amplitude = [&](const forced::ForcedMotion &motion,
+                                       const assembly::Discretization &d, bool known) {
+                return known ? std::optional(std::abs(read(motion, d, probe))) : std::nullopt;
             };
-            result.curves[k].before.push_back(read(motion_before, known_before));
-            result.curves[k].after.push_back(read(motion_after, known_after));
+            result.curves[k].before.push_back(amplitude(motion_before, before, known_before));
+            result.curves[k].after.push_back(amplitude(motion_after, after, known_after));
         }
     }
 }
