@@ -11,10 +11,11 @@ namespace whirl::model {
 
 namespace {
 
-/// "3", "3 to 4", "1, 2 and 3" in a unit, and its name.
+/// "3", "3 to 4" (where they differ), "1, 2 and 3" in a unit, and its name.
 std::string value_text(const Value &value, const Unit &unit) {
     std::string text;
-    for (std::size_t i = 0; i < value.numbers.size(); ++i) {
+    const bool one = value.from_to && value.numbers.front() == value.numbers.back();
+    for (std::size_t i = 0; i < (one ? 1 : value.numbers.size()); ++i) {
         const bool last = i + 1 == value.numbers.size();
         text += i == 0 ? "" : value.from_to ? " to " : last ? " and " : ", ";
         text += value.sign && value.numbers[i] > 0 ? "+" : "";

@@ -463,6 +463,20 @@ TEST(Checks, WithoutOperatingSpeedsNothingIsJudged) {
     EXPECT_EQ(all.verdict, Judgement::incomplete);
     ASSERT_EQ(all.checks.size(), 1U);
     EXPECT_FALSE(all.checks.front().why.empty());
+    // But that it cannot run everywhere is said, and first.
+    results::StabilityResult stability;
+    stability.unstable = {{200, 300}, {500, 600}};
+    stability.family.emplace();
+    stability.family->unstable = {{250, 350}};
+    analyses::Computed computed;
+    computed.stability = &stability;
+    const Assessment growing = analyses::assess(scene, computed);
+    EXPECT_EQ(growing.verdict, Judgement::incomplete);
+    ASSERT_EQ(growing.checks.size(), 2U);
+    EXPECT_FALSE(growing.checks.front().pass);
+    EXPECT_NE(growing.sentence.text().find("unstable from 200 to 350 rad/s, 500 to 600 rad/s"),
+              std::string::npos)
+        << growing.sentence.text();
 }
 
 TEST(Checks, LevelOne) {

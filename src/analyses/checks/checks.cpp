@@ -232,10 +232,12 @@ void add_margins(std::vector<Check> &checks, const model::Case &scene, const Com
     checks.insert(checks.end(), own.begin(), own.end());
 }
 
+const char *const growth_check = "growth of free motions";
+
 /// Growth of free motions, over all operating speeds.
 Check of_stability(const model::Case &scene, const Computed &computed) {
     Check check;
-    check.name = "growth of free motions";
+    check.name = growth_check;
     check.quantity = model::Quantity::rate;
     check.limit = 0;
     check.source = "stability";
@@ -481,6 +483,38 @@ void add_vibration(std::vector<Check> &checks, const model::Case &scene, const C
     }
 }
 
+/// Without operating speeds nothing is judged; where motions grow is said all the same, first of
+/// all.
+void add_without_operation(std::vector<Check> &checks, const results::StabilityResult *stability) {
+    if (stability != nullptr) {
+        std::vector<Interval> bands =
+            stability->resolved_up_to ? stability->resolved_unstable : stability->unstable;
+        if (stability->family)
+            bands.insert(bands.end(), stability->family->unstable.begin(),
+                         stability->family->unstable.end());
+        std::ranges::sort(bands, {}, &Interval::from);
+        std::vector<Interval> apart; // bands of several positions of balancers overlap
+        for (const Interval &band : bands)
+            if (!apart.empty() && band.from <= apart.back().to)
+                apart.back().to = std::max(apart.back().to, band.to);
+            else
+                apart.push_back(band);
+        std::vector<Sentence> ranges;
+        for (const Interval &band : apart)
+            ranges.emplace_back("{}", as::speed.range(band.from, band.to, 5));
+        if (!ranges.empty()) {
+            checks.push_back(not_judged(
+                growth_check, {"unstable from {}, where the machine must not run; the case does "
+                               "not say where it runs",
+                               model::joined(ranges, ", ")}));
+            checks.back().source = "stability";
+        }
+    }
+    checks.push_back(not_judged("operating speeds",
+                                {"the case does not say at which speeds the machine runs: it needs "
+                                 "[operation] with from and to, and [limits] for its vibration"}));
+}
+
 /// A value as it is compared: "4.2 m/s", "12.4 %".
 Sentence number_of(const Check &check, const std::optional<double> &value) {
     if (!value || std::isnan(*value))
@@ -544,10 +578,7 @@ results::Assessment assess(const model::Case &scene, const Computed &computed) {
         out.checks.push_back(of_stability(scene, computed));
         add_level1(out.checks, scene, computed);
     } else {
-        out.checks.push_back(
-            not_judged("operating speeds", {"the case does not say at which speeds the machine "
-                                            "runs: it needs [operation] with from "
-                                            "and to, and [limits] for its vibration"}));
+        add_without_operation(out.checks, computed.stability);
     }
     // What is not a number passes nothing, wherever it came from.
     for (Check &check : out.checks)

@@ -95,11 +95,11 @@ void note_growing_motions(const model::Case &scene, results::ModelSummary &model
                                  speeds.size(), over, as::rate(largest, 4), as::speed(worst));
         return;
     }
-    model.notes.emplace_back("unstable: free motions grow at {} of {} speeds examined, from "
+    model.notes.emplace_back("unstable: free motions grow at {} of {} speeds examined, {} "
                              "{} (fastest by {} at {}), where the steady motion stated does "
                              "not persist; `stability` finds the onset speed",
-                             growing.size(), speeds.size(), over, as::rate(largest, 4),
-                             as::speed(worst));
+                             growing.size(), speeds.size(), growing.size() > 1 ? "from" : "at",
+                             over, as::rate(largest, 4), as::speed(worst));
 }
 
 } // namespace whirl::analyses

@@ -91,6 +91,12 @@ bool is_one_range(const std::string &text) {
 
 } // namespace
 
+bool says_something(const Json &value) {
+    if (value.is_number_float())
+        return !std::isnan(value.get<double>());
+    return value.is_string() ? !value.get_ref<const std::string &>().empty() : !value.is_null();
+}
+
 std::string page_table(const Texts &table) {
     pugi::xml_document document;
     pugi::xml_node box = document.append_child("div");

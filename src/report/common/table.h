@@ -60,7 +60,12 @@ template <class Row, class Rows>
     return true;
 }
 
-/// The columns that a reader sees. @param reader  &Column<Row>::page or &Column<Row>::text
+/// Not null, not a number that is none and no empty text: of a column without any there is nothing
+/// to be read.
+[[nodiscard]] bool says_something(const Json &value);
+
+/// The columns that a reader sees, but for those without an entry. @param reader &Column<Row>::page
+/// or &Column<Row>::text
 template <class Row, class Rows>
 [[nodiscard]] Texts texts_of(const Columns<Row> &columns, const Rows &rows,
                              Shown Column<Row>::*reader, const std::string &missing,
@@ -76,6 +81,8 @@ template <class Row, class Rows>
             std::vector<Json> values;
             for (std::size_t index = 0; const Row &row : rows)
                 values.push_back(column.written(row, index++, in));
+            if (!values.empty() && std::ranges::none_of(values, says_something))
+                return;
             add_column(table, heading_of(as, in.unit(column.quantity), on_page), values,
                        on_page ? as : for_terminal(as, units.style()), missing);
         };

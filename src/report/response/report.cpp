@@ -492,8 +492,9 @@ model::Sentence answer_of(const ResponseResult &result) {
 std::vector<Section> brief_of(const ResponseResult &result, const Units &units) {
     std::vector<Section> sections = operating_brief(result, units);
     std::vector<ResponsePeak> peaks = result.peaks;
-    std::ranges::stable_sort(peaks, [](const ResponsePeak &a, const ResponsePeak &b) {
-        return a.amplification.value_or(HUGE_VAL) > b.amplification.value_or(HUGE_VAL);
+    // First those without limit, last those whose sharpness is not known.
+    std::ranges::stable_sort(peaks, std::greater(), [](const ResponsePeak &peak) {
+        return peak.amplification.value_or(std::isfinite(peak.value) ? 0.0 : HUGE_VAL);
     });
     if (!peaks.empty())
         sections.push_back({"Peaks, the sharpest first",
