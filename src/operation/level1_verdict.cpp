@@ -23,12 +23,8 @@ bool only_axial(const Level1 &level1) {
 }
 
 Level1Check log_dec_check(const Level1 &level1) {
-    Level1Check check{"log. decrement with the anticipated cross coupling",
-                      level1.anticipated_log_dec,
-                      least_log_dec,
-                      {},
-                      {}};
-    if (check.value)
+    Level1Check check{level1_decrement, level1.anticipated_log_dec, least_log_dec, {}, {}};
+    if (check.value && std::isfinite(*check.value))
         check.passes = *check.value >= check.limit;
     else
         check.why = "with it the motion does not swing, or was not found";
@@ -36,10 +32,18 @@ Level1Check log_dec_check(const Level1 &level1) {
 }
 
 Level1Check ratio_check(const Level1 &level1, const Searched &searched) {
-    Level1Check check{"critical over anticipated cross coupling", {}, least_ratio, {}, {}};
+    Level1Check check{level1_ratio, {}, least_ratio, {}, {}};
     if (level1.critical_cross_coupling) {
         check.value = *level1.critical_cross_coupling / *level1.anticipated;
-        check.passes = *check.value >= check.limit;
+        const double error = std::abs(level1.error) * *check.value;
+        if (*check.value < check.limit)
+            check.passes = false;
+        else if (*check.value - error >= check.limit)
+            check.passes = true;
+        else
+            check.why = std::isfinite(error)
+                            ? "it is nearer to its limit than its error"
+                            : "the error of the critical cross coupling is not known";
         if (searched.grows_with) { // perhaps with less: not judged, or known to be too little
             check.passes = *searched.grows_with < check.limit * *level1.anticipated
                                ? std::optional(false)
@@ -50,9 +54,10 @@ Level1Check ratio_check(const Level1 &level1, const Searched &searched) {
         return check;
     }
     check.why = level1.no_critical;
-    if (searched.never_below == 0)
-        check.passes = false; // it grows without
-    else if (searched.never_below >= check.limit * *level1.anticipated)
+    if (searched.never_below == 0) { // it grows without
+        check.value = 0;
+        check.passes = false;
+    } else if (searched.never_below >= check.limit * *level1.anticipated)
         check.passes = true;
     return check;
 }

@@ -14,6 +14,11 @@ namespace whirl::operation {
 /// @param fastest  maximum continuous speed, rad/s
 [[nodiscard]] results::Level1Stage stage_of(const model::Stage &stage, double fastest);
 
+// What level I asks for, in words.
+inline constexpr const char *level1_decrement =
+    "logarithmic decrement with the anticipated cross coupling";
+inline constexpr const char *level1_ratio = "critical over anticipated cross coupling";
+
 /// What the search for the critical cross coupling leaves to be said, N/m.
 struct Searched {
     double never_below = 0; ///< where none makes a motion grow: the largest that was tried

@@ -7,6 +7,7 @@
 #include "analyses/response.h"
 #include "analyses/stability.h"
 #include "model/errors.h"
+#include "operation/level1_verdict.h"
 #include "support/balancer_parts.h"
 #include "support/two_mass_machine.h"
 
@@ -503,8 +504,11 @@ TEST(Checks, LevelOne) {
     found.anticipated_log_dec = 0.3;
     found.critical_cross_coupling = 2.5e5;
     found.error = 1e-6;
-    const auto with = [&](const results::Level1 &level1) {
-        stability.level1 = level1;
+    found.gas_density = 10; // region A of the standard's figure
+    found.critical_speed_ratio = 2;
+    const auto with = [&](results::Level1 level1, const operation::Searched &searched = {1e6, {}}) {
+        operation::add_verdict(level1, searched);
+        stability.level1 = std::move(level1);
         return all();
     };
     EXPECT_EQ(named(with(found), decrement).front().pass, std::optional(true));
@@ -528,8 +532,8 @@ TEST(Checks, LevelOne) {
     other = found;
     other.critical_cross_coupling.reset(); // it never grows
     EXPECT_EQ(with(other).verdict, Judgement::passes);
-    other.log_dec = {-0.1, -0.2}; // it grows without
-    EXPECT_EQ(with(other).verdict, Judgement::fails);
+    EXPECT_EQ(with(other, {1.5e5, {}}).verdict, Judgement::incomplete) << "tried up to there alone";
+    EXPECT_EQ(with(other, {0, {}}).verdict, Judgement::fails) << "it grows without";
     other = found;
     other.anticipated.reset();
     expect_not_judged(with(other), ratio);

@@ -255,6 +255,7 @@ TEST(Level1, RegionsOfTheStandard) {
         numbers.anticipated = 1;
         numbers.anticipated_log_dec = 0.5;
         numbers.critical_cross_coupling = 3;
+        numbers.error = 1e-6;
         numbers.gas_density = density;
         numbers.critical_speed_ratio = speed_ratio;
         operation::add_verdict(numbers, {});
@@ -274,6 +275,7 @@ TEST(Level1, WhatIsNotKnownIsNotJudged) {
     results::Level1 numbers;
     numbers.anticipated = 1;
     numbers.critical_cross_coupling = 30;
+    numbers.error = 1e-6;
     operation::add_verdict(numbers, {}); // no decrement
     EXPECT_FALSE(numbers.level_two.has_value());
     EXPECT_FALSE(numbers.checks[0].passes.has_value());
@@ -282,6 +284,7 @@ TEST(Level1, WhatIsNotKnownIsNotJudged) {
     numbers.anticipated = 1;
     numbers.anticipated_log_dec = 0.5;
     numbers.critical_cross_coupling = 30;
+    numbers.error = 1e-6;
     operation::add_verdict(numbers, {0, 20}); // a motion that was not followed grows
     EXPECT_FALSE(numbers.level_two.has_value());
     numbers.checks.clear();

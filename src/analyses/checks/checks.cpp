@@ -1,5 +1,6 @@
 #include "analyses/checks/checks.h"
 
+#include "operation/level1_verdict.h"
 #include "operation/limits.h"
 #include "operation/margins.h"
 
@@ -319,17 +320,7 @@ Check of_stability(const model::Case &scene, const Computed &computed) {
 void add_level1(std::vector<Check> &checks, const model::Case &scene, const Computed &computed) {
     if (!scene.level1)
         return;
-    constexpr double least_decrement = 0.1;
-    constexpr double least_ratio = 2;
     const char *const source = "API 617, level I";
-    Check decrement;
-    decrement.name = "logarithmic decrement with the anticipated cross coupling";
-    decrement.limit = least_decrement;
-    decrement.at_least = true;
-    decrement.source = source;
-    Check ratio = decrement;
-    ratio.name = "critical over anticipated cross coupling";
-    ratio.limit = least_ratio;
     const results::StabilityResult *result = computed.stability;
     const results::Level1 *found = result != nullptr && result->level1 ? &*result->level1 : nullptr;
     Sentence why;
@@ -339,62 +330,24 @@ void add_level1(std::vector<Check> &checks, const model::Case &scene, const Comp
     else if (!found->anticipated)
         why = "the case does not say which cross coupling is anticipated";
     if (!why.empty()) {
-        reset(decrement, why);
-        reset(ratio, why);
-        checks.insert(checks.end(), {decrement, ratio});
+        checks.push_back(not_judged(operation::level1_decrement, why, source));
+        checks.push_back(not_judged(operation::level1_ratio, why, source));
         return;
     }
-    for (Check *check : {&decrement, &ratio})
-        check->where =
+    for (const results::Level1Check &own : found->checks) {
+        Check check;
+        check.name = own.name;
+        check.value = own.value;
+        check.limit = own.limit;
+        check.at_least = true;
+        check.source = source;
+        check.where =
             Sentence("cross coupling at z = {}, {}", as::length(found->z), as::speed(found->speed));
-    decrement.value = found->anticipated_log_dec;
-    if (!found->anticipated_log_dec || !std::isfinite(*found->anticipated_log_dec))
-        reset(decrement, "the decrement was not found");
-    else
-        decrement.pass = *found->anticipated_log_dec >= least_decrement;
-    const bool grows_without =
-        !found->log_dec.empty() && !(found->log_dec.front() > 0); // or is not known
-    if (found->critical_cross_coupling) {
-        ratio.value = *found->critical_cross_coupling / *found->anticipated;
-        const double error = std::abs(found->error) * *ratio.value;
-        if (*ratio.value < least_ratio)
-            ratio.pass = false;
-        else if (*ratio.value - error >= least_ratio)
-            ratio.pass = true;
-        else
-            reset(ratio, std::isfinite(error)
-                             ? Sentence("it is nearer to its limit than its error")
-                             : Sentence("the error of the critical cross coupling is not known"));
-    } else if (grows_without) {
-        ratio.value = 0;
-        ratio.pass = false;
-    } else if (found->log_dec.empty()) {
-        reset(ratio, "the critical cross coupling was not found");
-    } else {
-        ratio.value = infinite;
-        ratio.pass = true;
-    }
-    // Axial stages alone are judged by the decrement; in region B more is asked for.
-    const std::string ratio_found = "critical over anticipated cross coupling";
-    std::vector<Check> own{decrement};
-    if (found->checks.empty() ||
-        std::ranges::find(found->checks, ratio_found, &results::Level1Check::name) !=
-            found->checks.end())
-        own.push_back(ratio);
-    for (const results::Level1Check &more : found->checks) {
-        if (more.name == ratio_found || more.name.starts_with("log. decrement"))
-            continue;
-        Check check = decrement;
-        check.name = more.name;
-        check.value = more.value;
-        check.limit = more.limit;
-        check.pass = more.passes;
-        check.why = more.passes ? Sentence() : more.why;
-        own.push_back(std::move(check));
-    }
-    for (Check &check : own)
+        check.pass = own.passes;
+        check.why = own.passes ? Sentence() : own.why;
         apply(doubt_of_rotor(scene), check);
-    checks.insert(checks.end(), own.begin(), own.end());
+        checks.push_back(std::move(check));
+    }
 }
 
 const char *const shaft_name = "vibration of the shaft";
