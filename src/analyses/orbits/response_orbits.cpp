@@ -31,9 +31,9 @@ bool same_resonance(const ResponsePeak &taken, double speed) {
     return std::abs(speed - taken.speed) <= std::max({below, above, near * std::abs(taken.speed)});
 }
 
-/// Speeds of the largest peaks of stations, ascending.
-std::vector<double> speeds_of_peaks(const model::Case &scene,
-                                    const std::vector<ResponsePeak> &peaks) {
+/// Where the machine runs, at its slowest, normal and fastest, and the largest peaks of stations
+/// between, one a resonance; without operating speeds the largest of all peaks. Ascending.
+std::vector<double> usual_speeds(const model::Case &scene, const std::vector<ResponsePeak> &peaks) {
     constexpr std::size_t most = 6;
     std::vector<const ResponsePeak *> largest;
     for (const ResponsePeak &peak : peaks)
@@ -42,20 +42,22 @@ std::vector<double> speeds_of_peaks(const model::Case &scene,
     std::ranges::stable_sort(largest, [](const auto *a, const auto *b) {
         return a->value > b->value * (1 + 1e-9); // not for rounding to choose among equal ones
     });
+    if (!scene.operation)
+        return largest.empty() ? std::vector<double>{} : std::vector{largest.front()->speed};
+    const model::Operation &operation = *scene.operation;
+    std::vector<double> speeds{operation.from};
+    for (const double speed : {operation.normal.value_or(operation.to), operation.to})
+        if (speed > speeds.back())
+            speeds.push_back(speed);
     std::vector<const ResponsePeak *> taken;
     for (const ResponsePeak *peak : largest) {
         const double speed = std::abs(peak->speed);
-        const bool inside =
-            scene.operation && speed >= scene.operation->from && speed <= scene.operation->to;
-        if (inside && taken.size() < most &&
+        if (speed > operation.from && speed < operation.to && taken.size() < most &&
             std::ranges::none_of(taken, [peak](const ResponsePeak *other) {
                 return same_resonance(*other, peak->speed);
             }))
             taken.push_back(peak);
     }
-    if (taken.empty() && !largest.empty())
-        taken.push_back(largest.front());
-    std::vector<double> speeds;
     for (const ResponsePeak *peak : taken)
         speeds.push_back(peak->speed);
     std::ranges::sort(speeds);
@@ -227,7 +229,7 @@ void add_orbits(results::ResponseResult &result, const assembly::Discretization 
     const model::SpeedRange &range = model::required_speeds(scene);
     std::vector<double> speeds = scene.response.orbits_at;
     if (speeds.empty())
-        speeds = speeds_of_peaks(scene, result.peaks);
+        speeds = usual_speeds(scene, result.peaks);
     if (speeds.empty())
         speeds = {range.count > 1 ? range.to : range.from};
     // At a resonance without damping there is a note already, unless the case asks for that speed.

@@ -36,9 +36,9 @@ void watch_clearances(forced::Watched &all, const assembly::Discretization &d);
 [[nodiscard]] std::vector<results::ResponsePeak> clearance_peaks(results::ResponseResult &result,
                                                                  std::size_t other_quantities);
 
-/// Orbits and deflected shapes at the speeds of the case, without any at those of peaks of
-/// stations: inside the operating range, one a resonance, or where there is none the largest of
-/// all. And the largest orbit in each clearance over the range, with a note where it is too large.
+/// Orbits and deflected shapes at the speeds of the case, without any at the operating speeds and
+/// at peaks of stations between them, without these at the largest peak. And the largest orbit in
+/// each clearance over the range, with a note where it is too large.
 ///
 /// @param nodes  as of the response, with their names
 /// @param peaks  of clearance_peaks
