@@ -11,22 +11,18 @@
 
 namespace whirl::cli {
 
-/// Says how far a long analysis is and what it is doing: on a terminal on one line that is written
-/// again and again, else on a new line now and then. A thread of its own writes, so that it says so
-/// too while nothing is reported.
+/// Says on a terminal how far a long analysis is and what it is doing, on one line that is written
+/// again and again. A thread of its own writes, so that it says so too while nothing is reported.
 class ProgressDisplay {
   public:
-    struct Style {
-        bool terminal = true;
+    struct Pace {
         double first = 1;   ///< s, nothing is said before
         double every = 0.2; ///< s, between two times
-        std::FILE *to = stderr;
     };
-    /// A second, then five times a second on a terminal; every ten seconds elsewhere.
-    [[nodiscard]] static Style style_for(bool terminal);
 
     /// Listens to process::on_progress while it lives.
-    explicit ProgressDisplay(const Style &style, report::Units units = {});
+    /// @param to  a terminal
+    ProgressDisplay(std::FILE *to, const Pace &pace, report::Units units = {});
     ~ProgressDisplay();
     ProgressDisplay(const ProgressDisplay &) = delete;
     ProgressDisplay &operator=(const ProgressDisplay &) = delete;
@@ -34,7 +30,8 @@ class ProgressDisplay {
     ProgressDisplay &operator=(ProgressDisplay &&) = delete;
 
   private:
-    Style _style;
+    std::FILE *_to;
+    Pace _pace;
     report::Units _units;
 
     std::mutex _lock;
