@@ -31,19 +31,27 @@ Level1Check log_dec_check(const Level1 &level1) {
     return check;
 }
 
+/// Whether a value that is at least its limit is so by more than its relative error; none: it is
+/// not known.
+std::optional<bool> reaches(double value, double limit, double error) {
+    if (value < limit)
+        return false;
+    return value - std::abs(error) * value >= limit ? std::optional(true) : std::nullopt;
+}
+
+/// Why it is not known.
+Sentence near_limit(double error) {
+    return std::isfinite(error) ? "it is nearer to its limit than its error"
+                                : "the error of the critical cross coupling is not known";
+}
+
 Level1Check ratio_check(const Level1 &level1, const Searched &searched) {
     Level1Check check{level1_ratio, {}, least_ratio, {}, {}};
     if (level1.critical_cross_coupling) {
         check.value = *level1.critical_cross_coupling / *level1.anticipated;
-        const double error = std::abs(level1.error) * *check.value;
-        if (*check.value < check.limit)
-            check.passes = false;
-        else if (*check.value - error >= check.limit)
-            check.passes = true;
-        else
-            check.why = std::isfinite(error)
-                            ? "it is nearer to its limit than its error"
-                            : "the error of the critical cross coupling is not known";
+        check.passes = reaches(*check.value, check.limit, level1.error);
+        if (!check.passes)
+            check.why = near_limit(level1.error);
         if (searched.grows_with) { // perhaps with less: not judged, or known to be too little
             check.passes = *searched.grows_with < check.limit * *level1.anticipated
                                ? std::optional(false)
@@ -77,7 +85,10 @@ bool in_region_b(double density, double speed_ratio) {
 Level1Check region_check(const Level1Check &ratio, const Level1 &level1, const Searched &searched) {
     Level1Check check{
         "critical over anticipated in region B of the standard", ratio.value, enough_ratio, {}, {}};
-    if (ratio.value.value_or(searched.never_below / *level1.anticipated) >= enough_ratio) {
+    const std::optional<bool> enough =
+        ratio.value ? reaches(*ratio.value, enough_ratio, level1.error)
+                    : searched.never_below >= enough_ratio * *level1.anticipated;
+    if (enough == true) {
         check.passes = true;
         return check;
     }
@@ -92,6 +103,10 @@ Level1Check region_check(const Level1Check &ratio, const Level1 &level1, const S
         return check;
     }
     const bool dense = in_region_b(*level1.gas_density, *level1.critical_speed_ratio);
+    if (dense && !enough) {
+        check.why = near_limit(level1.error);
+        return check;
+    }
     check.passes = !dense;
     check.why = {"region {}: gas of {}, critical speed ratio {}", dense ? "B" : "A",
                  results::as::density(*level1.gas_density, 4),

@@ -231,7 +231,7 @@ TEST(ResponseOrbits, no_limit_at_a_resonance_without_damping) {
     EXPECT_TRUE(told);
 }
 
-TEST(ResponseOrbits, without_being_told_at_the_peaks_of_the_operating_range) {
+TEST(ResponseOrbits, without_being_told_where_the_machine_runs_and_at_the_peaks_between) {
     const OnPedestals rotor;
     model::Case scene = rotor.scene(50, 2500);
     const ResponseResult free = unbalance_response(scene);
@@ -247,10 +247,13 @@ TEST(ResponseOrbits, without_being_told_at_the_peaks_of_the_operating_range) {
     const double smaller = peaks[0].value > peaks[1].value ? peaks[1].speed : peaks[0].speed;
     scene.operation = model::Operation{0.9 * smaller, 1.1 * smaller, {}};
     const ResponseResult held = unbalance_response(scene);
-    ASSERT_EQ(held.orbits.size(), 1U);
-    EXPECT_NEAR(held.orbits[0].speed / smaller, 1, 0.02); // the largest of those of one resonance
-    ASSERT_EQ(held.shapes.size(), 1U);
-    EXPECT_EQ(held.shapes[0].speed, held.orbits[0].speed);
+    ASSERT_EQ(held.orbits.size(), 3U);
+    EXPECT_EQ(held.orbits[0].speed, scene.operation->from);
+    EXPECT_NEAR(held.orbits[1].speed / smaller, 1, 0.02); // the largest of those of one resonance
+    EXPECT_EQ(held.orbits[2].speed, scene.operation->to);
+    ASSERT_EQ(held.shapes.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(held.shapes[i].speed, held.orbits[i].speed);
 }
 
 /// A rigid rotor moves as u + tilt (z - 0.5), each from its own equation.

@@ -1,5 +1,6 @@
 #include "analyses/checks/checks.h"
 
+#include "operation/doubt.h"
 #include "operation/level1_verdict.h"
 #include "operation/limits.h"
 #include "operation/margins.h"
@@ -15,6 +16,9 @@ namespace whirl::analyses {
 namespace {
 
 namespace as = results::as;
+using operation::Doubt;
+using operation::doubt_of_rotor;
+using operation::place_in_words;
 using results::Check;
 using results::Interval;
 using results::Measure;
@@ -39,10 +43,6 @@ void reset(Check &check, const Sentence &why) {
 
 Sentence or_else(const Sentence &reason, const char *otherwise) {
     return reason.empty() ? Sentence(otherwise) : reason;
-}
-
-Sentence place_in_words(const char *of, const std::string &name, double z) {
-    return name.empty() ? Sentence("{} at z = {}", of, as::length(z)) : Sentence("{} {}", of, name);
 }
 
 const char *const margin_name = "separation margin";
@@ -83,30 +83,6 @@ bool speeds_cover(const model::Case &scene) {
     return scene.speeds && scene.speeds->count > 1 &&
            scene.speeds->from <= operation::lowest_relevant_speed(operation) * (1 + rounding) &&
            scene.speeds->to >= operation::highest_relevant_speed(operation) * (1 - rounding);
-}
-
-/// Where a rotor is not the one that was computed: either way it says nothing, or it says nothing
-/// good.
-struct Doubt {
-    Sentence why;
-    bool either_way = false;
-};
-
-/// @param from,to  speeds that a judgement needs, rad/s
-Doubt doubt_of_rotor(const model::Case &scene, double from, double to) {
-    if (!scene.rotor.balancers.empty())
-        return {{"peaks and critical speeds are those without the balancers' own parts"}, true};
-    for (const model::Bearing &bearing : scene.rotor.bearings)
-        if (bearing.depends_on_speed() &&
-            (bearing.speeds.front() > from || bearing.speeds.back() < to))
-            return {{"the table of the {} ends inside the speeds that count, {}",
-                     place_in_words(bearing.seal ? "seal" : "bearing", bearing.name, bearing.z),
-                     as::speed.range(from, to)}};
-    return {};
-}
-/// At the operating speeds.
-Doubt doubt_of_rotor(const model::Case &scene) {
-    return doubt_of_rotor(scene, scene.operation->from, operation::top_speed(*scene.operation));
 }
 
 void apply(const Doubt &doubt, Check &check) {

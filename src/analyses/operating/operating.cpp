@@ -2,6 +2,7 @@
 
 #include "forced/response_places.h"
 #include "linalg/roots.h"
+#include "operation/doubt.h"
 #include "operation/limits.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ namespace whirl::analyses {
 namespace {
 
 namespace as = results::as;
+using operation::Doubt;
 using operation::VibrationLimit;
 using results::Measure;
 using results::OperatingPlace;
@@ -104,17 +106,11 @@ std::vector<Spot> spots_in(const assembly::Discretization &d, const model::Case 
     return out;
 }
 
-/// Why the motions computed are not judged.
-struct Doubt {
-    Sentence why;            ///< empty: they are
-    bool either_way = false; ///< no large ones either: the machine is another one
-};
-
 /// Why small motions would say nothing.
 Doubt doubt_of(const model::Case &scene) {
     const model::Rotor &rotor = scene.rotor;
-    if (!rotor.balancers.empty())
-        return {"the response leaves the balancers' own parts out", true};
+    if (Doubt doubt = operation::doubt_of_rotor(scene); !doubt.why.empty())
+        return doubt;
     if (std::ranges::none_of(rotor.imbalances, [](const auto &one) { return one.mr != 0; }))
         return {"there is no imbalance that drives the rotor"};
     std::map<double, std::complex<double>> at; // imbalances at one place act as their sum
@@ -130,17 +126,6 @@ Doubt doubt_of(const model::Case &scene) {
     constexpr double nothing = 1e-15;  // kg m, a billionth of a g mm
     if (largest <= std::max(cancelled * all, nothing))
         return {"the imbalances cancel one another, or are next to nothing"};
-    const model::Operation &operation = *scene.operation;
-    const double top = operation::top_speed(operation);
-    for (const model::Bearing &bearing : rotor.bearings)
-        if (bearing.depends_on_speed() &&
-            (bearing.speeds.front() > operation.from || bearing.speeds.back() < top))
-            return {{"the table of {}{} has no rows beyond {}, and the machine runs at {}",
-                     bearing.seal ? "seal" : "bearing",
-                     bearing.name.empty() ? Sentence(" at z = {}", as::length(bearing.z))
-                                          : Sentence(" {}", bearing.name),
-                     as::speed.range(bearing.speeds.front(), bearing.speeds.back()),
-                     as::speed.range(operation.from, top)}};
     return {};
 }
 
