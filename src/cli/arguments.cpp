@@ -129,6 +129,10 @@ void add_compare(CLI::App &root, Arguments &arguments) {
            "results (JSON), or a command and cases; CASE@key=value: with an entry overridden")
         ->required()
         ->type_name("");
+    app.add_option("--name", arguments.names,
+                   "name of a result in place of its file or case, in their order; repeatable")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
     app.add_option("--out", arguments.out, "folder for the comparison (default out/compare)")
         ->type_name("DIR");
     app.add_flag("--json", arguments.json,
@@ -140,7 +144,8 @@ void add_compare(CLI::App &root, Arguments &arguments) {
     app.add_flag("--quiet", arguments.quiet, "no text on standard output");
     finish(app, "",
            {"before.json after.json", "critical cases/nelson_mcvaugh cases/nelson_mcvaugh_b",
-            "critical cases/nelson_mcvaugh@shaft.order=1 cases/nelson_mcvaugh@shaft.order=10"});
+            "critical cases/nelson_mcvaugh@shaft.order=1 cases/nelson_mcvaugh@shaft.order=10",
+            "response cases/id_fan cases/id_fan@disc[0].mass=4800 --name built --name heavier"});
 }
 
 std::vector<std::string> command_names() {

@@ -22,6 +22,7 @@ struct Arguments {
     bool map = false; ///< balance: over plane positions; critical: over support stiffness as well
     std::vector<std::string> overrides; ///< "path.to.key=value"
     std::vector<std::string> compared;  ///< compare: a command, cases, results
+    std::vector<std::string> names;     ///< compare: of the results, in their order
 };
 
 /// Either arguments, or the exit status of a program that has already answered (help, version) or

@@ -72,6 +72,11 @@ std::vector<report::ComparedResult> results_of(const Arguments &arguments) {
                 name));
         results.push_back(computed(name, *command, arguments.overrides));
     }
+    if (!arguments.names.empty() && arguments.names.size() != results.size())
+        throw model::BadInput(fmt::format("--name: expected one for each of {} results, got {}",
+                                          results.size(), arguments.names.size()));
+    for (std::size_t i = 0; i < arguments.names.size(); ++i)
+        results[i].name = arguments.names[i];
     return results;
 }
 

@@ -41,6 +41,34 @@ class Compare : public testing::Test {
     }
 };
 
+/// What two fans do where they run, under names of one's own: the numbers of `response`.
+TEST_F(Compare, AmplitudesAtOperatingSpeedsAndMargins) {
+    const std::string fan = cases + "id_fan";
+    const std::string lighter = fan + "@disc[0].mass=4400";
+    const json result =
+        compared({"response", fan, lighter, "--name", "built", "--name", "lighter"});
+    EXPECT_EQ(result.at("results")[0].at("name"), "built");
+    EXPECT_EQ(result.at("results")[1].at("name"), "lighter");
+    const ProgramRun done = run({"response", "--json", fan});
+    const json own = json::parse(done.output);
+    const auto first_of = [&](const std::string &name) {
+        for (const json &at : result.at("differences"))
+            if (at.at("quantity") == name)
+                return at.at("first_value").get<double>();
+        ADD_FAILURE() << name;
+        return 0.0;
+    };
+    const json &row = own.at("operating")[0];
+    EXPECT_EQ(first_of("probe " + row.at("name").get<std::string>() +
+                       " against its pedestal, minimum speed: amplitude"),
+              row.at("amplitude").get<double>());
+    const json &margin = own.at("margins")[0];
+    EXPECT_EQ(first_of("separation margin 1, " + margin.at("of").get<std::string>() + " " +
+                       margin.at("name").get<std::string>() + ", %"),
+              margin.at("found").get<double>());
+    EXPECT_EQ(run({"compare", "response", fan, fan, "--name", "one"}).status, 2);
+}
+
 TEST_F(Compare, AResultAgainstItselfIsZero) {
     const std::vector<std::pair<std::string, std::string>> commands{
         {"campbell", rotor},

@@ -52,6 +52,33 @@ void add(Numbers &all, const Sentence &name, Quantity quantity, std::optional<do
                        relative ? std::optional(*relative * std::abs(*value)) : std::nullopt});
 }
 
+/// Separation margins, %, of peaks and of critical speeds, as they are listed.
+void add_margins(const Json &json, Numbers &all) {
+    std::map<std::string, int> counted;
+    for (const Json &margin : list(json, "margins")) {
+        const std::string of = text(margin, "of");
+        const Sentence place = of.empty() ? Sentence("{} whirl", text(margin, "whirl"))
+                                          : Sentence("{} {}", of, name_or_place(margin));
+        add(all, Sentence("separation margin {}, {}, %", ++counted[place.text()], place),
+            Quantity::number, number(margin, "found"), std::nullopt);
+    }
+}
+
+/// Amplitudes, forces and shares of clearances where the machine runs.
+void add_operating(const Json &json, Numbers &all) {
+    for (const Json &row : list(json, "operating")) {
+        const bool against = row.value("relative", Json()) == true;
+        const Sentence place("{} {}{}, {} speed", text(row, "of"), name_or_place(row),
+                             against ? " against its pedestal" : "", text(row, "at"));
+        add(all, Sentence("{}: amplitude", place), Quantity::amplitude, number(row, "amplitude"),
+            number(row, "error"));
+        add(all, Sentence("{}: force", place), Quantity::force, number(row, "force"),
+            number(row, "error"));
+        add(all, Sentence("{}: share of the clearance", place), Quantity::number,
+            number(row, "clearance_share"), number(row, "error"));
+    }
+}
+
 void of_critical(const Json &json, Numbers &all) {
     std::map<std::string, int> counted;
     for (const Json &at : list(json, "critical_speeds")) {
@@ -59,6 +86,7 @@ void of_critical(const Json &json, Numbers &all) {
         add(all, Sentence("critical speed, {} {}", whirl, ++counted[whirl]), Quantity::speed,
             number(at, "speed"), number(at, "error"));
     }
+    add_margins(json, all);
 }
 
 /// Relative error of a crossing with `multiple` times the spin speed s by that of the frequency w
@@ -114,6 +142,8 @@ void of_campbell(const Json &json, Numbers &all) {
 }
 
 void of_response(const Json &json, Numbers &all) {
+    add_operating(json, all);
+    add_margins(json, all);
     std::map<std::string, int> counted;
     for (const Json &peak : list(json, "peaks")) {
         const std::string of = text(peak, "of");
