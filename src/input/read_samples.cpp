@@ -14,8 +14,8 @@ namespace whirl::input {
 namespace {
 
 const std::vector<std::string> distribution_words{"normal", "uniform", "values"};
-const std::vector<std::string> answer_words{"critical", "peaks",   "ends",
-                                            "residual", "damping", "margins"};
+const std::vector<std::string> answer_words{"critical", "peaks",   "ends",     "residual",
+                                            "damping",  "margins", "operating"};
 
 void read_normal(CheckedTable &table, const NumericEntries &entries, model::UncertainInput &input) {
     const Quantity quantity = entries.quantity;
@@ -129,7 +129,8 @@ void read_wanted(CheckedTable &table, const model::Case &scene, model::WantedAns
             list->fail(fmt::format("expected a list of \"{}\", got {}",
                                    fmt::join(answer_words, "\" or \""), shown(list->node)));
         const std::array flags{&wanted.critical, &wanted.peaks,   &wanted.ends,
-                               &wanted.residual, &wanted.damping, &wanted.margins};
+                               &wanted.residual, &wanted.damping, &wanted.margins,
+                               &wanted.operating};
         wanted.critical = false;
         for (const CheckedEntry &item : list->items()) {
             const auto found = std::ranges::find(answer_words, item.node.text);
@@ -139,8 +140,12 @@ void read_wanted(CheckedTable &table, const model::Case &scene, model::WantedAns
                 item.fail(one_of(answer_words, item.node));
         }
     }
-    if (wanted.margins && !scene.operation)
-        table.fail("of", "expected operating speeds in [operation] for \"margins\", got none");
+    for (const auto &[asked, word] :
+         {std::pair(wanted.margins, "margins"), std::pair(wanted.operating, "operating")})
+        if (asked && !scene.operation)
+            table.fail("of", fmt::format("expected operating speeds in [operation] for \"{}\", got "
+                                         "none",
+                                         word));
     if (table.has("at")) // of the damping alone
         wanted.at = table.numbers("at", Quantity::speed);
     else if (scene.operation) {

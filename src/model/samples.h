@@ -33,6 +33,7 @@ struct WantedAnswers {
     bool residual = false;  ///< what a motion in time leaves of the unbalanced amplitude
     bool damping = false;   ///< logarithmic decrements of the whirl modes at `at`
     bool margins = false;   ///< separation margins of the critical speeds
+    bool operating = false; ///< amplitudes and forces at the operating speeds
     std::vector<double> at; ///< spin speeds, rad/s
 };
 

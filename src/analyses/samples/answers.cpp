@@ -129,6 +129,38 @@ std::vector<Answer> answers_of(const std::vector<results::ResponsePeak> &peaks) 
     return out;
 }
 
+/// The machine at its operating speeds, which are all that is looked at.
+results::ResponseResult operating_alone(model::Case scene) {
+    scene.limits.reset();
+    scene.speeds = model::SpeedRange{scene.operation->to, scene.operation->to, 1};
+    results::ResponseResult result = unbalance_response(scene);
+    if (!result.operating || result.operating->rows.empty())
+        throw model::BadInput("of: expected something that drives the rotor, as an [[imbalance]], "
+                              "for \"operating\", got a rotor without");
+    return result;
+}
+
+std::vector<Answer> answers_of(const results::OperatingResponse &operating) {
+    std::vector<Answer> out;
+    std::map<std::string, int> count; // of the places at a speed
+    for (const results::OperatingRow &row : operating.rows) {
+        const std::string key = fmt::format("operating {} {}", row.at, ++count[row.at]);
+        const bool named = !row.name.empty();
+        const auto add = [&](const char *what, Quantity quantity, double value) {
+            out.push_back({fmt::format("{} {}", key, what), "operating",
+                           row.of + " " + (named ? row.name : "z = "),
+                           named ? std::nullopt : std::optional(row.z),
+                           fmt::format("{}, {} speed, {}",
+                                       row.relative ? " against its pedestal" : "", row.at, what),
+                           quantity, value, true, row.error});
+        };
+        add("amplitude", Quantity::amplitude, row.amplitude);
+        if (row.force)
+            add("force", Quantity::force, *row.force);
+    }
+    return out;
+}
+
 /// The border of the range is no end.
 std::vector<Answer> answers_of(const UnstableBands &found, const model::SpeedRange &range) {
     std::vector<Answer> out;
@@ -275,6 +307,10 @@ Answers::Answers(const model::Case &scene, model::WantedAnswers wanted, Naming n
         const results::ResponseResult result = response_peaks(scene, true);
         _peaks_order = take(result.model, answers_of(result.peaks));
     }
+    if (_wanted.operating) {
+        const results::ResponseResult result = operating_alone(scene);
+        _operating_order = take(result.model, answers_of(*result.operating));
+    }
     if (_wanted.damping) {
         const WhirlDamping found = damping_at(scene, 0, _wanted.at, naming);
         _damping_order = take(found.model, found.answers);
@@ -305,6 +341,8 @@ std::vector<Answer> Answers::of(const model::Case &scene) const {
         const model::Case own = with_order(scene, _peaks_order);
         append(out, answers_of(response_peaks(own, false).peaks));
     }
+    if (_wanted.operating)
+        append(out, answers_of(*operating_alone(with_order(scene, _operating_order)).operating));
     if (_wanted.damping)
         append(out, damping_at(scene, _damping_order, _wanted.at, _naming).answers);
     if (_wanted.ends) {

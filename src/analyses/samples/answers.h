@@ -13,8 +13,9 @@ namespace whirl::analyses {
 
 /// A number that a rotor answers with.
 struct Answer {
-    std::string key;          ///< which one: the same for all rotors
-    std::string of;           ///< "critical", "peaks", "ends", "residual", "damping" or "margins"
+    std::string key; ///< which one: the same for all rotors
+    /// "critical", "peaks", "ends", "residual", "damping", "margins" or "operating".
+    std::string of;
     std::string name;         ///< in front of `at` and behind it
     std::optional<double> at; ///< between the two: z of a place that has no name, or a speed; SI
     std::string behind;
@@ -57,7 +58,7 @@ class Answers {
     results::ModelSummary _model;
     std::optional<synchronous::SharedShapes> _shapes; ///< of the case as it is, for its samples
     int _critical_order = 1, _peaks_order = 1, _ends_order = 1, _motion_order = 1;
-    int _damping_order = 1;
+    int _damping_order = 1, _operating_order = 1;
 };
 
 } // namespace whirl::analyses

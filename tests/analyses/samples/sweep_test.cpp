@@ -120,6 +120,40 @@ TEST(Sweep, MarginsAreToTheNearerEndOfTheOperatingSpeeds) {
     EXPECT_NEAR(nearest.values[1].value(), 100 * (std::sqrt(8e6 / swept_mass) / 800 - 1), 1e-6);
 }
 
+// m x'' + c x' + k x = U W^2 exp(i W t): |x| = U W^2 / |k - m W^2 + i c W|, and the spring and
+// damper carry |k + i c W| |x|.
+TEST(Sweep, AmplitudesAndForcesWhereTheMachineRuns) {
+    model::Case scene = swept_disc();
+    constexpr double c = 100, U = 1e-4, W = 800;
+    scene.rotor.bearings[0].rows[0].c = c * Eigen::Matrix2d::Identity();
+    scene.rotor.imbalances = {tests::imbalance_at(0.5, U, 0.4)};
+    scene.rotor.probes.push_back({"x", 0.5, 0});
+    scene.operation = model::Operation{500, W, std::nullopt};
+    model::SweepSettings settings;
+    settings.of.critical = false;
+    settings.of.operating = true;
+    settings.axes = {
+        {"k", {{"k", 1e6}}, model::SweepChange::value, model::Quantity::stiffness, {1e6, 8e6}}};
+    scene.sweep = settings;
+    const SweepResult result = analyses::sweep(scene, swept(scene));
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double k = settings.axes[0].values[i];
+        const double x = U * W * W / std::hypot(k - swept_mass * W * W, c * W);
+        const auto named = [&](const std::string &of, const std::string &what) {
+            for (const SampledAnswer &answer : result.answers)
+                if (const std::string name = answer.name.text();
+                    name.starts_with(of) && name.ends_with("maximum speed, " + what))
+                    return answer.values[i].value();
+            throw std::runtime_error("no answer of " + of);
+        };
+        EXPECT_NEAR(named("probe x", "amplitude") / x, 1, swept_rounding);
+        EXPECT_NEAR(named("bearing", "amplitude") / x, 1, swept_rounding);
+        EXPECT_NEAR(named("bearing", "force") / (std::hypot(k, c * W) * x), 1, swept_rounding);
+    }
+    scene.rotor.imbalances.clear();
+    EXPECT_THROW((void)analyses::sweep(scene, swept(scene)), model::BadInput);
+}
+
 TEST(Sweep, RotorsThatCannotBeAreListed) {
     model::Case scene = swept_disc();
     model::SweepSettings settings;
