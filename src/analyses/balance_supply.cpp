@@ -182,6 +182,7 @@ class Places {
     bool _probes = false;
 
     void add(forced::Quantity quantity, const char *of, const std::string &name, double z) {
+        quantity.z = z;
         _quantities.push_back(std::move(quantity));
         _names.push_back({of, name, z, {}, {}});
     }
