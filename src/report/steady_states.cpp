@@ -36,7 +36,12 @@ std::string whole_angles(const SteadyState &state, const Units &units) {
 
 Json stable_json(const SteadyState &state) { return state.stable ? Json(*state.stable) : Json(); }
 
+/// null for what is not known.
+Json count_json(int count) { return count == results::not_counted ? Json() : Json(count); }
+
 std::string stable_text(const SteadyState &state) {
+    if (!state.why.empty() && !state.stable)
+        return "not known";
     return state.stable ? *state.stable ? "stable" : "unstable"
            : state.family && state.least_growth < 0 && state.growth > 0 ? "some of the family"
                                                                         : "neutral";
@@ -55,12 +60,15 @@ const Columns<SteadyState> state_columns{
     {"growth", InCsv("growth"), ForReaders("growth", "{:.5g}"), Quantity::rate,
      &SteadyState::growth},
     {"least_growth", Quantity::rate, &SteadyState::least_growth},
-    {"growing", InCsv("growing"), &SteadyState::growing},
+    {"growing", InCsv("growing"), Quantity::number,
+     [](const auto &state) { return count_json(state.growing); }},
     {"residual", InCsv("residual"), ForReaders("residual", "{:.5g}"), Quantity::amplitude,
      &SteadyState::residual},
     {"amplitudes", Quantity::amplitude, &SteadyState::amplitudes},
     {"defect", Quantity::number, &SteadyState::defect},
-    {"branch", InCsv("branch"), &SteadyState::branch}};
+    {"branch", InCsv("branch"), &SteadyState::branch},
+    {"why", Quantity::number,
+     [](const auto &state) { return state.why.empty() ? Json() : Json(state.why); }}};
 
 const Columns<results::SteadyBorder> border_columns{
     {"speed", ForReaders("Speed", "{:.10g}"), Quantity::speed, &results::SteadyBorder::speed},
@@ -69,8 +77,10 @@ const Columns<results::SteadyBorder> border_columns{
     {"branch", ForReaders("branch"), &results::SteadyBorder::branch},
     {"other", ForReaders("with branch"), Quantity::number,
      [](const auto &border) { return border.other ? Json(*border.other) : Json(); }},
-    {"growing_below", ForReaders("growing below"), &results::SteadyBorder::growing_below},
-    {"growing_above", ForReaders("growing above"), &results::SteadyBorder::growing_above},
+    {"growing_below", ForReaders("growing below"), Quantity::number,
+     [](const auto &border) { return count_json(border.growing_below); }},
+    {"growing_above", ForReaders("growing above"), Quantity::number,
+     [](const auto &border) { return count_json(border.growing_above); }},
     {"frequency", ForReaders("frequency in rotating axes", "{:.6g}"), Quantity::frequency,
      &results::SteadyBorder::frequency},
     {"residual", ForReaders("residual", "{:.5g}"), Quantity::amplitude,
