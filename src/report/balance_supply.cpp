@@ -120,13 +120,6 @@ const Columns<Left> left_file_columns{
     {InCsv("supply"), &Left::supply},
     {InCsv("works"), &Left::works}};
 
-/// The motion of bearings and planes is looked at where no probe is.
-bool counts_for_readers(const BalanceSupply &supply, const LeftAt &left) {
-    const bool probes =
-        std::ranges::any_of(supply.left, [](const LeftAt &other) { return other.of == "probe"; });
-    return !probes || left.of == "probe";
-}
-
 /// At most so many speeds, from the first to the last.
 std::vector<std::size_t> chosen_speeds(std::size_t count, std::size_t most) {
     std::vector<std::size_t> out;
@@ -170,10 +163,8 @@ void add_left(const BalanceResult &result, const LeftAt &at, const std::vector<s
 std::vector<Left> left_for_readers(const BalanceResult &result, std::size_t most_places,
                                    std::size_t most_speeds) {
     std::vector<Left> out;
-    std::size_t places = 0;
-    for (const LeftAt &at : result.supply->left)
-        if (counts_for_readers(*result.supply, at) && places++ < most_places)
-            add_left(result, at, chosen_speeds(result.speeds.size(), most_speeds), out);
+    for (const LeftAt *at : places_for_readers(*result.supply, most_places))
+        add_left(result, *at, chosen_speeds(result.speeds.size(), most_speeds), out);
     for (Left &left : out)
         if (!left.works && left.supply == results::supply_name(results::Supply::balanced))
             left.supply = "criterion does not hold";
@@ -199,6 +190,18 @@ constexpr std::size_t most_speeds = 9;
 constexpr std::size_t most_places = 4;
 
 } // namespace
+
+std::vector<const LeftAt *> places_for_readers(const BalanceSupply &supply, std::size_t most) {
+    std::vector<const LeftAt *> out;
+    for (const char *of : {"probe", "bearing", "plane"}) {
+        if (std::string(of) == "bearing" && !out.empty())
+            break;
+        for (const LeftAt &left : supply.left)
+            if (left.of == of && out.size() < most)
+                out.push_back(&left);
+    }
+    return out;
+}
 
 Json plane_supply_json(const BalanceResult &result, std::size_t plane, const Units &units) {
     Json out{{"needed", nullptr},

@@ -17,6 +17,9 @@ namespace whirl::report {
                                      const Units &units);
 /// Keys of the result: residual, supply, supply_beside_weights, works, residual_weight_speeds.
 [[nodiscard]] Json supply_json(const results::BalanceResult &result, const Units &units);
+/// Where the motion is shown: at probes, without any at bearings and planes.
+[[nodiscard]] std::vector<const results::LeftAt *>
+places_for_readers(const results::BalanceSupply &supply, std::size_t most);
 /// For the terminal and the page; nothing without an answer.
 [[nodiscard]] std::string supply_text(const results::BalanceResult &result, const Units &units);
 [[nodiscard]] std::vector<Section> supply_sections(const results::BalanceResult &result,

@@ -248,6 +248,24 @@ TEST(WeightsOfACompressor, OfAnAsymmetricRotorAreRefused) {
     EXPECT_THROW((void)analyses::correction_weights(scene), model::BadInput);
 }
 
+// A probe in a bearing housing reads the shaft against it, one on the housing the housing.
+TEST(WeightsOfAModel, ProbesInHousingsReadWhatTheResponseSays) {
+    model::Case scene = input::load_case(WHIRL_ROOT "/cases/id_fan");
+    const double speed = 1150 * rpm;
+    scene.rotor.planes = {{"impeller", 2.1}};
+    scene.weights.emplace();
+    scene.weights->speeds = {speed};
+    const results::WeightsResult weights = analyses::correction_weights(scene);
+    scene.speeds = model::SpeedRange{speed, speed, 1};
+    const std::vector<results::ResponseProbe> probes = analyses::unbalance_response(scene).probes;
+    ASSERT_EQ(weights.residual.size(), probes.size());
+    for (std::size_t k = 0; k < probes.size(); ++k) {
+        EXPECT_EQ(weights.residual[k].probe, probes[k].name);
+        EXPECT_NEAR(std::abs(weights.residual[k].before), probes[k].amplitude[0],
+                    1e-6 * probes[k].amplitude[0]);
+    }
+}
+
 } // namespace
 
 } // namespace whirl::tests::modelled

@@ -1,3 +1,4 @@
+#include "report/balance_supply.h"
 #include "report/pictures/figures.h"
 
 #include "report/pictures/operation.h"
@@ -29,17 +30,6 @@ constexpr const char *weights_look = "lw 1.8 dt (7,3) lc rgb '#0072B2'";
 constexpr const char *balancers_look = "lw 2.2 lc rgb '#007D5A'";
 constexpr const char *both_look = "lw 1.8 dt (3,3) lc rgb '#D55E00'";
 constexpr const char *idle_look = "lw 1 dt (1,4) lc rgb '#007D5A'";
-
-/// Those that are drawn: probes, without any bearings and planes.
-std::vector<const LeftAt *> drawn_places(const results::BalanceSupply &supply) {
-    std::vector<const LeftAt *> probes, others;
-    for (const LeftAt &left : supply.left)
-        (left.of == "probe" ? probes : others).push_back(&left);
-    std::vector<const LeftAt *> &drawn = probes.empty() ? others : probes;
-    if (drawn.size() > most_left_panels)
-        drawn.resize(most_left_panels);
-    return drawn;
-}
 
 double largest_of(const LeftMotion &motion) {
     double largest = 0;
@@ -144,7 +134,7 @@ std::string need_panel(const model::Case &scene, const Units &units, const Balan
 } // namespace
 
 Figure residual_figure(const model::Case &scene, const BalanceResult &result, const Units &units) {
-    const std::vector<const LeftAt *> places = drawn_places(*result.supply);
+    const std::vector<const LeftAt *> places = places_for_readers(*result.supply, most_left_panels);
     const int panels = static_cast<int>(places.size()) + 1;
     const int height = left_head_height + panels * (left_panel_height + left_panel_gap);
     std::vector<std::string> names{"balanced position that does not keep"};
@@ -163,7 +153,7 @@ Figure residual_figure(const model::Case &scene, const BalanceResult &result, co
     script += place(panels - 1) + need_panel(scene, units, result, x);
     return figure_of(figure.width, height, "What weights and balancers leave: " + title_of(scene),
                      "weights: the best in the same planes; balancers and both where the "
-                     "criterion holds",
+                     "criterion holds; at the bottom: nothing is left",
                      script);
 }
 

@@ -130,6 +130,8 @@ Figure states_figure(const model::Case &scene, const SteadyStates &states, const
     constexpr int height = 660;
     const ByLook drawn = drawn_branches(units, states);
     const bool lines = states.speeds.size() > 1;
+    constexpr std::size_t apart = 40; // more points would run into each other
+    const bool points = states.speeds.size() <= apart;
     Curves curves;
     std::vector<std::string> names{"real root crosses zero"};
     for (const auto &[look, of] : drawn) {
@@ -141,7 +143,8 @@ Figure states_figure(const model::Case &scene, const SteadyStates &states, const
         names.push_back(name);
         if (lines)
             curves.add_pieces(of.lines, branch_look(which, colour_of(kind)));
-        curves.add(of.points, point_look(which, colour_of(kind)));
+        if (points)
+            curves.add(of.points, point_look(which, colour_of(kind)));
         curves.add(fmt::format("NaN {} title {}",
                                lines ? branch_look(which, colour_of(kind))
                                      : point_look(which, colour_of(kind)),
