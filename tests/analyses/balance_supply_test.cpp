@@ -259,6 +259,29 @@ TEST(BalanceSupply, FlexibleShaftAgreesWithStatesAndResponse) {
     EXPECT_EQ(planes, 2);
 }
 
+// One balancer of two has too little: it stands with what is left of its plane's motion, the other
+// stills its own plane. Among the steady states that is one with a plane in balance, and it keeps.
+TEST(BalanceSupply, OneOfTwoBalancersBeyondItsCapacity) {
+    model::Case scene = flexible();
+    for (model::Balancer &balancer : scene.rotor.balancers) {
+        row(balancer).mass = 1e-5; // hardly any: the answer is that of balls without
+        row(balancer).radius = 10;
+        row(balancer).damping = 1e-3;
+    }
+    scene.states = model::StatesSettings{};
+    const BalanceResult result = analyses::balance(scene);
+    ASSERT_TRUE(result.supply && result.states);
+    ASSERT_EQ(result.supply->with_balancers[0], Supply::saturated);
+    const double left = *place(result, "plane", 0.8).amplitude.balancers[0];
+    EXPECT_LT(*place(result, "plane", 0.2).amplitude.balancers[0], 1e-9 * left);
+    EXPECT_GT(left, 1e-6);
+    EXPECT_TRUE(std::ranges::any_of(result.states->states, [&](const results::SteadyState &state) {
+        return state.kind == results::SteadyState::Kind::partly_balanced &&
+               state.stable.value_or(false) && state.amplitudes[0] < 1e-9 * left &&
+               std::abs(state.amplitudes[1] / left - 1) < 1e-5;
+    }));
+}
+
 // A motion in time ends there, and leaves at the stations what is said to be left.
 TEST(BalanceSupply, MotionInTimeLeavesTheResidual) {
     model::Case scene = flexible();
