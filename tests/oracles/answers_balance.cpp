@@ -6,6 +6,7 @@
 #include "oracles/criterion.h"
 #include "oracles/influence.h"
 #include "oracles/pendulums.h"
+#include "oracles/receptance.h"
 #include "oracles/rigid_rotor.h"
 #include "oracles/steady_states.h"
 
@@ -134,7 +135,61 @@ std::vector<Complex> needed_on_rigid_shaft(const CaseRotor &rotor) {
     return out;
 }
 
+/// Motions of the planes, probes and bearings of an elastic shaft, and what its planes need to
+/// stand still.
+struct SuppliedShaft {
+    std::vector<Complex> needed;    ///< kg m
+    std::vector<Complex> nothing;   ///< m
+    std::vector<Complex> balancers; ///< m
+};
+SuppliedShaft supplied_shaft(const CaseRotor &rotor, Real speed) {
+    std::vector<double> places = rotor.planes;
+    for (const Probe &probe : rotor.probes)
+        places.push_back(probe.z);
+    for (const Support &support : rotor.supports)
+        places.push_back(support.z);
+    const std::size_t seen = places.size();
+    for (const Imbalance &own : rotor.imbalances)
+        places.push_back(own.z);
+    const ComplexMatrix R =
+        receptance(stepped(rotor), Complex(0, speed), speed, places) * Complex(speed * speed);
+    const auto n = static_cast<Eigen::Index>(rotor.planes.size());
+    SuppliedShaft out;
+    ComplexMatrix w(static_cast<Eigen::Index>(seen), 1);
+    w.setZero();
+    for (std::size_t i = 0; i < rotor.imbalances.size(); ++i)
+        w += R.col(static_cast<Eigen::Index>(seen + i)).head(w.rows()) *
+             std::polar<Real>(rotor.imbalances[i].mr, rotor.imbalances[i].phase);
+    const ComplexMatrix u = solve(R.topLeftCorner(n, n), ComplexMatrix(-w.topRows(n)));
+    const ComplexMatrix left = w + R.topLeftCorner(w.rows(), n) * u;
+    out.needed.assign(u.data(), u.data() + u.size());
+    out.nothing.assign(w.data(), w.data() + w.size());
+    out.balancers.assign(left.data(), left.data() + left.size());
+    return out;
+}
+
+Answer answer_supply_of_shaft(const CaseRotor &rotor, const std::string &path) {
+    const SuppliedShaft found = supplied_shaft(rotor, rotor.speed_from);
+    const std::string exact = "exact dynamic stiffness of the shaft";
+    const int plane = index_after(path, "/planes/");
+    if (plane >= 0) {
+        const Complex needed = found.needed.at(static_cast<std::size_t>(plane));
+        return {exact,
+                {path.find("/mr") != std::string::npos ? std::abs(needed) : std::arg(needed)},
+                {},
+                {}};
+    }
+    const auto place = static_cast<std::size_t>(index_after(path, "/residual/"));
+    if (path.find("/nothing/0") != std::string::npos)
+        return {exact, {std::abs(found.nothing.at(place))}, {}, {}};
+    if (path.find("/balancers/0") != std::string::npos)
+        return {exact, {std::abs(found.balancers.at(place))}, {}, {}};
+    no_answer("balance: no oracle for " + path);
+}
+
 Answer answer_supply(const CaseRotor &rotor, const std::string &path) {
+    if (!rotor.rigid && !ends_with(path, "/capacity"))
+        return answer_supply_of_shaft(rotor, path);
     const std::string closed = "planar rotor, closed form";
     const int plane = index_after(path, "/planes/");
     if (plane >= 0 && path.find("/needed/") != std::string::npos) {
