@@ -23,13 +23,13 @@ constexpr int left_panel_gap = 64;
 constexpr int left_head_height = 100;
 constexpr std::size_t most_left_panels = 4;
 /// Values further below the largest are drawn at this share of it: nothing is left.
-constexpr double drawn_zero = 1e-6;
+constexpr double drawn_zero = 1e-4;
 
 constexpr const char *nothing_look = "lw 1.6 lc rgb '#8A8A8A'";
 constexpr const char *weights_look = "lw 1.8 dt (7,3) lc rgb '#0072B2'";
 constexpr const char *balancers_look = "lw 2.2 lc rgb '#007D5A'";
 constexpr const char *both_look = "lw 1.8 dt (3,3) lc rgb '#D55E00'";
-constexpr const char *idle_look = "lw 1 dt (1,4) lc rgb '#007D5A'";
+constexpr const char *idle_look = "lw 1.3 dt (2,3) lc rgb '#58A890'";
 
 double largest_of(const LeftMotion &motion) {
     double largest = 0;
@@ -89,7 +89,7 @@ std::string left_panel(const model::Case &scene, const Units &units, const Balan
            "set title " + plot_text(place_text(units, left.name, left.z)) + " offset 0,-0.6\n" +
            "set ylabel " + axis_text(units, "Amplitude", Quantity::amplitude) + "\nunset xlabel\n" +
            (legend ? legend_beside : "unset key\n") + drawn.script() +
-           "unset object\nunset arrow\nunset title\n";
+           "unset object\nunset arrow\nunset title\nunset label\n";
 }
 
 std::string need_panel(const model::Case &scene, const Units &units, const BalanceResult &result,
