@@ -493,8 +493,11 @@ class SupplyFinder {
             return out;
         const Eigen::MatrixXcd A = at.complex_matrix(_active);
         const auto best = balancing::best_supply({A, w, capacity});
-        if (!best)
+        if (!best) {
+            if (works(at.real_matrix(_active))) // there is one, but it was not found
+                out.supply = Supply::unknown;
             return out;
+        }
         const bool all = (w + A * *best).norm() <= nothing_left * w.norm(); // shared out otherwise
         out.supply = !fine(*best) ? Supply::coarse : all ? Supply::balanced : Supply::saturated;
         if (out.supply != Supply::coarse)
@@ -613,6 +616,10 @@ class SupplyFinder {
             notes.emplace_back("where balancers need more than their capacity and the criterion "
                                "does not hold, where they end is not known: null among the "
                                "residuals");
+        if (holds(Supply::unknown) && !_pendulums)
+            notes.emplace_back(
+                "at some speeds where balancers need more than their capacity, where "
+                "they end was not found: null among the residuals");
         if (holds(Supply::coarse))
             notes.emplace_back("where less is needed than the parts of a balancer always make, "
                                "what they leave is not known: null among the residuals");

@@ -124,7 +124,7 @@ enum class Supply {
     out_of_reach, ///< nothing in these planes takes away their motion
     resonance,    ///< without damping: no steady motion
     at_rest,      ///< nothing is needed
-    unknown       ///< pendulums, which do not take away the motion of their plane
+    unknown       ///< pendulums, which do not take away the motion of their plane; or not found
 };
 
 /// "balanced", "saturated", "beyond capacity", "too coarse", "out of reach", "resonance", "at rest"
