@@ -1,5 +1,6 @@
 #include "analyses/balance.h"
 
+#include "analyses/steady_states.h"
 #include "criterion/bands.h"
 #include "criterion/pendulum.h"
 #include "criterion/placement.h"
@@ -227,11 +228,16 @@ results::BalanceResult balance(const model::Case &scene, bool map) {
             result.placement = criterion::placement(s, d, result.critical_speeds);
         }
         {
-            const process::Stage stage("pendulums", 0.25, 0.4);
+            const process::Stage stage("what the balancers must supply", 0.25, 0.3);
+            add_supply(scene, s, result);
+        }
+        {
+            const process::Stage stage("pendulums", 0.3, 0.4);
             result.pendulum = criterion::pendulum_balance(scene, s, result.model.notes);
         }
         if (s.has_range() && !scene.rotor.balancers.empty())
             judge_real_balancers(scene, s.order, result);
+        result.states = steady_states_of(scene, result.model.notes);
         result.findings = balance_findings(result, scene);
         return result;
     } catch (const linalg::SolverError &error) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "criterion/rotor.h"
 #include "model/case.h"
 #include "results/balance.h"
 #include "results/sentence.h"
@@ -28,8 +29,14 @@ namespace whirl::analyses {
 /// @param scene  with balancers and a range of speeds
 void judge_real_balancers(const model::Case &scene, int order, results::BalanceResult &result);
 
+/// What balancers in the planes must supply against the imbalances wherever these are, against
+/// their capacity, and what stays; docs/theory.md, "What balancers must supply". Collective; set on
+/// process 0. Nothing without imbalances.
+void add_supply(const model::Case &scene, const criterion::BalanceScene &s,
+                results::BalanceResult &result);
+
 /// Sentences that say what the bands mean and where flexible and rigid rotor, and the three tiers,
-/// differ, and why. None for one speed alone.
+/// differ, and why. For one speed alone only what is needed there.
 [[nodiscard]] std::vector<results::Sentence> balance_findings(const results::BalanceResult &result,
                                                               const model::Case &scene);
 

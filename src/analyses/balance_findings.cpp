@@ -264,19 +264,52 @@ void pendulums(const results::BalanceResult &result, std::vector<results::Senten
     }
 }
 
+/// What each plane needs at most where the balancers work, against what there is.
+void needs(const results::BalanceResult &result, std::vector<results::Sentence> &out) {
+    if (!result.supply)
+        return;
+    const results::BalanceSupply &supply = *result.supply;
+    for (std::size_t p = 0; p < supply.planes.size(); ++p) {
+        const results::PlaneSupply &plane = supply.planes[p];
+        double need = -1;
+        double speed = 0;
+        for (std::size_t k = 0; k < plane.needed.size(); ++k)
+            if (supply.works[k] && plane.needed[k] && std::abs(*plane.needed[k]) > need) {
+                need = std::abs(*plane.needed[k]);
+                speed = result.speeds[k];
+            }
+        if (need < 0)
+            continue;
+        Sentence text("Where the criterion holds, {} needs at most {}, at {}",
+                      plane_text(result.planes[p], p), as::imbalance(need, 4), as::speed(speed));
+        constexpr double just = 1e-12; // an input may ask for just the capacity
+        if (plane.capacity && *plane.capacity > 0)
+            text += need > *plane.capacity * (1 + just)
+                        ? Sentence(": more than the {} that its balancer can supply",
+                                   as::imbalance(*plane.capacity, 4))
+                        : Sentence(": {} % of the {} that its balancer can supply",
+                                   as::number(100 * need / *plane.capacity, 3),
+                                   as::imbalance(*plane.capacity, 4));
+        out.emplace_back("{}.", text);
+    }
+}
+
 } // namespace
 
 std::vector<results::Sentence> balance_findings(const results::BalanceResult &result,
                                                 const model::Case &scene) {
     std::vector<results::Sentence> out;
-    if (scene.speeds->to <= scene.speeds->from || scene.speeds->count < 2)
+    if (scene.speeds->to <= scene.speeds->from || scene.speeds->count < 2) {
+        needs(result, out);
         return out;
+    }
     joint_ends(result, out);
     without_bands(result, out);
     excess_planes(result, scene.rotor.shaft.rigid, out);
     plane_ends(result, out);
     directions(result, out);
     real_balancers(result, scene.rotor.damped(), out);
+    needs(result, out);
     motions_in_time(result, scene.simulate.time, out);
     pendulums(result, out);
     return out;

@@ -124,14 +124,20 @@ void add_balance(const model::Case &scene, results::MachineReport &report) {
     else if (std::min(scene.speeds->from, scene.speeds->to) < 0)
         report.balance.why = "the criterion is for speeds of one sense, from 0 up";
     else
-        run(report.balance, "balance", 6, [&] { return balance(scene); });
+        run(report.balance, "balance", 6, [&] {
+            model::Case rest = scene;
+            if (report.stability.result) // which has the steady states
+                rest.states.reset();
+            return balance(rest);
+        });
 }
 
 /// Stability over all operating speeds, where the case looks at fewer.
 results::Part<results::StabilityResult> stability_in_operation(const model::Case &scene,
                                                                const CaseWith &with) {
     results::Part<results::StabilityResult> part;
-    const model::Case wide = over_operation(scene);
+    model::Case wide = over_operation(scene);
+    wide.states.reset(); // answered at the speeds of the case
     const auto [least, largest] = std::minmax(scene.speeds->from, scene.speeds->to);
     if (wide.speeds->from >= least && wide.speeds->to <= largest && has_range(scene))
         return part;

@@ -184,6 +184,8 @@ void judge_real_balancers(const model::Case &scene, int order, results::BalanceR
                                         0.7);
     JudgedPosition position = judged_position(real, notes);
     result.balanced_position = std::move(position.stable);
+    if (result.balanced_position)
+        add_note_of_placed_balls(scene.rotor, notes);
     stage.emplace("motions in time", 0.7, 1.0);
     result.simulated = simulated_speeds(real, position.model, notes);
 }

@@ -292,9 +292,7 @@ void add_notes(const model::Case &scene, const stability::StabilityModel &model,
     if (result.family && result.family->incomplete)
         notes.emplace_back("for some arrangements critical or additional speeds could not be "
                            "resolved: their intervals may be too narrow");
-    if (scene.rotor.imbalances.size() > 0 && has_balancers)
-        notes.emplace_back("balls are placed against the imbalance of their own balancer; "
-                           "[[imbalance]] entries move them in `simulate` only");
+    add_note_of_placed_balls(scene.rotor, notes);
     if (result.neutral_pairs > 0)
         notes.emplace_back(model::Weight::information,
                            "balls beyond two, and on one diameter beyond one, can move without "
@@ -303,6 +301,13 @@ void add_notes(const model::Case &scene, const stability::StabilityModel &model,
 }
 
 } // namespace
+
+void add_note_of_placed_balls(const model::Rotor &rotor, std::vector<Sentence> &notes) {
+    if (!rotor.imbalances.empty() && !rotor.balancers.empty())
+        notes.emplace_back("stability is that of balls placed against the imbalance of their own "
+                           "balancer; where [[imbalance]] entries make them stand elsewhere, "
+                           "elsewhere at every speed, [states] judges them");
+}
 
 UnstableBands unstable_bands_of(stability::StabilityModel model, const std::vector<double> &grid,
                                 const balancers::Arrangement &arrangement, bool with_errors,

@@ -23,6 +23,9 @@ namespace whirl::analyses {
 /// eigenvalues are not found or a Hill series does not settle.
 [[nodiscard]] results::StabilityResult stability(const model::Case &scene, const CaseWith &with);
 
+/// Says that the balls stand elsewhere where the rotor has imbalances that no balancer is for.
+void add_note_of_placed_balls(const model::Rotor &rotor, std::vector<results::Sentence> &notes);
+
 /// Unstable bands for one arrangement of the balls.
 struct UnstableBands {
     std::vector<results::Interval> bands;

@@ -3,12 +3,14 @@
 #include "results/balance.h"
 
 #include "report/balance_pendulum.h"
+#include "report/balance_supply.h"
 #include "report/common/csv.h"
 #include "report/common/html.h"
 #include "report/common/table.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
+#include "report/steady_states.h"
 
 #include <fmt/format.h>
 
@@ -284,10 +286,12 @@ Json json_of(const BalanceResult &result, const Units &units) {
         {"planes",
          json_list(
              result.planes,
-             [&units](const BalancePlane &plane) {
+             [&](const BalancePlane &plane) {
                  Json entry{{"name", plane.name}, {"z", written(units, Quantity::length, plane.z)}};
                  take_entries(entry, bands_json(plane.bands, units));
                  entry["criterion"] = written(units, Quantity::inverse_mass, plane.criterion);
+                 const auto index = static_cast<std::size_t>(&plane - result.planes.data());
+                 take_entries(entry, plane_supply_json(result, index, units));
                  return entry;
              })},
         {"joint", joint},
@@ -295,8 +299,12 @@ Json json_of(const BalanceResult &result, const Units &units) {
         {"simulated", json_rows(simulated_columns, result.simulated, units)},
         {"balanced_position",
          result.balanced_position ? position_json(*result.balanced_position, units) : Json()},
-        {"pendulum", json_list(result.pendulum,
-                               [&units](const auto &of) { return pendulum_json(of, units); })}};
+        {"pendulum",
+         json_list(result.pendulum, [&units](const auto &of) { return pendulum_json(of, units); })},
+        {"states", states_json(result.states, units)},
+        {"state_borders", state_borders_json(result.states, units)},
+        {"states_undecided", states_undecided_json(result.states, units)}};
+    take_entries(json, supply_json(result, units));
     if (result.placement)
         json["placement"] = placement_json(*result.placement, units);
     return json;
@@ -324,8 +332,13 @@ std::vector<Section> sections_of(const BalanceResult &result, const Units &units
             {"Best places", page_table(best_columns, best_places(*result.placement), units) +
                                 "<p>Margin: mean over the speeds of the largest eigenvalue, times "
                                 "−1 and the mass of the rotor, each cut to ±1.</p>\n"});
+    for (Section &section : supply_sections(result, units))
+        sections.push_back(std::move(section));
     if (!result.pendulum.empty())
         sections.push_back({"Four-pendulum balancers", pendulum_page(result.pendulum, units)});
+    if (result.states)
+        for (Section &section : states_sections(*result.states, units))
+            sections.push_back(std::move(section));
     return sections;
 }
 
@@ -365,14 +378,21 @@ std::string text_of(const model::Case &scene, const BalanceResult &result, const
         text += (&finding == &result.findings.front() ? "\n" : "") + units.text(finding) + "\n";
     if (result.placement)
         text += placement_text(*result.placement, units);
+    text += supply_text(result, units);
     for (const auto &pendulum : result.pendulum)
         text += pendulum_text(pendulum, units);
+    if (result.states)
+        text += states_text(*result.states, units);
     return text + model_text(result.model, units);
 }
 
 std::vector<Picture> pictures_of(const model::Case &scene, const BalanceResult &result,
                                  const Units &units) {
     std::vector<Picture> pictures;
+    if (result.supply)
+        pictures.push_back({"residual", residual_figure(scene, result, units), {}});
+    if (result.states && !result.states->states.empty())
+        pictures.push_back({"states", states_figure(scene, *result.states, units), {}});
     if (result.placement)
         pictures.push_back({"placement", placement_figure(scene, *result.placement, units), {}});
     for (std::size_t i = 0; i < result.pendulum.size(); ++i) {
@@ -421,6 +441,12 @@ Report describe(const model::Case &scene, const BalanceResult &result) {
     };
     report.pictures = [&](const Units &units) { return pictures_of(scene, result, units); };
     report.pictures_heading = "Pictures";
+    report.tables = [&result] {
+        std::vector<TableFile> tables = supply_tables(result);
+        if (result.states && !result.states->states.empty())
+            tables.push_back(states_table(*result.states));
+        return tables;
+    };
     report.answer = answer_of(result);
     report.brief = [&](const Units &units) { return brief_of(result, units); };
     return report;

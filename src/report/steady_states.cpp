@@ -1,5 +1,6 @@
 #include "report/steady_states.h"
 
+#include "report/common/csv.h"
 #include "report/common/table.h"
 
 #include <fmt/format.h>
@@ -14,40 +15,60 @@ using results::SteadyStates;
 namespace {
 
 /// Angles of one balancer after the other.
-std::string angles_text(const SteadyState &state, const Units &units) {
+/// @param format  of a number
+std::string angles_in(const SteadyState &state, const Units &units, const char *format) {
     std::string text;
     for (const std::vector<double> &balancer : state.angles) {
         text += text.empty() ? "" : " | ";
         for (std::size_t i = 0; i < balancer.size(); ++i)
-            text += fmt::format("{}{:.5g}", i > 0 ? " " : "", units(Quantity::angle, balancer[i]));
+            text += (i > 0 ? " " : "") +
+                    fmt::format(fmt::runtime(format), units(Quantity::angle, balancer[i]));
     }
     return text;
+}
+std::string angles_text(const SteadyState &state, const Units &units) {
+    return angles_in(state, units, "{:.5g}");
+}
+/// With all digits.
+std::string whole_angles(const SteadyState &state, const Units &units) {
+    return angles_in(state, units, "{}");
 }
 
 Json stable_json(const SteadyState &state) { return state.stable ? Json(*state.stable) : Json(); }
 
+/// null for what is not known.
+Json count_json(int count) { return count == results::not_counted ? Json() : Json(count); }
+
 std::string stable_text(const SteadyState &state) {
+    if (!state.why.empty() && !state.stable)
+        return "not known";
     return state.stable ? *state.stable ? "stable" : "unstable"
            : state.family && state.least_growth < 0 && state.growth > 0 ? "some of the family"
                                                                         : "neutral";
 }
 
 const Columns<SteadyState> state_columns{
-    {"speed", ForReaders("Speed", "{:.8g}"), Quantity::speed, &SteadyState::speed},
-    {"kind", ForReaders("kind"),
+    {"speed", InCsv("speed"), ForReaders("Speed", "{:.8g}"), Quantity::speed, &SteadyState::speed},
+    {"kind", InCsv("kind"), ForReaders("kind"),
      [](const auto &state) { return results::steady_kind_name(state.kind); }},
     {"angles", Quantity::angle, &SteadyState::angles},
     {ForReaders("angles"), Quantity::angle, angles_text},
-    {"family", &SteadyState::family},
-    {"stable", Quantity::number, stable_json},
+    {InCsv("angles"), Quantity::angle, whole_angles},
+    {"family", InCsv("family"), &SteadyState::family},
+    {"stable", InCsv("stable"), Quantity::number, stable_json},
     {ForReaders("stability"), stable_text},
-    {"growth", ForReaders("growth", "{:.5g}"), Quantity::rate, &SteadyState::growth},
+    {"growth", InCsv("growth"), ForReaders("growth", "{:.5g}"), Quantity::rate,
+     &SteadyState::growth},
     {"least_growth", Quantity::rate, &SteadyState::least_growth},
-    {"growing", &SteadyState::growing},
-    {"residual", ForReaders("residual", "{:.5g}"), Quantity::amplitude, &SteadyState::residual},
+    {"growing", InCsv("growing"), Quantity::number,
+     [](const auto &state) { return count_json(state.growing); }},
+    {"residual", InCsv("residual"), ForReaders("residual", "{:.5g}"), Quantity::amplitude,
+     &SteadyState::residual},
     {"amplitudes", Quantity::amplitude, &SteadyState::amplitudes},
     {"defect", Quantity::number, &SteadyState::defect},
-    {"branch", &SteadyState::branch}};
+    {"branch", InCsv("branch"), &SteadyState::branch},
+    {"why", Quantity::number,
+     [](const auto &state) { return state.why.empty() ? Json() : Json(state.why); }}};
 
 const Columns<results::SteadyBorder> border_columns{
     {"speed", ForReaders("Speed", "{:.10g}"), Quantity::speed, &results::SteadyBorder::speed},
@@ -56,8 +77,10 @@ const Columns<results::SteadyBorder> border_columns{
     {"branch", ForReaders("branch"), &results::SteadyBorder::branch},
     {"other", ForReaders("with branch"), Quantity::number,
      [](const auto &border) { return border.other ? Json(*border.other) : Json(); }},
-    {"growing_below", ForReaders("growing below"), &results::SteadyBorder::growing_below},
-    {"growing_above", ForReaders("growing above"), &results::SteadyBorder::growing_above},
+    {"growing_below", ForReaders("growing below"), Quantity::number,
+     [](const auto &border) { return count_json(border.growing_below); }},
+    {"growing_above", ForReaders("growing above"), Quantity::number,
+     [](const auto &border) { return count_json(border.growing_above); }},
     {"frequency", ForReaders("frequency in rotating axes", "{:.6g}"), Quantity::frequency,
      &results::SteadyBorder::frequency},
     {"residual", ForReaders("residual", "{:.5g}"), Quantity::amplitude,
@@ -108,6 +131,12 @@ std::vector<Section> states_sections(const SteadyStates &states, const Units &un
         out.push_back({"Where branches of steady states end, and roots cross the imaginary axis",
                        page_table(border_columns, states.borders, units)});
     return out;
+}
+
+TableFile states_table(const SteadyStates &states) {
+    return {"steady_states", [&states](const Units &units) {
+                return csv_table(state_columns, states.states, units);
+            }};
 }
 
 } // namespace whirl::report

@@ -23,4 +23,7 @@ namespace whirl::report {
 [[nodiscard]] std::vector<Section> states_sections(const results::SteadyStates &states,
                                                    const Units &units);
 
+/// Every state at every speed, in a file of its own.
+[[nodiscard]] TableFile states_table(const results::SteadyStates &states);
+
 } // namespace whirl::report

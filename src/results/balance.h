@@ -3,6 +3,7 @@
 #include "results/interval.h"
 #include "results/model_summary.h"
 #include "results/pendulum.h"
+#include "results/steady_states.h"
 
 #include <complex>
 #include <optional>
@@ -114,6 +115,61 @@ struct BalancedPosition {
     std::vector<Interval> with_some;  ///< stable with at least one
 };
 
+/// How far the balancers in the planes get at one speed.
+enum class Supply {
+    balanced,     ///< each supplies what is needed: no plane moves
+    saturated,    ///< some supply all they have, the others leave no motion of their planes
+    beyond,       ///< more is needed than there is, and where the balancers end is not known
+    coarse,       ///< less is needed than a balancer always makes
+    out_of_reach, ///< nothing in these planes takes away their motion
+    resonance,    ///< without damping: no steady motion
+    at_rest,      ///< nothing is needed
+    unknown       ///< pendulums, which do not take away the motion of their plane; or not found
+};
+
+/// "balanced", "saturated", "beyond capacity", "too coarse", "out of reach", "resonance", "at rest"
+/// or "not known".
+[[nodiscard]] std::string supply_name(Supply supply);
+
+/// What the balancers of one plane must supply, and can.
+struct PlaneSupply {
+    using Moments = std::vector<std::optional<std::complex<double>>>; ///< over the speeds, kg m
+
+    std::optional<double> capacity; ///< kg m; none: no free balancer there
+    double least = 0;               ///< what they make at least, kg m
+    Moments needed;                 ///< in the rotor: direction of the balls' own imbalance
+    Moments beside_weights;         ///< with the weights on
+    std::optional<std::complex<double>> weight; ///< the best one in this plane, kg m
+};
+
+/// Amplitudes over the speeds; none: no limit, or not known.
+struct LeftMotion {
+    using Values = std::vector<std::optional<double>>;
+    Values nothing;   ///< without weights and balancers
+    Values weights;   ///< with the best weights in the planes
+    Values balancers; ///< with the balancers at their best
+    Values both;
+};
+
+struct LeftAt {
+    std::string of; ///< "probe", "bearing" or "plane"
+    std::string name;
+    double z = 0;                    ///< m
+    LeftMotion amplitude;            ///< reading of a probe, semi-major axis, m
+    std::optional<LeftMotion> force; ///< of a bearing, the largest over a turn, N
+};
+
+/// What balancers must supply against the imbalances of the rotor wherever these are, and what
+/// stays.
+struct BalanceSupply {
+    std::vector<PlaneSupply> planes;    ///< as those of the result
+    std::vector<Supply> with_balancers; ///< over the speeds
+    std::vector<Supply> with_both;
+    std::vector<bool> works;           ///< the criterion holds for the planes with balancers
+    std::vector<double> weight_speeds; ///< that the weights are best for, rad/s
+    std::vector<LeftAt> left;
+};
+
 struct BalanceResult {
     ModelSummary model;
     std::vector<double> speeds;          ///< rad/s
@@ -126,7 +182,9 @@ struct BalanceResult {
     std::vector<SimulatedSpeed> simulated;
     std::optional<Placement> placement;
     std::vector<PendulumBalance> pendulum;
-    std::vector<Sentence> findings; ///< sentences for the reader
+    std::optional<BalanceSupply> supply; ///< none: nothing to balance, or the motion is not known
+    std::optional<SteadyStates> states;  ///< none: not asked for, or no answer
+    std::vector<Sentence> findings;      ///< sentences for the reader
 };
 
 } // namespace whirl::results

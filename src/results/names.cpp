@@ -1,3 +1,4 @@
+#include "results/balance.h"
 #include "results/checks.h"
 #include "results/formulation.h"
 #include "results/margins.h"
@@ -31,6 +32,11 @@ std::string frame_name(Form form) { return in_rotating_axes(form) ? form_name(fo
 std::string unknowns_name(Form form) { return is_planar(form) ? "planar" : "real"; }
 
 std::string whirl_name(Whirl whirl) { return name_of(whirl, {"forward", "backward", "mixed"}); }
+
+std::string supply_name(Supply supply) {
+    return name_of(supply, {"balanced", "saturated", "beyond capacity", "too coarse",
+                            "out of reach", "resonance", "at rest", "not known"});
+}
 
 std::string end_kind_name(EndKind kind) {
     return name_of(kind, {"zero", "pair", "collision", "multiplier"});

@@ -8,6 +8,9 @@
 
 namespace whirl::results {
 
+/// In place of a number of roots where the eigensolver found none.
+inline constexpr int not_counted = -2;
+
 /// A motion in which rotor and balancers turn as one body at a constant speed.
 struct SteadyState {
     /// What the masses do.
@@ -26,9 +29,10 @@ struct SteadyState {
     std::optional<bool> stable; ///< none: it is neither, or members of the family differ
     /// Largest real part of small motions about it, 1/s, of a family over those looked at; without
     /// the motions along the family.
-    double growth = 0;
+    double growth = 0;              ///< NaN: not known
     double least_growth = 0;        ///< of a family, over those looked at
-    int growing = 0;                ///< roots with a positive real part
+    int growing = 0;                ///< roots with a positive real part, or not_counted
+    std::string why;                ///< stability is not known (of all members); empty: it is
     std::vector<double> amplitudes; ///< of the planes of the balancers, m
     double residual = 0;            ///< the largest of them, m
     double defect = 0;              ///< what is left of the equations over the sizes of their terms
@@ -50,8 +54,9 @@ struct SteadyBorder {
     double speed = 0; ///< rad/s
     Kind kind = Kind::fold;
     int branch = 0;
-    std::optional<int> other;        ///< of a fold: the second branch
-    int growing_below = 0;           ///< roots that grow just below this speed; -1: no such state
+    std::optional<int> other; ///< of a fold: the second branch
+    /// Roots that grow just below this speed; -1: no such state; or not_counted.
+    int growing_below = 0;
     int growing_above = 0;           ///< likewise
     std::optional<double> frequency; ///< |Im| of the pair in turning axes, rad/s
     double residual = 0;             ///< of the state there, m

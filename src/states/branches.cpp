@@ -193,7 +193,8 @@ class Joining {
 
     /// Roots that cross the imaginary axis between two states of one branch.
     void find_crossings(const Found &low, const Found &high, int depth) {
-        if (low.state.growing == high.state.growing)
+        if (low.state.growing == high.state.growing || low.state.growing < 0 ||
+            high.state.growing < 0) // the eigensolver failed
             return;
         const double from = low.state.speed;
         const double to = high.state.speed;

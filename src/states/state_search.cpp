@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -37,6 +38,18 @@ constexpr std::size_t most_ways = 20000;
 constexpr double refined = 1e-9;
 /// What second order terms in the slopes may leave of the equations of a family, which they break.
 constexpr double second_order = 1e-3;
+
+/// One more member of a family that stands for all of them.
+void add_member(const SteadyState &member, SteadyState &family) {
+    if (family.stable != member.stable)
+        family.stable.reset();
+    if (family.why.empty())
+        family.why = member.why;
+    // A comparison with what is not known is false: fmax and fmin take the other one.
+    family.growth = std::fmax(family.growth, member.growth);
+    family.least_growth = std::fmin(family.least_growth, member.growth);
+    family.growing = std::max(family.growing, member.growing);
+}
 
 } // namespace
 
@@ -461,7 +474,17 @@ void StateSearch::describe(Found &found, double speed) const {
         state.amplitudes.push_back(std::abs(w[static_cast<std::size_t>(free.plane)]));
         state.residual = std::max(state.residual, state.amplitudes.back());
     }
-    Eigen::VectorXcd roots = roots_of(_equations.about(found.x, speed));
+    state.stable.reset();
+    Eigen::VectorXcd roots;
+    try {
+        roots = roots_of(_equations.about(found.x, speed));
+    } catch (const linalg::SolverError &error) {
+        state.growth = state.least_growth = std::numeric_limits<double>::quiet_NaN();
+        state.growing = results::not_counted;
+        state.why = error.sentence().text();
+        return;
+    }
+    state.why.clear();
     std::sort(roots.data(), roots.data() + roots.size(),
               [](const auto &a, const auto &b) { return std::abs(a) < std::abs(b); });
     const Eigen::VectorXd parts = roots.tail(roots.size() - found.along - turning).real();
@@ -473,7 +496,6 @@ void StateSearch::describe(Found &found, double speed) const {
     found.next_to_axis = moving(next);
     state.growth = state.least_growth = parts.maxCoeff();
     state.growing = static_cast<int>((parts.array() > nothing).count());
-    state.stable.reset();
     if (std::abs(state.growth) > nothing)
         state.stable = state.growth < 0;
 }
@@ -528,12 +550,7 @@ void StateSearch::add_states(int index, double speed, double deflection, std::ve
                 whole = std::move(found);
                 continue;
             }
-            SteadyState &state = whole->state;
-            if (state.stable != found.state.stable)
-                state.stable.reset();
-            state.growth = std::max(state.growth, found.state.growth);
-            state.least_growth = std::min(state.least_growth, found.state.growth);
-            state.growing = std::max(state.growing, found.state.growing);
+            add_member(found.state, whole->state);
         }
         if (whole)
             out.push_back(std::move(*whole));

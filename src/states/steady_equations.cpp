@@ -1,6 +1,7 @@
 #include "states/steady_equations.h"
 
 #include "balancers/kind.h"
+#include "linalg/check.h"
 #include "linalg/dense/general_eigen.h"
 #include "linalg/dense/least_squares.h"
 #include "linalg/dense/products.h"
@@ -266,7 +267,11 @@ Eigen::VectorXcd roots_of(const SteadyEquations::SmallMotions &motions) {
     A.topRightCorner(n, n).diagonal().setConstant(rate);
     A.bottomLeftCorner(n, n) = -stiffness / rate;
     A.bottomRightCorner(n, n) = -linalg::solved(inertia, scaled(motions.damping));
-    return linalg::general_eigenvalues(std::move(A));
+    try {
+        return linalg::general_eigenvalues(A);
+    } catch (const linalg::SolverError &) { // balls at one angle: many equal roots
+        return linalg::general_eigen_otherwise(A).values;
+    }
 }
 
 } // namespace whirl::states

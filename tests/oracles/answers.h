@@ -37,6 +37,7 @@ struct Answer {
 [[nodiscard]] Answer answer_stability(const Request &request);
 [[nodiscard]] Answer answer_show(const Request &request);
 [[nodiscard]] Answer answer_balance(const Request &request);
+[[nodiscard]] Answer answer_states(const Request &request); ///< of stability and balance
 [[nodiscard]] Answer answer_pendulums(const Request &request);
 [[nodiscard]] Answer answer_rigid_limit(const Request &request);
 [[nodiscard]] Answer answer_simulate(const Request &request);

@@ -6,7 +6,9 @@
 #include "oracles/criterion.h"
 #include "oracles/influence.h"
 #include "oracles/pendulums.h"
+#include "oracles/receptance.h"
 #include "oracles/rigid_rotor.h"
+#include "oracles/steady_states.h"
 
 #include <algorithm>
 #include <cmath>
@@ -114,11 +116,145 @@ Real rate_of(const CaseRotor &rotor, std::size_t row) {
     return std::log10(difference(1e6L) / difference(1e5L));
 }
 
+/// What two planes need on a rigid shaft: forces and moments in balance; one plane its own
+/// imbalances.
+std::vector<Complex> needed_on_rigid_shaft(const CaseRotor &rotor) {
+    if (!rotor.rigid || rotor.planes.empty() || rotor.planes.size() > 2)
+        no_answer("needed: one plane or two of a rigid rotor only");
+    std::vector<Complex> out(rotor.planes.size());
+    for (const Imbalance &own : rotor.imbalances) {
+        const Complex u = std::polar<Real>(own.mr, own.phase);
+        if (out.size() == 1 && own.z != rotor.planes[0])
+            no_answer("needed: one plane against its own imbalances only");
+        const Real share =
+            out.size() == 1 ? 0 : (own.z - rotor.planes[0]) / (rotor.planes[1] - rotor.planes[0]);
+        out[0] -= (1 - share) * u;
+        if (out.size() > 1)
+            out[1] -= share * u;
+    }
+    return out;
+}
+
+/// Motions of the planes, probes and bearings of an elastic shaft, and what its planes need to
+/// stand still.
+struct SuppliedShaft {
+    std::vector<Complex> needed;    ///< kg m
+    std::vector<Complex> nothing;   ///< m
+    std::vector<Complex> balancers; ///< m
+};
+SuppliedShaft supplied_shaft(const CaseRotor &rotor, Real speed) {
+    std::vector<double> places = rotor.planes;
+    for (const Probe &probe : rotor.probes)
+        places.push_back(probe.z);
+    for (const Support &support : rotor.supports)
+        places.push_back(support.z);
+    const std::size_t seen = places.size();
+    for (const Imbalance &own : rotor.imbalances)
+        places.push_back(own.z);
+    const ComplexMatrix R =
+        receptance(stepped(rotor), Complex(0, speed), speed, places) * Complex(speed * speed);
+    const auto n = static_cast<Eigen::Index>(rotor.planes.size());
+    SuppliedShaft out;
+    ComplexMatrix w(static_cast<Eigen::Index>(seen), 1);
+    w.setZero();
+    for (std::size_t i = 0; i < rotor.imbalances.size(); ++i)
+        w += R.col(static_cast<Eigen::Index>(seen + i)).head(w.rows()) *
+             std::polar<Real>(rotor.imbalances[i].mr, rotor.imbalances[i].phase);
+    const ComplexMatrix u = solve(R.topLeftCorner(n, n), ComplexMatrix(-w.topRows(n)));
+    const ComplexMatrix left = w + R.topLeftCorner(w.rows(), n) * u;
+    out.needed.assign(u.data(), u.data() + u.size());
+    out.nothing.assign(w.data(), w.data() + w.size());
+    out.balancers.assign(left.data(), left.data() + left.size());
+    return out;
+}
+
+Answer answer_supply_of_shaft(const CaseRotor &rotor, const std::string &path) {
+    const SuppliedShaft found = supplied_shaft(rotor, rotor.speed_from);
+    const std::string exact = "exact dynamic stiffness of the shaft";
+    const int plane = index_after(path, "/planes/");
+    if (plane >= 0) {
+        const Complex needed = found.needed.at(static_cast<std::size_t>(plane));
+        return {exact,
+                {path.find("/mr") != std::string::npos ? std::abs(needed) : std::arg(needed)},
+                {},
+                {}};
+    }
+    const auto place = static_cast<std::size_t>(index_after(path, "/residual/"));
+    if (path.find("/nothing/0") != std::string::npos)
+        return {exact, {std::abs(found.nothing.at(place))}, {}, {}};
+    if (path.find("/balancers/0") != std::string::npos)
+        return {exact, {std::abs(found.balancers.at(place))}, {}, {}};
+    no_answer("balance: no oracle for " + path);
+}
+
+Answer answer_supply(const CaseRotor &rotor, const std::string &path) {
+    if (!rotor.rigid && !ends_with(path, "/capacity"))
+        return answer_supply_of_shaft(rotor, path);
+    const std::string closed = "planar rotor, closed form";
+    const int plane = index_after(path, "/planes/");
+    if (plane >= 0 && path.find("/needed/") != std::string::npos) {
+        const Complex needed = needed_on_rigid_shaft(rotor).at(static_cast<std::size_t>(plane));
+        const Real value =
+            path.find("/mr") != std::string::npos ? std::abs(needed) : std::arg(needed);
+        return {"forces and moments of a rigid shaft",
+                std::vector<Real>(static_cast<std::size_t>(rotor.speed_count), value),
+                {},
+                {}};
+    }
+    if (plane >= 0 && ends_with(path, "/capacity")) {
+        const Balancer &race = rotor.balancers.at(static_cast<std::size_t>(plane));
+        return {"n m R", {static_cast<Real>(race.n) * race.mass * race.radius}, {}, {}};
+    }
+    const PlanarBallRotor planar = planar_ball_rotor(rotor);
+    const Real speed = rotor.speed_from;
+    if (path == "/residual/0/nothing/0")
+        return {closed,
+                {speed * speed * std::abs(planar.imbalance) /
+                 std::abs(Complex(planar.k - planar.mass * speed * speed, planar.c * speed))},
+                {},
+                {}};
+    if (path == "/residual/0/balancers/0")
+        return {closed, {left_beyond_capacity(planar, speed)}, {}, {}};
+    no_answer("balance: no oracle for " + path);
+}
+
 } // namespace
+
+Answer answer_states(const Request &request) {
+    const std::string &path = request.path;
+    const std::string closed = "planar rotor with two balls, closed form and its small motions";
+    const PlanarBallRotor planar = planar_ball_rotor(request.rotor);
+    const int border = index_after(path, "/state_borders/");
+    if (border >= 0) {
+        const PlanarBorder found =
+            planar_borders(planar, request.rotor.speed_from, request.rotor.speed_to)
+                .at(static_cast<std::size_t>(border));
+        return {closed, {ends_with(path, "/speed") ? found.speed : found.frequency}, {}, {}};
+    }
+    const int index = index_after(path, "/states/");
+    if (index < 0)
+        no_answer("steady states: no oracle for " + path);
+    const PlanarState state =
+        planar_states(planar, request.rotor.speed_from).at(static_cast<std::size_t>(index));
+    if (ends_with(path, "/kind"))
+        return {closed, {}, state.kind, {}};
+    if (ends_with(path, "/residual"))
+        return {closed, {std::abs(state.deflection)}, {}, {}};
+    if (ends_with(path, "/growth"))
+        return {closed, {state.growth}, {}, {}};
+    if (ends_with(path, "/angles"))
+        return {closed, state.angles, {}, {}};
+    no_answer("steady states: no oracle for " + path);
+}
 
 Answer answer_balance(const Request &request) {
     const CaseRotor &rotor = request.rotor;
     const std::string &path = request.path;
+    if (path.rfind("/state", 0) == 0)
+        return answer_states(request);
+    if (path.rfind("/residual/", 0) == 0 || path.find("/needed") != std::string::npos ||
+        ends_with(path, "/capacity"))
+        return answer_supply(rotor, path);
     if (path.rfind("/pendulum/", 0) == 0)
         return answer_pendulums(request);
     if (path.rfind("/joint/", 0) == 0)

@@ -139,6 +139,8 @@ Answer answer_stability(const Request &request) {
     const CaseRotor &rotor = request.rotor;
     if (request.path.rfind("/level1", 0) == 0)
         return answer_operation(request);
+    if (request.path.rfind("/state", 0) == 0)
+        return answer_states(request);
     if (request.path == "/unstable")
         return unstable_bands(rotor);
     if (request.path == "/additional_speeds" && rotor.rigid)

@@ -48,6 +48,9 @@ INSTANTIATE_TEST_SUITE_P(
         "campbell cases/anisotropic_disc_flexible --set speeds.count=3",
         "campbell cases/compressor_margins --set speeds.count=3 --units us --json-units",
         "balance cases/disc_type_short --map --set speeds.count=5",
+        "balance cases/jeffcott_two_balls --set speeds.count=3",
+        "balance cases/jeffcott_two_balls --set speeds.count=3 --set balancer[0].n=3 "
+        "--set bearing[0].c=0 --set bearing[1].c=0 --units us --json-units",
         "balance cases/ring_jeffcott --set balance.simulated=1 --set speeds.count=5",
         "stability cases/twisted_shaft --set speeds.count=3 --set shaft.order=3",
         "stability cases/anisotropic_rotor --set speeds.count=5 --set map.x.path=speed "

@@ -4,6 +4,7 @@
 #include "analyses/simulate.h"
 #include "analyses/steady_states.h"
 #include "balancers/arrangement.h"
+#include "input/case_file.h"
 #include "model/errors.h"
 #include "stability/motions.h"
 #include "stability/rotor_at_speeds.h"
@@ -305,6 +306,19 @@ TEST(StateSearch, RefusesWhatIsNotSteady) {
     EXPECT_TRUE(states[0].state.family);
     EXPECT_LT(states[0].state.residual, 1e-15);
     EXPECT_TRUE(steady_states(scene, {0}).states.empty());
+}
+
+// Six balls at one angle have many equal roots, on which one of the eigensolvers fails.
+TEST(StateSearch, EveryStateOfSixBallsHasItsEigenvalues) {
+    model::Case scene = input::load_case(WHIRL_ROOT "/cases/six_balls");
+    const std::vector<double> speeds = model::SpeedRange{50 * pi / 30, 800 * pi, 31}.values();
+    const results::SteadyStates states = steady_states(scene, speeds);
+    EXPECT_GT(states.states.size(), 100);
+    for (const SteadyState &state : states.states) {
+        EXPECT_EQ(state.why, "");
+        EXPECT_TRUE(std::isfinite(state.growth));
+        EXPECT_GE(state.growing, 0);
+    }
 }
 
 } // namespace

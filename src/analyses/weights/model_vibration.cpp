@@ -25,12 +25,6 @@ model::Case without_balancers(const model::Case &scene) {
     return bare;
 }
 
-/// What the probe reads: the shaft, against its pedestal or not, or the pedestal.
-std::complex<double> read(const forced::ForcedMotion &motion, const assembly::Discretization &d,
-                          const model::Probe &probe) {
-    return forced::reading(motion.motion(forced::stretch_of_probe(d, probe)), probe.angle);
-}
-
 [[noreturn]] void refuse_places(const model::Case &scene, const std::string &problem) {
     throw model::BadInput(fmt::format("{}: {}", scene.file.string(), problem));
 }
@@ -66,18 +60,11 @@ ModelVibration::ModelVibration(const model::Case &scene, results::ModelSummary &
     for (const model::CorrectionPlane &plane : _rotor.planes)
         for (const std::complex<double> &weight : plane.fixed)
             _rotor.imbalances.push_back({"", plane.z, std::abs(weight), std::arg(turned(weight))});
-    for (const model::Imbalance &imbalance : _rotor.imbalances)
-        _rotor.stations.push_back({imbalance.z});
-    const assembly::Discretization d = discretized(_rotor.imbalances);
-    summary.elements = static_cast<int>(d.shaft_mesh().spans.size());
-    summary.unknowns = forced::ForcedMotion(d, _form).unknowns();
-}
-
-assembly::Discretization
-ModelVibration::discretized(const std::vector<model::Imbalance> &imbalances) const {
-    model::Rotor rotor = _rotor;
-    rotor.imbalances = imbalances;
-    return {rotor, _order};
+    const forced::ImbalanceMotions motions(_rotor, _order, _form, {_rotor.imbalances});
+    summary.elements = static_cast<int>(motions.discretization().shaft_mesh().spans.size());
+    summary.unknowns = motions.of(0).unknowns();
+    for (const model::Probe &probe : _rotor.probes)
+        _probes.push_back(forced::quantity_of(motions.discretization(), probe));
 }
 
 std::vector<model::ReadingPlace> ModelVibration::places() const {
@@ -99,10 +86,14 @@ std::vector<model::ReadingPlace> ModelVibration::places() const {
     return places;
 }
 
-Eigen::VectorXcd ModelVibration::readings(const assembly::Discretization &d,
-                                          const std::vector<model::ReadingPlace> &places) const {
-    Eigen::VectorXcd out(static_cast<Eigen::Index>(places.size()));
-    forced::ForcedMotion motion(d, _form);
+Eigen::MatrixXcd
+ModelVibration::readings(const std::vector<forced::ImbalanceMotions::Imbalances> &sets,
+                         const std::vector<model::ReadingPlace> &places) const {
+    const auto columns = static_cast<Eigen::Index>(sets.size());
+    Eigen::MatrixXcd out(static_cast<Eigen::Index>(places.size()), columns);
+    if (sets.empty())
+        return out;
+    forced::ImbalanceMotions motions(_rotor, _order, _form, sets);
     std::optional<double> speed;
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!places[i].speed)
@@ -110,28 +101,32 @@ Eigen::VectorXcd ModelVibration::readings(const assembly::Discretization &d,
                                   "which their table does not say");
         if (speed != places[i].speed) {
             speed = places[i].speed;
-            if (!forced::solves(motion, *speed) ||
-                !(motion.rounding() <= forced::resonance_rounding))
+            if (!motions.solve(*speed))
                 refuse_resonance(*speed);
         }
         for (std::size_t k = 0; k < _rotor.probes.size(); ++k)
             if (_rotor.probe_name(k) == places[i].probe)
-                out(static_cast<Eigen::Index>(i)) = turned(read(motion, d, _rotor.probes[k]));
+                for (Eigen::Index set = 0; set < columns; ++set)
+                    out(static_cast<Eigen::Index>(i), set) =
+                        read(motions.of(static_cast<std::size_t>(set)), k);
     }
     return out;
 }
 
+std::complex<double> ModelVibration::read(const forced::ForcedMotion &motion,
+                                          std::size_t probe) const {
+    return turned(motion.of(_probes[probe]).x);
+}
+
 Eigen::MatrixXcd ModelVibration::influence(const std::vector<model::ReadingPlace> &places) const {
-    Eigen::MatrixXcd H(static_cast<Eigen::Index>(places.size()),
-                       static_cast<Eigen::Index>(_rotor.planes.size()));
-    for (Eigen::Index p = 0; p < H.cols(); ++p)
-        H.col(p) = readings(
-            discretized({{"", _rotor.planes[static_cast<std::size_t>(p)].z, 1.0, 0.0}}), places);
-    return H;
+    std::vector<forced::ImbalanceMotions::Imbalances> units;
+    for (const model::CorrectionPlane &plane : _rotor.planes)
+        units.push_back({{"", plane.z, 1.0, 0.0}});
+    return readings(units, places);
 }
 
 Eigen::VectorXcd ModelVibration::vibration(const std::vector<model::ReadingPlace> &places) const {
-    return readings(discretized(_rotor.imbalances), places);
+    return readings({_rotor.imbalances}, places);
 }
 
 std::vector<model::Imbalance> ModelVibration::with_weights(const Eigen::VectorXcd &weights) const {
@@ -146,24 +141,18 @@ std::vector<model::Imbalance> ModelVibration::with_weights(const Eigen::VectorXc
 void ModelVibration::add_curves(const Eigen::VectorXcd &weights,
                                 results::WeightsResult &result) const {
     result.curve_speeds = _scene.speeds->values();
-    const assembly::Discretization before = discretized(_rotor.imbalances);
-    const assembly::Discretization after = discretized(with_weights(weights));
-    forced::ForcedMotion motion_before(before, _form), motion_after(after, _form);
+    forced::ImbalanceMotions before(_rotor, _order, _form, {_rotor.imbalances});
+    forced::ImbalanceMotions after(_rotor, _order, _form, {with_weights(weights)});
     for (std::size_t k = 0; k < _rotor.probes.size(); ++k)
         result.curves.push_back({_rotor.probe_name(k), {}, {}});
     for (const double speed : result.curve_speeds) {
-        const auto solve = [speed](forced::ForcedMotion &motion) {
-            return forced::solves(motion, speed) && motion.rounding() <= forced::resonance_rounding;
-        };
-        const bool known_before = solve(motion_before), known_after = solve(motion_after);
+        const bool known_before = before.solve(speed), known_after = after.solve(speed);
         for (std::size_t k = 0; k < _rotor.probes.size(); ++k) {
-            const model::Probe &probe = _rotor.probes[k];
-            const auto amplitude = [&](const forced::ForcedMotion &motion,
-                                       const assembly::Discretization &d, bool known) {
-                return known ? std::optional(std::abs(read(motion, d, probe))) : std::nullopt;
+            const auto amplitude = [&](const forced::ImbalanceMotions &motions, bool known) {
+                return known ? std::optional(std::abs(read(motions.of(0), k))) : std::nullopt;
             };
-            result.curves[k].before.push_back(amplitude(motion_before, before, known_before));
-            result.curves[k].after.push_back(amplitude(motion_after, after, known_after));
+            result.curves[k].before.push_back(amplitude(before, known_before));
+            result.curves[k].after.push_back(amplitude(after, known_after));
         }
     }
 }

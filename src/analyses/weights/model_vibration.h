@@ -1,7 +1,7 @@
 #pragma once
 
-#include "assembly/discretization.h"
 #include "forced/forced_motion.h"
+#include "forced/imbalance_motions.h"
 #include "model/case.h"
 #include "model/weights.h"
 #include "results/weights.h"
@@ -43,13 +43,16 @@ class ModelVibration {
     const model::WeightsSettings &_settings;
     results::Form _form = results::Form::general;
     int _order = 1;
-    model::Rotor _rotor; ///< with the imbalances that are already there
+    model::Rotor _rotor;                   ///< with the imbalances that are already there
+    std::vector<forced::Quantity> _probes; ///< what each reads
 
-    /// The rotor with other imbalances on the same mesh.
-    [[nodiscard]] assembly::Discretization
-    discretized(const std::vector<model::Imbalance> &imbalances) const;
-    [[nodiscard]] Eigen::VectorXcd readings(const assembly::Discretization &d,
-                                            const std::vector<model::ReadingPlace> &places) const;
+    /// A column for each set of imbalances.
+    [[nodiscard]] Eigen::MatrixXcd
+    readings(const std::vector<forced::ImbalanceMotions::Imbalances> &sets,
+             const std::vector<model::ReadingPlace> &places) const;
+    /// What a probe reads of a motion.
+    [[nodiscard]] std::complex<double> read(const forced::ForcedMotion &motion,
+                                            std::size_t probe) const;
     [[nodiscard]] std::vector<model::Imbalance> with_weights(const Eigen::VectorXcd &weights) const;
     /// A number with the phase of [weights] as one that leads, and back.
     [[nodiscard]] std::complex<double> turned(std::complex<double> value) const {

@@ -8,7 +8,7 @@ namespace whirl::cli {
 Command stability_command() {
     return {"stability",
             "where motion is unstable",
-            {"speeds", "map", "operation", "level1"},
+            {"speeds", "map", "operation", "level1", "states"},
             {},
             {"cases/overhung_cross_coupled", "cases/compressor_margins"},
             on_cases(analyses::stability)};

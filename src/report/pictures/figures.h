@@ -31,6 +31,7 @@ struct SamplesResult;
 struct ShowResult;
 struct SimulateResult;
 struct StabilityResult;
+struct SteadyStates;
 struct SweepResult;
 struct Waterfall;
 struct WeightsResult;
@@ -149,6 +150,17 @@ struct ModeCurves {
 /// from zero.
 [[nodiscard]] Figure balance_figure(const model::Case &scene, const results::BalanceResult &result,
                                     const Units &units);
+
+/// What stays over spin speed, a panel a probe (without any: a bearing or plane): with nothing, the
+/// best weights, the balancers and both; below, what the planes need over what they can supply.
+/// @param result  with an answer to what the balancers supply
+[[nodiscard]] Figure residual_figure(const model::Case &scene, const results::BalanceResult &result,
+                                     const Units &units);
+
+/// Steady states: the largest amplitude of the balancers' planes over spin speed, branch by branch,
+/// coloured by what the balls do, stable ones solid and unstable ones dashed, with their borders.
+[[nodiscard]] Figure states_figure(const model::Case &scene, const results::SteadyStates &states,
+                                   const Units &units);
 
 /// Where along the shaft one balancer, and two, would work: the criterion over position and speed
 /// with the rotor below it, and over two positions at one speed.

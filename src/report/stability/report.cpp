@@ -383,13 +383,24 @@ Report describe(const model::Case &scene, const StabilityResult &result) {
     Report report =
         report_of<StabilityResult>("stability", "Stability", scene, result,
                                    {json_of, csv_of, sections_of, text_of, stability_figure});
-    if (result.level1) {
-        report.pictures = [&](const Units &units) {
-            return std::vector{level1_picture(scene, *result.level1, units)};
+    const bool states = result.states && !result.states->states.empty();
+    if (result.level1 || states) {
+        report.pictures = [&scene, &result, states](const Units &units) {
+            std::vector<Picture> pictures;
+            if (result.level1)
+                pictures.push_back(level1_picture(scene, *result.level1, units));
+            if (states)
+                pictures.push_back({"states", states_figure(scene, *result.states, units), {}});
+            return pictures;
         };
-        report.pictures_heading = "Logarithmic decrement over added cross coupling";
+        report.pictures_heading = result.level1 && states
+                                      ? "Added cross coupling, and steady states"
+                                  : states ? "Steady states over speed"
+                                           : "Logarithmic decrement over added cross coupling";
         report.pictures_after = sections_of(result, {}).size();
     }
+    if (states)
+        report.tables = [&result] { return std::vector{states_table(*result.states)}; };
     report.answer = stability_answer(result);
     if (const auto &level1 = result.level1; level1 && level1->critical_cross_coupling)
         report.answer += model::Sentence("; added cross coupling up to {} leaves it stable",

@@ -1,0 +1,651 @@
+#include "analyses/balance.h"
+
+#include "balancers/kind.h"
+#include "balancing/free_balancers.h"
+#include "balancing/weights.h"
+#include "forced/imbalance_motions.h"
+#include "forced/response_places.h"
+#include "model/variants.h"
+#include "process/parallel.h"
+#include "results/formulation.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace whirl::analyses {
+
+namespace {
+
+using results::LeftMotion;
+using results::PlaneSupply;
+using results::Sentence;
+using results::Supply;
+namespace as = results::as;
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+constexpr double no_bound = std::numeric_limits<double>::infinity();
+
+/// Planes whose motions differ by less, over the motions themselves, are one: some digits above the
+/// rounding of the motions.
+constexpr double one_plane = 1e-9;
+/// What the best supply may leave of the motion of the planes and still count as nothing.
+constexpr double nothing_left = 1e-6;
+/// Of an eigenvalue that is zero over the largest, as in balancing/free_balancers.cpp.
+constexpr double zero_work = 1e-10;
+
+std::string named(const std::string &name, const char *kind, std::size_t i) {
+    return name.empty() ? fmt::format("{} {}", kind, i + 1) : name;
+}
+
+/// What the free balancers in one plane can make: any moment of mass between these.
+struct Capacity {
+    bool any = false;
+    bool pendulums = false;
+    double largest = 0, least = 0; ///< kg m
+};
+
+/// @returns of each plane; of several planes at one place each balancer there has its own
+std::vector<Capacity> capacities_of(const model::Rotor &rotor,
+                                    const std::vector<model::CorrectionPlane> &planes) {
+    std::vector<Capacity> out(planes.size());
+    std::vector<double> largest_mass(planes.size(), 0);
+    for (const model::Balancer &balancer : rotor.balancers) {
+        std::optional<std::size_t> own;
+        for (std::size_t p = 0; p < planes.size(); ++p)
+            if (planes[p].z == balancer.z && (!own || !out[p].any))
+                own = p;
+        if (!own)
+            continue;
+        const auto kind = balancers::kind_of(balancer);
+        Capacity &capacity = out[*own];
+        capacity.any = true;
+        capacity.pendulums = capacity.pendulums || !kind->swung().empty();
+        capacity.largest += kind->reach().imbalance;
+        for (const balancers::CircledMass &mass : kind->circled())
+            largest_mass[*own] = std::max(largest_mass[*own], mass.moment);
+    }
+    // A polygon of these sides closes unless one is longer than all others together.
+    for (std::size_t p = 0; p < planes.size(); ++p)
+        out[p].least = std::max(0.0, 2 * largest_mass[p] - out[p].largest);
+    return out;
+}
+
+/// The rotor whose motion it is: without free balancers, with what is to be balanced.
+model::Rotor unbalanced_rotor(const model::Case &scene, const criterion::BalanceScene &s) {
+    model::Rotor rotor = s.rotor;
+    rotor.imbalances = model::with_balancer_imbalances(scene.rotor).imbalances;
+    const bool lag = scene.weights && scene.weights->lag; // of the weights' phases
+    for (const model::CorrectionPlane &plane : rotor.planes)
+        for (const Complex &weight : plane.fixed)
+            rotor.imbalances.push_back(
+                {"", plane.z, std::abs(weight), lag ? -std::arg(weight) : std::arg(weight)});
+    std::erase_if(rotor.imbalances, [](const auto &imbalance) { return imbalance.mr == 0; });
+    return rotor;
+}
+
+/// Motions of all that is looked at, a row each, under the imbalances that are there (first column)
+/// and under unit imbalances in the planes: one a plane at angle 0, of a rotor that is not
+/// axisymmetric another at a right angle to it.
+struct Motions {
+    bool known = false;
+    Eigen::MatrixXcd x, y;
+};
+
+/// What is looked at: planes, probes, bearings, then the bearings' forces.
+class Places {
+  public:
+    Places(const criterion::BalanceScene &s, const assembly::Discretization &d) {
+        const model::Rotor &rotor = s.rotor;
+        for (std::size_t i = 0; i < s.planes.size(); ++i)
+            add(forced::Quantity{d.deflection_at(s.planes[i].z)}, "plane",
+                named(s.planes[i].name, "plane", i), s.planes[i].z);
+        for (std::size_t i = 0; i < rotor.probes.size(); ++i)
+            add(forced::quantity_of(d, rotor.probes[i]), "probe",
+                named(rotor.probes[i].name, "probe", i), rotor.probes[i].z);
+        for (std::size_t i = 0; i < rotor.supports().size(); ++i)
+            add(forced::Quantity{d.deflection_at(rotor.bearings[i].z)}, "bearing",
+                named(rotor.bearings[i].name, "bearing", i), rotor.bearings[i].z);
+        for (std::size_t i = 0; i < rotor.supports().size(); ++i) {
+            _quantities.emplace_back().bearing = static_cast<int>(i);
+            _first_force = std::min(_first_force, _quantities.size() - 1);
+        }
+        _probes = !rotor.probes.empty();
+        _planes = s.planes.size();
+    }
+
+    [[nodiscard]] const std::vector<results::LeftAt> &names() const { return _names; }
+    [[nodiscard]] std::size_t planes() const { return _planes; }
+    [[nodiscard]] std::size_t size() const { return _quantities.size(); }
+    /// Row of a bearing's force; of the place with this number.
+    [[nodiscard]] std::optional<Index> force_of(std::size_t place) const {
+        if (_names[place].of != "bearing")
+            return std::nullopt;
+        const std::size_t bearings = _quantities.size() - _names.size();
+        return static_cast<Index>(place + bearings);
+    }
+    /// The weights are to make it small: the probes, without any all places.
+    [[nodiscard]] bool counts(std::size_t place) const {
+        return !_probes || _names[place].of == "probe";
+    }
+
+    [[nodiscard]] std::vector<double> read(const forced::ImbalanceMotions &motions,
+                                           std::size_t sets) const {
+        std::vector<double> row;
+        for (std::size_t set = 0; set < sets; ++set)
+            for (const forced::Quantity &quantity : _quantities) {
+                const forced::Phasor seen = motions.of(set).of(quantity);
+                row.insert(row.end(), {seen.x.real(), seen.x.imag(), seen.y.real(), seen.y.imag()});
+            }
+        return row;
+    }
+    /// @param row  of read(), or empty where there is no motion
+    [[nodiscard]] Motions motions(const std::vector<double> &row, std::size_t sets) const {
+        Motions out;
+        out.known = !row.empty();
+        const auto rows = static_cast<Index>(size());
+        const auto columns = static_cast<Index>(sets);
+        out.x = out.y = Eigen::MatrixXcd::Zero(rows, columns);
+        if (!out.known)
+            return out;
+        const double *next = row.data();
+        for (Index set = 0; set < columns; ++set)
+            for (Index i = 0; i < rows; ++i, next += 4) {
+                out.x(i, set) = {next[0], next[1]};
+                out.y(i, set) = {next[2], next[3]};
+            }
+        return out;
+    }
+    /// Largest over a turn: what a probe reads, the semi-major axis of an orbit or a force.
+    [[nodiscard]] double amplitude(Index row, Complex x, Complex y) const {
+        const auto place = static_cast<std::size_t>(row);
+        if (place < _names.size() && _names[place].of == "probe")
+            return std::abs(x);
+        const forced::WhirlParts parts(forced::Phasor{x, y});
+        return std::abs(parts.a) + std::abs(parts.d);
+    }
+
+  private:
+    std::vector<forced::Quantity> _quantities;
+    std::vector<results::LeftAt> _names;
+    std::size_t _first_force = std::numeric_limits<std::size_t>::max();
+    std::size_t _planes = 0;
+    bool _probes = false;
+
+    void add(forced::Quantity quantity, const char *of, const std::string &name, double z) {
+        quantity.z = z;
+        _quantities.push_back(std::move(quantity));
+        _names.push_back({of, name, z, {}, {}});
+    }
+};
+
+/// At one speed what the planes need and what is left.
+class AtSpeed {
+  public:
+    AtSpeed(const Motions &motions, std::size_t planes, bool any_direction)
+        : _motions(motions), _planes(static_cast<Index>(planes)), _any_direction(any_direction) {}
+
+    /// Factors of the columns of the motions under these weights in the planes, kg m.
+    [[nodiscard]] Eigen::VectorXcd factors(const Eigen::VectorXcd &weights) const {
+        Eigen::VectorXcd out(_motions.x.cols());
+        out(0) = 1;
+        for (Index p = 0; p < _planes; ++p)
+            if (_any_direction) {
+                out(1 + p) = weights(p);
+            } else {
+                out(1 + 2 * p) = weights(p).real();
+                out(2 + 2 * p) = weights(p).imag();
+            }
+        return out;
+    }
+
+    /// The mean over a turn of the motion of a plane in the rotor: its forward part.
+    [[nodiscard]] Complex forward(Index plane, Index column) const {
+        return forced::WhirlParts({_motions.x(plane, column), _motions.y(plane, column)}).a;
+    }
+    [[nodiscard]] Eigen::VectorXcd forward(const Eigen::VectorXcd &weights) const {
+        Eigen::VectorXcd out(_planes);
+        const Eigen::VectorXcd by = factors(weights);
+        for (Index p = 0; p < _planes; ++p)
+            out(p) = forced::WhirlParts(
+                         {(_motions.x.row(p) * by).value(), (_motions.y.row(p) * by).value()})
+                         .a;
+        return out;
+    }
+
+    /// The forward motions of some planes under moments in them, on (Re; Im).
+    [[nodiscard]] Eigen::MatrixXd real_matrix(const std::vector<Index> &of) const {
+        const auto n = static_cast<Index>(of.size());
+        Eigen::MatrixXd B(2 * n, 2 * n);
+        for (Index i = 0; i < n; ++i)
+            for (Index k = 0; k < n; ++k) {
+                const Index row = of[static_cast<std::size_t>(i)];
+                const Index plane = of[static_cast<std::size_t>(k)];
+                const Complex along = forward(row, _any_direction ? 1 + plane : 1 + 2 * plane);
+                const Complex across =
+                    _any_direction ? Complex(0, 1) * along : forward(row, 2 + 2 * plane);
+                B(i, k) = along.real();
+                B(n + i, k) = along.imag();
+                B(i, n + k) = across.real();
+                B(n + i, n + k) = across.imag();
+            }
+        return B;
+    }
+
+    [[nodiscard]] Eigen::MatrixXcd complex_matrix(const std::vector<Index> &of) const {
+        const auto n = static_cast<Index>(of.size());
+        Eigen::MatrixXcd A(n, n);
+        for (Index i = 0; i < n; ++i)
+            for (Index k = 0; k < n; ++k)
+                A(i, k) =
+                    forward(of[static_cast<std::size_t>(i)], 1 + of[static_cast<std::size_t>(k)]);
+        return A;
+    }
+
+  private:
+    const Motions &_motions;
+    Index _planes;
+    bool _any_direction; ///< the rotor is axisymmetric
+};
+
+/// The criterion for some planes.
+bool works(const Eigen::MatrixXd &B) {
+    if (B.size() == 0)
+        return false;
+    const Eigen::MatrixXd mean = (B + B.transpose()) / 2;
+    const Eigen::VectorXd work = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(mean).eigenvalues();
+    return work(0) < 0 && work(work.size() - 1) <= zero_work * work.cwiseAbs().maxCoeff();
+}
+
+/// Moments in some planes that take their motion away; of several that do the smallest. None where
+/// nothing does.
+std::optional<Eigen::VectorXcd> taking_away(const Eigen::MatrixXd &B, const Eigen::VectorXcd &w) {
+    const Index n = w.size();
+    Eigen::VectorXd right(2 * n);
+    right << w.real(), w.imag();
+    Eigen::JacobiSVD<Eigen::MatrixXd> svd(B, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    svd.setThreshold(one_plane);
+    const Eigen::VectorXd x = svd.solve(-right);
+    const Eigen::VectorXd left = right + B * x;
+    if (!x.allFinite() || left.norm() > nothing_left * right.norm())
+        return std::nullopt;
+    Eigen::VectorXcd out(n);
+    out.real() = x.head(n);
+    out.imag() = x.tail(n);
+    return out;
+}
+
+class SupplyFinder {
+  public:
+    SupplyFinder(const model::Case &scene, const criterion::BalanceScene &s,
+                 results::BalanceResult &result)
+        : _scene(scene), _s(s), _result(result), _rotor(unbalanced_rotor(scene, s)),
+          _any_direction(!results::in_rotating_axes(s.formulation.form)),
+          _motions(_rotor, s.order, s.formulation.form, sets()),
+          _places(s, _motions.discretization()), _capacities(capacities_of(scene.rotor, s.planes)) {
+        choose_active();
+    }
+
+    void add() {
+        std::vector<double> speeds = _s.speeds;
+        const std::vector<std::size_t> of_weights = add_weight_speeds(speeds);
+        std::vector<Motions> all = motions_at(speeds);
+        if (all.empty()) // of another process
+            return;
+        begin();
+        find_weights(speeds, of_weights, all);
+        for (std::size_t k = 0; k < _s.speeds.size(); ++k)
+            add_speed(_s.speeds[k], all[k]);
+        add_notes();
+        _result.supply = std::move(_out);
+    }
+
+  private:
+    const model::Case &_scene;
+    const criterion::BalanceScene &_s;
+    results::BalanceResult &_result;
+    model::Rotor _rotor;
+    bool _any_direction;
+    forced::ImbalanceMotions _motions;
+    Places _places;
+    std::vector<Capacity> _capacities;
+    std::vector<Index> _active; ///< planes with balancers; without any balancer all
+    bool _pendulums = false;
+    Eigen::VectorXcd _weights; ///< empty: none are known
+    results::BalanceSupply _out;
+
+    [[nodiscard]] std::size_t set_count() const {
+        return 1 + (_any_direction ? 1 : 2) * _s.planes.size();
+    }
+    [[nodiscard]] std::vector<forced::ImbalanceMotions::Imbalances> sets() const {
+        std::vector<forced::ImbalanceMotions::Imbalances> out{_rotor.imbalances};
+        constexpr double right_angle = std::numbers::pi / 2;
+        for (const model::CorrectionPlane &plane : _s.planes) {
+            out.push_back({{"", plane.z, 1.0, 0.0}});
+            if (!_any_direction)
+                out.push_back({{"", plane.z, 1.0, right_angle}});
+        }
+        return out;
+    }
+
+    void choose_active() {
+        const bool any = std::ranges::any_of(_capacities, &Capacity::any);
+        for (std::size_t p = 0; p < _capacities.size(); ++p) {
+            if (_capacities[p].any || !any)
+                _active.push_back(static_cast<Index>(p));
+            _pendulums = _pendulums || _capacities[p].pendulums;
+        }
+    }
+
+    /// What [weights] asks for, else the operating speeds of the grid, else all.
+    std::vector<std::size_t> add_weight_speeds(std::vector<double> &speeds) const {
+        std::vector<std::size_t> out;
+        const auto add = [&](double speed) {
+            out.push_back(speeds.size());
+            speeds.push_back(speed);
+        };
+        if (_scene.weights && !_scene.weights->speeds.empty()) {
+            for (const double speed : _scene.weights->speeds)
+                add(speed);
+            return out;
+        }
+        for (std::size_t k = 0; k < _s.speeds.size(); ++k)
+            if (_s.speeds[k] > 0 && (!_scene.operation || (_s.speeds[k] >= _scene.operation->from &&
+                                                           _s.speeds[k] <= _scene.operation->to)))
+                out.push_back(k);
+        if (out.empty() && _scene.operation)
+            for (const double speed : {_scene.operation->from, _scene.operation->to})
+                if (speed > 0)
+                    add(speed);
+        return out;
+    }
+
+    std::vector<Motions> motions_at(const std::vector<double> &speeds) {
+        const auto row = [&](double speed) {
+            return speed != 0 && _motions.solve(speed) ? _places.read(_motions, set_count())
+                                                       : std::vector<double>();
+        };
+        std::vector<Motions> out;
+        for (const std::vector<double> &numbers : process::rows_at(speeds, row))
+            out.push_back(_places.motions(numbers, set_count()));
+        return out;
+    }
+
+    void begin() {
+        for (std::size_t p = 0; p < _s.planes.size(); ++p) {
+            PlaneSupply plane;
+            if (_capacities[p].any) {
+                plane.capacity = _capacities[p].largest;
+                plane.least = _capacities[p].least;
+            }
+            _out.planes.push_back(std::move(plane));
+        }
+        _out.left = _places.names();
+        for (std::size_t i = 0; i < _out.left.size(); ++i)
+            if (_places.force_of(i))
+                _out.left[i].force.emplace();
+    }
+
+    /// The best weights in the planes for these speeds, as the command weights finds them.
+    void find_weights(const std::vector<double> &speeds, const std::vector<std::size_t> &chosen,
+                      const std::vector<Motions> &all) {
+        if (!_any_direction)
+            return;
+        std::vector<Index> places;
+        for (std::size_t i = 0; i < _places.names().size(); ++i)
+            if (_places.counts(i))
+                places.push_back(static_cast<Index>(i));
+        std::vector<std::size_t> known;
+        for (const std::size_t k : chosen)
+            if (all[k].known) {
+                known.push_back(k);
+                _out.weight_speeds.push_back(speeds[k]);
+            }
+        if (known.empty())
+            return;
+        const auto planes = static_cast<Index>(_s.planes.size());
+        const auto rows = 2 * static_cast<Index>(known.size() * places.size());
+        balancing::Balance balance{Eigen::MatrixXcd::Zero(rows, planes),
+                                   Eigen::VectorXcd::Zero(rows), Eigen::VectorXd(rows),
+                                   Eigen::VectorXd(planes)};
+        Index row = 0;
+        for (const std::size_t k : known)
+            for (const Index place : places)
+                for (const Eigen::MatrixXcd *of : {&all[k].x, &all[k].y}) {
+                    balance.a(row) = (*of)(place, 0);
+                    balance.H.row(row) = of->row(place).tail(planes);
+                    balance.factors(row++) = factor_of(static_cast<std::size_t>(place));
+                }
+        for (Index p = 0; p < planes; ++p)
+            balance.largest(p) = _s.planes[static_cast<std::size_t>(p)].max.value_or(no_bound);
+        const bool minimax =
+            _scene.weights && _scene.weights->method == model::WeightsMethod::minimax;
+        _weights = (minimax ? balancing::minimax(balance) : balancing::least_squares(balance)).w;
+        for (Index p = 0; p < planes; ++p)
+            _out.planes[static_cast<std::size_t>(p)].weight = _weights(p);
+    }
+
+    [[nodiscard]] double factor_of(std::size_t place) const {
+        if (_scene.weights && _places.names()[place].of == "probe")
+            for (const auto &[name, factor] : _scene.weights->factors)
+                if (name == _places.names()[place].name)
+                    return factor;
+        return 1;
+    }
+
+    /// What the balancers supply, in all planes, with what stands in the planes already.
+    struct Found {
+        Supply supply = Supply::unknown;
+        std::optional<Eigen::VectorXcd> needed, supplied;
+    };
+
+    [[nodiscard]] Eigen::VectorXcd in_all_planes(const Eigen::VectorXcd &of_active) const {
+        Eigen::VectorXcd out = Eigen::VectorXcd::Zero(static_cast<Index>(_s.planes.size()));
+        for (std::size_t i = 0; i < _active.size(); ++i)
+            out(_active[i]) = of_active(static_cast<Index>(i));
+        return out;
+    }
+
+    [[nodiscard]] Found found(const AtSpeed &at, const Eigen::VectorXcd &weights) const {
+        Found out;
+        const auto n = static_cast<Index>(_active.size());
+        const Eigen::VectorXcd everywhere = at.forward(weights);
+        Eigen::VectorXcd w(n);
+        Eigen::VectorXd capacity(n), least(n);
+        const bool any = std::ranges::any_of(_capacities, &Capacity::any);
+        for (Index i = 0; i < n; ++i) {
+            const Index plane = _active[static_cast<std::size_t>(i)];
+            w(i) = everywhere(plane);
+            const Capacity &own = _capacities[static_cast<std::size_t>(plane)];
+            capacity(i) = any ? own.largest : no_bound;
+            least(i) = any ? own.least : 0;
+        }
+        const std::optional<Eigen::VectorXcd> needed = taking_away(at.real_matrix(_active), w);
+        if (needed)
+            out.needed = in_all_planes(*needed);
+        if (_pendulums)
+            return out;
+        // An input may ask for just the capacity: more than its rounding is beyond.
+        constexpr double just = 1e-12;
+        const auto enough = [&](const Eigen::VectorXcd &u) {
+            return (u.cwiseAbs().array() <= capacity.array() * (1 + just)).all();
+        };
+        const auto fine = [&](const Eigen::VectorXcd &u) {
+            return (u.cwiseAbs().array() >= least.array() * (1 - just)).all();
+        };
+        if (needed && enough(*needed)) {
+            out.supply = fine(*needed) ? Supply::balanced : Supply::coarse;
+            if (out.supply == Supply::balanced)
+                out.supplied = out.needed;
+            return out;
+        }
+        out.supply = needed ? Supply::beyond : Supply::out_of_reach;
+        if (!_any_direction || (capacity.array() <= 0).any())
+            return out;
+        const Eigen::MatrixXcd A = at.complex_matrix(_active);
+        const auto best = balancing::best_supply({A, w, capacity});
+        if (!best) {
+            if (works(at.real_matrix(_active))) // there is one, but it was not found
+                out.supply = Supply::unknown;
+            return out;
+        }
+        const bool all = (w + A * *best).norm() <= nothing_left * w.norm(); // shared out otherwise
+        out.supply = !fine(*best) ? Supply::coarse : all ? Supply::balanced : Supply::saturated;
+        if (out.supply != Supply::coarse)
+            out.supplied = in_all_planes(*best);
+        return out;
+    }
+
+    void add_left(const Motions &motions, const std::optional<Eigen::VectorXcd> &factors,
+                  LeftMotion::Values LeftMotion::*of) {
+        const auto value = [&](Index row) -> std::optional<double> {
+            if (!factors)
+                return std::nullopt;
+            return _places.amplitude(row, (motions.x.row(row) * *factors).value(),
+                                     (motions.y.row(row) * *factors).value());
+        };
+        for (std::size_t i = 0; i < _out.left.size(); ++i) {
+            results::LeftAt &left = _out.left[i];
+            (left.amplitude.*of).push_back(value(static_cast<Index>(i)));
+            if (left.force)
+                ((*left.force).*of).push_back(value(*_places.force_of(i)));
+        }
+    }
+
+    void add_needed(const Found &found, PlaneSupply::Moments PlaneSupply::*of) {
+        for (std::size_t p = 0; p < _out.planes.size(); ++p) {
+            const auto plane = static_cast<Index>(p);
+            const bool counts = std::ranges::find(_active, plane) != _active.end();
+            (_out.planes[p].*of)
+                .push_back(counts && found.needed ? std::optional((*found.needed)(plane))
+                                                  : std::nullopt);
+        }
+    }
+
+    /// At rest nothing moves; at a resonance without damping there is no motion to speak of.
+    void add_without_motion(Supply supply) {
+        const Found none{supply, {}, {}};
+        add_needed(none, &PlaneSupply::needed);
+        add_needed(none, &PlaneSupply::beside_weights);
+        _out.with_balancers.push_back(supply);
+        _out.with_both.push_back(supply);
+        _out.works.push_back(false);
+        const std::optional<double> value =
+            supply == Supply::at_rest ? std::optional(0.0) : std::nullopt;
+        for (results::LeftAt &left : _out.left)
+            for (LeftMotion *motion : {&left.amplitude, left.force ? &*left.force : nullptr})
+                if (motion)
+                    for (const auto of : {&LeftMotion::nothing, &LeftMotion::weights,
+                                          &LeftMotion::balancers, &LeftMotion::both})
+                        (motion->*of).push_back(value);
+    }
+
+    void add_speed(double speed, const Motions &motions) {
+        if (!motions.known) {
+            add_without_motion(speed == 0 ? Supply::at_rest : Supply::resonance);
+            return;
+        }
+        const AtSpeed at(motions, _s.planes.size(), _any_direction);
+        const Eigen::VectorXcd none = Eigen::VectorXcd::Zero(static_cast<Index>(_s.planes.size()));
+        const auto factors = [&](const std::optional<Eigen::VectorXcd> &supplied,
+                                 const Eigen::VectorXcd &weights) {
+            return supplied ? std::optional<Eigen::VectorXcd>(at.factors(*supplied + weights))
+                            : std::nullopt;
+        };
+        _out.works.push_back(works(at.real_matrix(_active)));
+        const Found alone = found(at, none);
+        add_needed(alone, &PlaneSupply::needed);
+        _out.with_balancers.push_back(alone.supply);
+        add_left(motions, at.factors(none), &LeftMotion::nothing);
+        add_left(motions, factors(alone.supplied, none), &LeftMotion::balancers);
+        if (_weights.size() == 0) {
+            add_needed({}, &PlaneSupply::beside_weights);
+            _out.with_both.push_back(Supply::unknown);
+            add_left(motions, std::nullopt, &LeftMotion::weights);
+            add_left(motions, std::nullopt, &LeftMotion::both);
+            return;
+        }
+        const Found beside = found(at, _weights);
+        add_needed(beside, &PlaneSupply::beside_weights);
+        _out.with_both.push_back(beside.supply);
+        add_left(motions, at.factors(_weights), &LeftMotion::weights);
+        add_left(motions, factors(beside.supplied, _weights), &LeftMotion::both);
+    }
+
+    void add_notes() {
+        std::vector<Sentence> &notes = _result.model.notes;
+        for (std::size_t i = 0; i < _scene.rotor.balancers.size(); ++i) {
+            const model::Balancer &balancer = _scene.rotor.balancers[i];
+            if (std::ranges::none_of(_s.planes, [&](const model::CorrectionPlane &plane) {
+                    return plane.z == balancer.z;
+                }))
+                notes.emplace_back("{} stands in none of the planes: what it can supply is not "
+                                   "counted",
+                                   named(balancer.name, "balancer", i));
+        }
+        const bool any = std::ranges::any_of(_capacities, &Capacity::any);
+        if (any && _active.size() < _s.planes.size())
+            notes.emplace_back("what is needed is that of the planes with a balancer, {} of {}",
+                               _active.size(), _s.planes.size());
+        if (_pendulums)
+            notes.emplace_back("pendulums do not take away the motion of their plane: what they "
+                               "leave is not among the residuals (see pendulum)");
+        if (!_any_direction)
+            notes.emplace_back(
+                "weights move a rotor that is not axisymmetric by more or less as "
+                "they stand to its axes: none are chosen, and where balancers beyond "
+                "their capacity end is not known");
+        const auto holds = [this](Supply of) {
+            return std::ranges::find(_out.with_balancers, of) != _out.with_balancers.end();
+        };
+        if (_any_direction && !_rotor.bearings_isotropic())
+            notes.emplace_back(
+                "bearings differ between x and y: balancers take away the mean over "
+                "a turn, the forward part of the motion of their planes; the "
+                "backward part stays, and moves their parts to and fro twice a turn");
+        if (holds(Supply::beyond) && _any_direction)
+            notes.emplace_back("where balancers need more than their capacity and the criterion "
+                               "does not hold, where they end is not known: null among the "
+                               "residuals");
+        if (holds(Supply::unknown) && !_pendulums)
+            notes.emplace_back(
+                "at some speeds where balancers need more than their capacity, where "
+                "they end was not found: null among the residuals");
+        if (holds(Supply::coarse))
+            notes.emplace_back("where less is needed than the parts of a balancer always make, "
+                               "what they leave is not known: null among the residuals");
+        if (holds(Supply::out_of_reach))
+            notes.emplace_back("at some speeds no imbalances in the planes take away their motion: "
+                               "out of reach");
+        if (holds(Supply::resonance))
+            notes.emplace_back("at a speed of the grid the rotor is at a resonance without "
+                               "damping: null there");
+    }
+};
+
+} // namespace
+
+void add_supply(const model::Case &scene, const criterion::BalanceScene &s,
+                results::BalanceResult &result) {
+    if (unbalanced_rotor(scene, s).imbalances.empty())
+        return;
+    if (s.formulation.form == results::Form::hill) {
+        result.model.notes.emplace_back(
+            "what balancers must supply is not answered where neither the rotor nor its bearings "
+            "are the same from every direction: they would have to take away motions of several "
+            "frequencies");
+        return;
+    }
+    SupplyFinder(scene, s, result).add();
+}
+
+} // namespace whirl::analyses

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "assembly/discretization.h"
+#include "forced/forced_motion.h"
+#include "model/rotor.h"
+#include "results/formulation.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace whirl::forced {
+
+/// The steady motions of one rotor under several sets of imbalances, each set alone, on one mesh:
+/// those that are there, and a unit imbalance in each of some planes, make all that weights in
+/// these planes can do.
+class ImbalanceMotions {
+  public:
+    using Imbalances = std::vector<model::Imbalance>;
+
+    /// @param rotor  whose own imbalances count only where they are among the sets
+    ImbalanceMotions(const model::Rotor &rotor, int order, results::Form form,
+                     const std::vector<Imbalances> &sets);
+
+    /// False at a resonance without damping, where one of the motions has no limit.
+    [[nodiscard]] bool solve(double speed);
+
+    /// Under one of the sets, at the speed solved last.
+    [[nodiscard]] const ForcedMotion &of(std::size_t set) const { return _motions[set]; }
+    [[nodiscard]] const assembly::Discretization &discretization() const {
+        return *_discretizations.front();
+    }
+
+  private:
+    std::vector<std::unique_ptr<assembly::Discretization>> _discretizations;
+    std::vector<ForcedMotion> _motions;
+};
+
+} // namespace whirl::forced
