@@ -67,6 +67,7 @@ Command samples_command();
 Command show_command();
 Command simulate_command();
 Command stability_command();
+Command studio_command();
 Command sweep_command();
 Command weights_command();
 
