@@ -52,6 +52,7 @@ struct Command {
     std::vector<std::string> options;     ///< beside those that every command has: "--map"
     std::vector<std::string> examples;    ///< what stands behind "whirl NAME "
     std::function<void(const Run &)> run; ///< case to result to report
+    bool lasts = false;                   ///< until a signal ends it: there is no progress to show
 };
 
 /// A row each, in the source of its name.

@@ -124,7 +124,8 @@ void run_command(const Arguments &arguments) {
     const report::Provenance provenance = provenance_of(file, arguments);
     const report::Units units = report::Units::of_readers(scene.units);
     std::optional<ProgressDisplay> display;
-    if (!arguments.quiet && process::process_rank() == 0)
+    if (!arguments.quiet && !command_named(arguments.command)->lasts &&
+        process::process_rank() == 0)
         display.emplace(ProgressDisplay::style_for(isatty(STDERR_FILENO) != 0), units);
     const process::Stage stage(model::Sentence(arguments.command), 0, 1);
     try {

@@ -72,6 +72,11 @@ EditedEntry entry_of(const std::string &text) {
 std::string toml_of(const std::string &value) {
     const Node node = parse_value(value, {});
     const bool plain = node.kind == Node::Kind::text && node.text == value;
+    const bool needs_no_escape = std::ranges::none_of(value, [](char letter) {
+        return letter == '"' || letter == '\\' || static_cast<unsigned char>(letter) < ' ';
+    });
+    if (plain && needs_no_escape) // as cases are written; the library prefers '...'
+        return "\"" + value + "\"";
     const bool in_one_line = value.find_first_of("#\n\r") == std::string::npos;
     return plain || !in_one_line ? value_text(node) : value;
 }

@@ -41,7 +41,8 @@ Command studio_command() {
             {},
             {"--port"},
             {"cases/nelson_mcvaugh", "cases/id_fan --port 8080"},
-            studio_of_case};
+            studio_of_case,
+            true};
 }
 
 } // namespace whirl::cli
