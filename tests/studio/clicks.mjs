@@ -1,11 +1,11 @@
 // A hundred random edits by clicks and keys: none leaves the page broken.
 // Usage: node clicks.mjs PROGRAM CASE [edits] [seed]; status 1 where one does.
+import { accessSync } from "node:fs";
 import { Browser, quiet, studio } from "./browser.mjs";
 
 const [program, scene, edits = "100", seed = "1"] = process.argv.slice(2);
 const name = ["chromium", "chromium-browser", "google-chrome"].find(own =>
   process.env.PATH.split(":").some(folder => { try { accessSync(folder + "/" + own); return true; } catch { return false; } }));
-import { accessSync } from "node:fs";
 if (!name) { console.log("no browser is installed"); process.exit(77); }
 
 // Numbers from 0 to 1 that follow from the seed: a linear congruential generator modulo 2^32.
