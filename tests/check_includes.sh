@@ -11,7 +11,8 @@ rooms=(model results mesh elements balancers linalg balancing process assembly r
 # What stands on all of them knows only what it needs.
 declare -A allowed=(
   [main]="analyses cli input model process report"
-  [cli]="analyses input linalg model process report results"
+  [cli]="analyses input linalg model process report results studio"
+  [studio]="input model process report"
   [report]="balancers model process results"
   [input]="balancers model"
   [closed_form]=""

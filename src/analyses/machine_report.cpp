@@ -73,6 +73,7 @@ std::optional<double> speed_of_modes(const model::Case &scene) {
 }
 
 const char *const no_speeds = "the case has no [speeds]";
+const char *const no_planes = "the case has neither [[balancer]] nor [[plane]]";
 
 /// Peaks that `critical` would find once more for its margins. Of rotors whose motion is periodic
 /// in time it does not look for them.
@@ -84,22 +85,14 @@ peaks_of(const model::Case &scene, const results::Part<results::ResponseResult> 
 }
 
 void add_response(const model::Case &scene, results::MachineReport &report) {
-    if (!scene.speeds)
-        report.response.why = no_speeds;
-    else if (!driven(scene))
-        report.response.why = "nothing drives the rotor: the case has neither [[imbalance]] nor "
-                              "[[force]]";
-    else
+    report.response.why = not_called_for(scene).response;
+    if (report.response.why.empty())
         run(report.response, "response", 1, [&] { return unbalance_response(scene); });
 }
 
 void add_stability(const model::Case &scene, const CaseWith &with, results::MachineReport &report) {
-    if (!scene.speeds)
-        report.stability.why = no_speeds;
-    else if (!may_grow(scene))
-        report.stability.why = "nothing in the rotor can make a motion grow: no damping, no cross "
-                               "coupling, no balancers, nothing unequal that turns";
-    else
+    report.stability.why = not_called_for(scene).stability;
+    if (report.stability.why.empty())
         run(report.stability, "stability", 4, [&] { return stability(scene, with); });
 }
 
@@ -116,14 +109,8 @@ void add_modes(const model::Case &scene, results::MachineReport &report) {
 }
 
 void add_balance(const model::Case &scene, results::MachineReport &report) {
-    const bool planes = !scene.rotor.planes.empty() || !scene.rotor.balancer_planes().empty();
-    if (!planes)
-        report.balance.why = "the case has neither [[balancer]] nor [[plane]]";
-    else if (!scene.speeds)
-        report.balance.why = no_speeds;
-    else if (std::min(scene.speeds->from, scene.speeds->to) < 0)
-        report.balance.why = "the criterion is for speeds of one sense, from 0 up";
-    else
+    report.balance.why = not_called_for(scene).balance;
+    if (report.balance.why.empty())
         run(report.balance, "balance", 6, [&] {
             model::Case rest = scene;
             if (report.stability.result) // which has the steady states
@@ -151,6 +138,26 @@ template <class Result> const Result *pointer_to(const results::Part<Result> &pa
 
 } // namespace
 
+NotCalledFor not_called_for(const model::Case &scene) {
+    if (!scene.speeds)
+        return {no_speeds, no_speeds, no_speeds,
+                scene.rotor.planes.empty() && scene.rotor.balancer_planes().empty() ? no_planes
+                                                                                    : no_speeds};
+    NotCalledFor why;
+    if (!has_range(scene))
+        why.campbell = "the case has one speed";
+    if (!driven(scene))
+        why.response = "nothing drives the rotor: the case has neither [[imbalance]] nor [[force]]";
+    if (!may_grow(scene))
+        why.stability = "nothing in the rotor can make a motion grow: no damping, no cross "
+                        "coupling, no balancers, nothing unequal that turns";
+    if (scene.rotor.planes.empty() && scene.rotor.balancer_planes().empty())
+        why.balance = no_planes;
+    else if (std::min(scene.speeds->from, scene.speeds->to) < 0)
+        why.balance = "the criterion is for speeds of one sense, from 0 up";
+    return why;
+}
+
 results::MachineReport machine_report(const model::Case &scene, const CaseWith &with) {
     results::MachineReport report;
     run(report.show, "what the rotor is", 0, [&] { return show(scene); });
@@ -161,10 +168,9 @@ results::MachineReport machine_report(const model::Case &scene, const CaseWith &
         return critical_speeds(scene, scene.critical_map.has_value(),
                                peaks_of(scene, report.response));
     });
-    if (has_range(scene))
+    report.campbell.why = not_called_for(scene).campbell;
+    if (report.campbell.why.empty())
         run(report.campbell, "Campbell diagram", 3, [&] { return campbell(scene); });
-    else
-        report.campbell.why = scene.speeds ? "the case has one speed" : no_speeds;
     add_stability(scene, with, report);
     add_modes(scene, report);
     add_balance(scene, report);

@@ -6,6 +6,12 @@
 
 namespace whirl::analyses {
 
+/// Why a case does not call for an analysis; empty: it does. The critical speeds it always does.
+struct NotCalledFor {
+    results::Sentence campbell, response, stability, balance;
+};
+[[nodiscard]] NotCalledFor not_called_for(const model::Case &scene);
+
 /// All analyses that a case calls for, and the checks that follow from them.
 ///
 /// Each is the analysis of the command of its name, asked once. Shared: the critical speeds take

@@ -33,6 +33,11 @@ void add_own_options(CLI::App &app, const Command &command, Arguments &arguments
                           },
                           "--map over the stiffness of this bearing alone")
                        ->type_name("NAME|PLACE"));
+    hide_elsewhere(app.add_option("--port", arguments.port,
+                                  "of the address, 1 to 65535; without it any that is free")
+                       ->check(CLI::Range(1, 65535))
+                       ->type_name("N"));
+    app.add_flag("--parts", arguments.parts)->group(""); // for studio alone
     hide_elsewhere(app.add_flag("--pdf", arguments.pdf,
                                 "also a PDF of the page, printed by Chromium or WeasyPrint"));
     hide_elsewhere(app.add_option_function<std::string>(

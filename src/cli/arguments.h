@@ -19,6 +19,8 @@ struct Arguments {
     bool all = false;    ///< all rows of all tables there
     bool quiet = false;  ///< nothing on standard output
     bool pdf = false;    ///< report: printed to a file as well
+    bool parts = false;  ///< what a page that is open already shows, on standard output, for studio
+    int port = 0;        ///< studio: of the address; 0: any that is free
     bool map = false; ///< balance: over plane positions; critical: over support stiffness as well
     std::vector<std::string> overrides; ///< "path.to.key=value"
     std::vector<std::string> compared;  ///< compare: a command, cases, results

@@ -52,6 +52,7 @@ struct Command {
     std::vector<std::string> options;     ///< beside those that every command has: "--map"
     std::vector<std::string> examples;    ///< what stands behind "whirl NAME "
     std::function<void(const Run &)> run; ///< case to result to report
+    bool lasts = false;                   ///< until a signal ends it: there is no progress to show
 };
 
 /// A row each, in the source of its name.
@@ -67,6 +68,7 @@ Command samples_command();
 Command show_command();
 Command simulate_command();
 Command stability_command();
+Command studio_command();
 Command sweep_command();
 Command weights_command();
 

@@ -66,6 +66,10 @@ void deliver(const Run &run, const report::Report &report) {
     if (process::process_rank() != 0)
         return;
     const Arguments &arguments = run.arguments;
+    if (arguments.parts && !report.document) {
+        say(report::page_parts(report));
+        return;
+    }
     report::Files files;
     if (!arguments.json || arguments.out)
         files = report::write_report(report, run.folder());
@@ -115,12 +119,13 @@ void run_command(const Arguments &arguments) {
     note_idle_map(arguments);
     note_plain_speed(arguments, scene);
     const Run checked{arguments, file, scene, {}};
-    if (!arguments.json || arguments.out)
+    if (!(arguments.json || arguments.parts) || arguments.out)
         report::check_folder(checked.folder());
     const report::Provenance provenance = provenance_of(file, arguments);
     const report::Units units = report::Units::of_readers(scene.units);
     std::optional<ProgressDisplay> display;
-    if (!arguments.quiet && process::process_rank() == 0 && isatty(STDERR_FILENO) != 0)
+    if (!arguments.quiet && !command_named(arguments.command)->lasts &&
+        process::process_rank() == 0 && isatty(STDERR_FILENO) != 0)
         display.emplace(stderr, ProgressDisplay::Pace{}, units);
     const process::Stage stage(model::Sentence(arguments.command), 0, 1);
     try {

@@ -107,17 +107,22 @@ Node CaseFile::overridden(const std::vector<std::string> &overrides, Problems &p
     return tree;
 }
 
-model::Case CaseFile::load(const std::vector<std::string> &overrides) const {
-    Problems problems;
-    const Node tree = overridden(overrides, problems);
-    ReadContext context(tree, *_tables);
-    context.problems = std::move(problems);
+model::Case CaseFile::read(const Node &tree, ReadContext &context) const {
     context.folder = _file.parent_path();
     CheckedTable root({tree, "", context});
     model::Case scene = read_case(root);
     scene.file = _file;
     scene.name = case_name(_file);
     validate(scene, {tree, context.problems});
+    return scene;
+}
+
+model::Case CaseFile::load(const std::vector<std::string> &overrides) const {
+    Problems problems;
+    const Node tree = overridden(overrides, problems);
+    ReadContext context(tree, *_tables);
+    context.problems = std::move(problems);
+    model::Case scene = read(tree, context);
     context.problems.throw_if_any();
     scene.remarks = std::move(context.remarks);
     add_remarks(scene, tree);

@@ -1,10 +1,13 @@
 #pragma once
 
+#include "input/problems.h"
 #include "model/case.h"
 #include "model/output_units.h"
+#include "model/quantity.h"
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,8 +15,26 @@
 namespace whirl::input {
 
 class FileTexts;
-class Problems;
 struct Node;
+struct ReadContext;
+
+/// What a number is made of as it is written: 25 and "mm"; in SI where there is no unit.
+struct NumberParts {
+    double value = 0;
+    std::string unit;
+};
+/// Of a value of a case file or of an override; none where it is no number.
+[[nodiscard]] std::optional<NumberParts> number_parts(const std::string &value);
+
+/// A number of a case as it was written.
+struct WrittenNumber {
+    std::string path;  ///< "bearing[0].k"
+    std::string group; ///< what it belongs to, for readers: "bearing 1, drive end"
+    std::string text;  ///< "1e6", "25 mm"
+    model::Quantity quantity = model::Quantity::number;
+    bool whole = false; ///< a count
+    int line = 0;       ///< of the file; 0: given on the command line
+};
 
 /// A case file with its tables: each is read once, however often the case is asked for.
 class CaseFile {
@@ -33,6 +54,23 @@ class CaseFile {
     /// it is the same case.
     /// @throws model::BadInput
     [[nodiscard]] std::string text(const std::vector<std::string> &overrides = {}) const;
+
+    /// The mistakes of the case with these overrides; none where load() would give it.
+    [[nodiscard]] std::vector<Problem> problems(const std::vector<std::string> &overrides) const;
+
+    /// All numbers of the case with these overrides, in the order of the file.
+    /// @throws model::BadInput where it has mistakes
+    [[nodiscard]] std::vector<WrittenNumber>
+    numbers(const std::vector<std::string> &overrides) const;
+
+    /// The case file with the overrides written into it: values are put in place of those that
+    /// stood there, entries that are new below the header of their table or in a section at the
+    /// end; all else is as it was, comments too. Read again it is the case with the overrides.
+    /// @throws model::BadInput for mistakes, and where an override cannot be written in this way
+    [[nodiscard]] std::string edited(const std::vector<std::string> &overrides) const;
+
+    /// The file itself.
+    [[nodiscard]] const std::filesystem::path &path() const { return _file; }
 
     /// What the file and the tables read so far hold: for processes that ought to read the same.
     [[nodiscard]] std::string all_texts() const;
@@ -55,6 +93,8 @@ class CaseFile {
 
     [[nodiscard]] Node overridden(const std::vector<std::string> &overrides,
                                   Problems &problems) const;
+    /// The case of a tree; mistakes go to the context.
+    [[nodiscard]] model::Case read(const Node &tree, ReadContext &context) const;
 };
 
 /// The case of a file that is asked for once.

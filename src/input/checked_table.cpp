@@ -46,6 +46,7 @@ double CheckedEntry::number(Quantity quantity, Range range) const {
 
 int CheckedEntry::whole(int low, int high) const {
     context.numeric.insert_or_assign(path, Quantity::number);
+    context.whole.insert(path);
     if (node.is_number() && node.number == std::floor(node.number) && node.number >= low &&
         node.number <= high)
         return static_cast<int>(node.number);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,7 @@ struct ReadContext {
     FileTexts &files;
     Problems problems;
     std::map<std::string, Quantity> numeric; ///< path of an entry, its quantity
+    std::set<std::string> whole;             ///< those of them that are whole numbers
     std::vector<model::Sentence> remarks;    ///< what is no mistake and looks like one
     std::filesystem::path folder;            ///< of the case file; paths in it start here
 

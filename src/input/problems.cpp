@@ -62,9 +62,7 @@ void Problems::add(Origin origin, std::string key, std::string text) {
         ++_more;
 }
 
-void Problems::throw_if_any() const {
-    if (_problems.empty())
-        return;
+std::vector<Problem> Problems::sorted() const {
     // Files in the order in which they come up.
     const auto place = [this](const Problem &problem) {
         const auto same_file = [&](const Problem &other) {
@@ -75,8 +73,14 @@ void Problems::throw_if_any() const {
     };
     std::vector<Problem> sorted = _problems;
     std::ranges::stable_sort(sorted, {}, place);
+    return sorted;
+}
+
+void Problems::throw_if_any() const {
+    if (_problems.empty())
+        return;
     std::string message;
-    for (const Problem &problem : sorted) {
+    for (const Problem &problem : sorted()) {
         message += message.empty() ? "" : "\n";
         message += problem.origin.text() + ": ";
         message += problem.key.empty() ? "" : problem.key + ": ";

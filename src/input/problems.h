@@ -15,6 +15,13 @@ struct Origin {
     [[nodiscard]] std::string text() const;
 };
 
+/// A mistake in a case: where it stands, at which entry, what was expected and what was given.
+struct Problem {
+    Origin origin;
+    std::string key; ///< path of the entry, or empty
+    std::string text;
+};
+
 /// Collects all mistakes of a case, so that the user sees them at once.
 class Problems {
   public:
@@ -25,16 +32,14 @@ class Problems {
     [[nodiscard]] bool empty() const { return _problems.empty(); }
     [[nodiscard]] std::size_t count() const { return _problems.size() + _more; }
 
-    /// Throws model::BadInput with one line for each problem, "origin: key: text", those of one
-    /// file together and in the order of their lines; does nothing where there is no problem.
+    /// Those of one file together and in the order of their lines.
+    [[nodiscard]] std::vector<Problem> sorted() const;
+
+    /// Throws model::BadInput with one line for each problem, "origin: key: text", in that order;
+    /// does nothing where there is no problem.
     void throw_if_any() const;
 
   private:
-    struct Problem {
-        Origin origin;
-        std::string key;
-        std::string text;
-    };
     std::vector<Problem> _problems;
     std::size_t _more = 0; ///< beyond those
 };

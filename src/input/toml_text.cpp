@@ -14,6 +14,7 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <type_traits>
 #include <vector>
 
 namespace whirl::input {
@@ -188,7 +189,101 @@ Node parsed(std::string_view document, const Origin &origin) {
     return convert(toml::parse(document, origin.file), origin);
 }
 
+/// Finds the places of a document's entries.
+class PlaceFinder {
+  public:
+    explicit PlaceFinder(std::string_view document) : _document(document) {
+        _lines.push_back(0);
+        for (std::size_t i = 0; i < document.size(); ++i)
+            if (document[i] == '\n')
+                _lines.push_back(i + 1);
+    }
+
+    std::map<std::string, TextPlace> found(const toml::table &root) {
+        entries(root, "");
+        return std::move(_places);
+    }
+
+  private:
+    std::string_view _document;
+    std::vector<std::size_t> _lines; ///< where each begins
+    std::map<std::string, TextPlace> _places;
+
+    /// toml++ counts lines and, in them, characters, both from 1.
+    [[nodiscard]] std::size_t offset(const toml::source_position &at) const {
+        std::size_t byte = _lines.at(std::min<std::size_t>(at.line - 1, _lines.size() - 1));
+        const auto follows = [this](std::size_t k) { // a further byte of a character
+            return k < _document.size() &&
+                   (static_cast<unsigned char>(_document[k]) & 0xC0U) == 0x80U;
+        };
+        for (toml::source_index column = 1; column < at.column && byte < _document.size(); ++column)
+            do
+                ++byte;
+            while (follows(byte));
+        return byte;
+    }
+
+    void entries(const toml::table &table, const std::string &path) {
+        for (const auto &[key, value] : table)
+            if (key.str().find_first_of(".[]") == std::string_view::npos && !key.str().empty())
+                note(value,
+                     path.empty() ? std::string(key.str()) : path + "." + std::string(key.str()));
+    }
+
+    void note(const toml::node &node, const std::string &path) {
+        const toml::table *table = node.as_table();
+        const toml::array *list = node.as_array();
+        const toml::source_region &region = node.source();
+        // Tables that a deeper header or a dotted key implies stand nowhere themselves, and lists
+        // of tables with headers in several places.
+        const bool below_headers = list != nullptr && !list->empty() && list->front().is_table() &&
+                                   !list->front().as_table()->is_inline();
+        const bool header = table != nullptr && !table->is_inline();
+        if (region.begin.line > 0 && !below_headers &&
+            (!header || _document[offset(region.begin)] == '['))
+            _places[path] = {header             ? TextPlace::Kind::header
+                             : table != nullptr ? TextPlace::Kind::inline_table
+                                                : TextPlace::Kind::value,
+                             offset(region.begin), offset(region.end)};
+        if (table != nullptr)
+            entries(*table, path);
+        for (std::size_t i = 0; list != nullptr && i < list->size(); ++i)
+            note((*list)[i], fmt::format("{}[{}]", path, i));
+    }
+};
+
 } // namespace
+
+std::map<std::string, TextPlace> text_places(std::string_view document) {
+    const toml::table root = toml::parse(document);
+    return PlaceFinder(document).found(root);
+}
+
+std::string value_text(const Node &value) {
+    std::ostringstream text;
+    const auto put = [&text](const auto &own) { text << own; };
+    hand_over(value, [&put](auto own) {
+        if constexpr (std::is_same_v<decltype(own), toml::table>) {
+            own.is_inline(true);
+            put(own);
+        } else if constexpr (std::is_same_v<decltype(own), toml::array>) {
+            put(own);
+        } else {
+            put(toml::value(own));
+        }
+    });
+    return text.str();
+}
+
+std::string key_text(const std::string &key) {
+    const bool bare =
+        !key.empty() && key.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKL"
+                                              "MNOPQRSTUVWXYZ0123456789_-") == std::string::npos;
+    Node text;
+    text.kind = Node::Kind::text;
+    text.text = key;
+    return bare ? key : value_text(text);
+}
 
 Node parse_toml(std::string_view document, const std::string &file) {
     try {

@@ -1,4 +1,6 @@
 #include "report/common/html.h"
+#include "report/common/json.h"
+#include "report/common/plot_jobs.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/report.h"
@@ -7,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <sstream>
 
 namespace whirl::report {
@@ -95,59 +98,89 @@ std::string script_element(std::string_view script) {
     return std::string("<script>").append(script).append("</script>\n");
 }
 
+/// Whether a script of the page draws the diagram.
+bool moves(const Report &report) {
+    return !plotly_bundle().empty() && !embedded(report.command + ".js").empty();
+}
+
+/// What stands between the head of a page and its foot, by the names in page.html.
+/// @param still, pictures  as of to_html
+std::map<std::string, std::string> main_of(const Report &report, const std::string &still,
+                                           const std::string &pictures) {
+    const Units readers = Units::of_readers(report.scene->units);
+    const std::string title = title_of(*report.scene);
+    std::string notes;
+    for (const model::Sentence &note : report.model->notes)
+        notes += element("p", readers.text(note),
+                         note.weight() == model::Weight::information ? "note quiet" : "note");
+    std::string plot =
+        moves(report)
+            ? fmt::format("<figure aria-label=\"{}; the numbers are in the tables below\">"
+                          "<div id=\"plot\"></div></figure>\n",
+                          escaped_attribute(report.heading + ": " + title))
+            : still;
+    if (!moves(report) && !embedded(report.command + ".js").empty())
+        plot +=
+            element("p", "This build has no Plotly, so the diagram is a still picture.", "note");
+    const bool is_drawing = static_cast<bool>(report.drawing) || // the rotor itself
+                            !model::has_shaft(*report.scene);
+    return {{"heading", escaped(report.heading)},
+            {"notes", notes},
+            {"rotor", is_drawing
+                          ? ""
+                          : element("h2", "Rotor") +
+                                picture_element(to_svg(scene_drawing(*report.scene, readers)),
+                                                "Side view of the rotor: " + title)},
+            {"plot", plot},
+            {"sections", sections_of(report, pictures)},
+            {"model", formulation(*report.model, readers)}};
+}
+
+/// The main picture of a page that does not draw it itself; nothing without gnuplot.
+std::string still_picture(const Report &report) {
+    const Units readers = Units::of_readers(report.scene->units);
+    const std::string label = report.heading + ": " + title_of(*report.scene);
+    if (report.drawing)
+        return picture_element(to_svg(report.drawing(readers)), label);
+    PlotJobs jobs;
+    if (moves(report) ||
+        !jobs.start(report.figure(readers), PictureFormat::svg, report.command + ".svg"))
+        return "";
+    return picture_element(jobs.finish().begin()->second, label);
+}
+
 } // namespace
 
 std::string to_html(const Report &report, const std::string &still, const std::string &pictures,
                     const std::vector<std::string> &files) {
-    const std::string script = embedded(report.command + ".js");
-    const bool moves = !plotly_bundle().empty() && !script.empty();
-    std::string notes;
-    const Units readers = Units::of_readers(report.scene->units);
-    for (const model::Sentence &note : report.model->notes)
-        notes += element("p", readers.text(note),
-                         note.weight() == model::Weight::information ? "note quiet" : "note");
-    const std::string title = title_of(*report.scene);
-    std::string plot =
-        moves ? fmt::format("<figure aria-label=\"{}; the numbers are in the tables below\">"
-                            "<div id=\"plot\"></div></figure>\n",
-                            escaped_attribute(report.heading + ": " + title))
-              : still;
-    if (!moves && !script.empty())
-        plot +=
-            element("p", "This build has no Plotly, so the diagram is a still picture.", "note");
     std::string scripts;
     const std::string of_space = embedded(report.command + "_space.js"); // which needs no library
-    if (moves)
+    if (moves(report))
         scripts = script_element(plotly_bundle());
-    if (moves || !of_space.empty()) // in a function of its own: names such as `top` belong to the
-        scripts +=                  // window outside
+    if (moves(report) || !of_space.empty()) // in a function of its own: names such as `top` belong
+        scripts +=                          // to the window outside
             script_element("(function () {\n" + embedded("common.js") + of_space +
-                           (moves ? script : "") + "})();\n");
-    const bool is_drawing = static_cast<bool>(report.drawing) || // the rotor itself
-                            !model::has_shaft(*report.scene);
-    return with_contents(filled(
-        embedded("page.html"),
-        {{"heading", escaped(report.heading)},
-         {"title", escaped(title)},
-         {"case", escaped(report.scene->name)},
-         {"command", report.command},
-         {"version", program_version()},
-         {"style", embedded("page.css")},
-         {"notes", notes},
-         {"rotor", is_drawing ? ""
-                              : element("h2", "Rotor") +
-                                    picture_element(to_svg(scene_drawing(*report.scene, readers)),
-                                                    "Side view of the rotor: " + title)},
-         {"files", file_links(files)},
-         {"page_script", embedded("page.js")},
-         {"plot", plot},
-         {"sections", sections_of(report, pictures)},
-         {"model", formulation(*report.model, readers)},
-         {"date", report.provenance.date},
-         {"case_text",
-          escaped_lines(overrides_of(report.provenance) + report.provenance.case_text)},
-         {"json", json_for_script(to_page_json(report))},
-         {"scripts", scripts}}));
+                           (moves(report) ? embedded(report.command + ".js") : "") + "})();\n");
+    std::map<std::string, std::string> values = main_of(report, still, pictures);
+    values.insert({{"title", escaped(title_of(*report.scene))},
+                   {"case", escaped(report.scene->name)},
+                   {"command", report.command},
+                   {"version", program_version()},
+                   {"style", embedded("page.css")},
+                   {"files", file_links(files)},
+                   {"page_script", embedded("page.js") + embedded("tables.js")},
+                   {"date", report.provenance.date},
+                   {"case_text",
+                    escaped_lines(overrides_of(report.provenance) + report.provenance.case_text)},
+                   {"json", json_for_script(to_page_json(report))},
+                   {"scripts", scripts}});
+    return with_contents(filled(embedded("page.html"), values));
+}
+
+std::string page_parts(const Report &report) {
+    const std::string main =
+        filled("@notes@@plot@@sections@@rotor@@model@", main_of(report, still_picture(report), ""));
+    return json_text(Json{{"main", main}, {"result", to_page_json(report)}});
 }
 
 } // namespace whirl::report

@@ -163,6 +163,11 @@ template <class Result>
                                   const std::string &pictures = "",
                                   const std::vector<std::string> &files = {});
 
+/// What a page that is open already puts in place of what it shows, as JSON: `main`, HTML, with the
+/// notes and the diagram first, and `result`, the data for its script as text. Without pictures
+/// beside the main one; that is drawn by gnuplot where no script does it.
+[[nodiscard]] std::string page_parts(const Report &report);
+
 /// What a report has written.
 struct Files {
     std::vector<std::filesystem::path> paths; ///< the main picture first

@@ -54,8 +54,8 @@ TEST_F(Program, HelpAndVersionGoToStandardOutput) {
     const ProgramRun help = run({"--help"});
     EXPECT_EQ(help.status, 0);
     for (const char *command :
-         {"show", "campbell", "critical", "stability", "response", "balance", "rigid-limit",
-          "simulate", "accuracy", "samples", "sweep", "modes", "weights", "report"})
+         {"studio", "show", "campbell", "critical", "stability", "response", "balance",
+          "rigid-limit", "simulate", "accuracy", "samples", "sweep", "modes", "weights", "report"})
         EXPECT_TRUE(contains(help.output, command)) << command;
     const ProgramRun of_command = run({"campbell", "--help"});
     EXPECT_EQ(of_command.status, 0);

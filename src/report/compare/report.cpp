@@ -106,7 +106,7 @@ std::string page_of(const Comparison &comparison, const Units &units, const std:
                 {"notes", notes},
                 {"rotor", ""},
                 {"files", file_links(files)},
-                {"page_script", embedded("page.js")},
+                {"page_script", embedded("page.js") + embedded("tables.js")},
                 {"plot", still},
                 {"sections", sections(comparison, units)},
                 {"model", ""},

@@ -40,8 +40,9 @@ function operating(layout) {
   }
   return {shapes: shapes.concat(layout.shapes || []), annotations: (layout.annotations || []).concat(names)};
 }
+// Drawn again with other numbers, a zoom and what is hidden stay as the reader left them.
 function draw(traces, layout, place = "plot") {
-  Plotly.newPlot(place, traces, Object.assign({margin: {l: 75, r: 45, t: 30, b: 60}, modebar: {orientation: "v"}, height: 620,
+  Plotly.react(place, traces, Object.assign({uirevision: "kept", margin: {l: 75, r: 45, t: 30, b: 60}, modebar: {orientation: "v"}, height: 620,
     hovermode: "closest", separators: ".", plot_bgcolor: "#fff", paper_bgcolor: "#fff",
     legend: {orientation: "h", y: 1.02, yanchor: "bottom"}}, layout, operating(layout)), {responsive: true, displaylogo: false});
 }
