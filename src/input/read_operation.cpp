@@ -208,7 +208,7 @@ void read_fits(CheckedTable &table, const model::Rotor &rotor,
     if (!list)
         return;
     const std::vector<std::string> words{"min", "max"};
-    if (list->items().empty())
+    if (!list->node.is_list())
         list->fail(R"(expected a list of "min" and "max", got )" + shown(list->node));
     for (const CheckedEntry &item : list->items()) {
         const auto word = std::ranges::find(words, item.node.text);
@@ -246,9 +246,10 @@ void read_standard(CheckedTable &table, model::Case &scene) {
         table.fail("expected unbalance or clearances, got neither");
     if (!table.context().tree.find("speeds"))
         table.fail("expected a section [speeds], over which the response is computed, got none");
-    if (standard.fits.empty())
+    if (standard.api617 && standard.fits.empty())
         standard.fits.push_back(model::BearingFit::given);
-    scene.standard = standard;
+    if (!standard.fits.empty()) // an empty list asks for nothing
+        scene.standard = standard;
     need_operation(table, "whose maximum speed the imbalances are for and whose speeds the runs "
                           "are judged at");
 }

@@ -53,20 +53,19 @@ Loop largest_between(const PlaneShape &shape, double from, double to) {
 std::vector<Loop> loops_between(const PlaneShape &shape, double from, double to) {
     constexpr double next_to_nothing = 0.1; // of the largest one: a node beside a bearing
     const double least = next_to_nothing * std::abs(largest_between(shape, from, to).w);
-    std::vector<Loop> loops;
+    std::vector<std::size_t> largest; // station of each loop
     for (std::size_t i = 0; i < shape.z.size(); ++i) {
         if (shape.z[i] < from || shape.z[i] > to || !(std::abs(shape.w[i]) >= least) ||
             shape.w[i] == 0)
             continue;
-        const bool same = !loops.empty() && (loops.back().w > 0) == (shape.w[i] > 0);
-        if (same && std::abs(shape.w[i]) <= std::abs(loops.back().w))
-            continue;
-        const Loop top = top_about(shape, i, from, to);
-        if (same)
-            loops.back() = top;
-        else
-            loops.push_back(top);
+        if (largest.empty() || (shape.w[largest.back()] > 0) != (shape.w[i] > 0))
+            largest.push_back(i);
+        else if (std::abs(shape.w[i]) > std::abs(shape.w[largest.back()]))
+            largest.back() = i;
     }
+    std::vector<Loop> loops;
+    for (const std::size_t i : largest)
+        loops.push_back(top_about(shape, i, from, to));
     return loops;
 }
 
@@ -104,6 +103,12 @@ class Span {
     [[nodiscard]] double overhung(bool left) const {
         return left ? model::mass_between(_rotor, -infinite, _left).mass
                     : model::mass_between(_rotor, _right, infinite).mass;
+    }
+
+    /// As good as in one of the two, where nobody sets a weight.
+    [[nodiscard]] bool in_journal(double z) const {
+        constexpr double next = 0.05; // of the span
+        return std::min(std::abs(z - _left), std::abs(z - _right)) <= next * length();
     }
 
     /// Where something is, if that is next to z.
@@ -186,11 +191,14 @@ std::vector<PlacedUnbalance> api617_unbalance(const model::Rotor &rotor, double 
         if (between >= hardly * most) {
             const std::vector<Loop> loops = loops_between(shape, span.left(), span.right());
             std::vector<model::Imbalance> imbalances;
+            const auto count = static_cast<double>(loops.size());
             for (std::size_t i = 0; i < loops.size(); ++i) {
-                const double mass = loops.size() == 2
-                                        ? (i == 0 ? span.on_left() : span.on_right())
-                                        : span.on_both() / static_cast<double>(loops.size());
-                imbalances.push_back(weight(span, loops[i].z, mass, fastest, i % 2 == 1));
+                const double middle = // of the i-th of equal parts: mid-span, quarter-span
+                    span.left() + (static_cast<double>(i) + 0.5) / count * span.length();
+                const double mass = loops.size() == 2 ? (i == 0 ? span.on_left() : span.on_right())
+                                                      : span.on_both() / count;
+                imbalances.push_back(weight(span, span.in_journal(loops[i].z) ? middle : loops[i].z,
+                                            mass, fastest, i % 2 == 1));
             }
             add(bending_name(loops.size()), std::move(imbalances));
         }

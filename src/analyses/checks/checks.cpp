@@ -292,13 +292,30 @@ void add_uncovered_criticals(std::vector<Check> &checks, const std::vector<Run> 
         }
 }
 
+/// Another run with this clearance has the margin of the peak: a resonance that one run hardly
+/// excites has its factor from one that does.
+bool known_elsewhere(const results::ResponsePeak &peak, const std::vector<Run> &runs,
+                     const Run &run) {
+    constexpr double near = 0.05; // as of WorstMargins
+    return std::ranges::any_of(runs, [&](const Run &other) {
+        return &other != &run && other.clearance == run.clearance && other.margins != nullptr &&
+               std::ranges::any_of(*other.margins, [&peak](const SeparationMargin &margin) {
+                   return margin.of == peak.of && margin.z == peak.z && margin.name == peak.name &&
+                          margin.angle == peak.angle &&
+                          std::abs(margin.speed - peak.speed) <= near * peak.speed;
+               });
+    });
+}
+
 /// Peaks whose margin would count and is not known.
-void add_peaks_without_factor(std::vector<Check> &checks, const Run &run,
-                              const model::Operation &operation) {
+void add_peaks_without_factor(std::vector<Check> &checks, const std::vector<Run> &runs,
+                              const Run &run, const model::Operation &operation) {
     if (run.critical_speeds == nullptr || run.peaks == nullptr)
         return;
     for (const results::ResponsePeak *peak :
          operation::peaks_without_factor(operation, *run.critical_speeds, *run.peaks)) {
+        if (known_elsewhere(*peak, runs, run))
+            continue;
         Check check = not_judged(
             margin_name,
             {"the curve does not come down to the half-power points on both sides of the peak, "
@@ -372,7 +389,7 @@ void add_margins(std::vector<Check> &checks, const model::Case &scene, const Com
             api617));
     if (driven)
         for (const Run &run : runs)
-            add_peaks_without_factor(own, run, operation);
+            add_peaks_without_factor(own, runs, run, operation);
     checks.insert(checks.end(), own.begin(), own.end());
 }
 

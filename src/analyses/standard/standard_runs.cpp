@@ -93,7 +93,7 @@ void add_runs(results::ResponseResult &result, const model::Case &scene,
                 run.margins = std::move(*own.margins);
             for (const Sentence &note : own.model.notes)
                 if (std::ranges::find(result.model.notes, note) == result.model.notes.end())
-                    result.model.notes.emplace_back(note.weight(),
+                    result.model.notes.emplace_back(model::Weight::information,
                                                     "standard run {}, clearance {}: {}", run.name,
                                                     run.clearance, note);
             if (own.operating)

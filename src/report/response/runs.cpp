@@ -148,15 +148,15 @@ void add_runs(Json &json, const ResponseResult &result, const Units &units) {
 std::vector<Section> run_sections(const ResponseResult &result, const Units &units) {
     if (result.runs.empty())
         return {};
-    return {{"Standard runs", page_table(run_columns, result.runs, units) + "<p>" +
-                                  escaped(worst_in_words(result, units)) + "</p>"}};
+    return {{"Standard runs", "<p>" + escaped(worst_in_words(result, units)) + "</p>" +
+                                  page_table(run_columns, result.runs, units)}};
 }
 
 std::string runs_text(const ResponseResult &result, const Units &units) {
     if (result.runs.empty())
         return "";
-    return "Standard runs:\n" + text_table(run_columns, result.runs, units) + "  " +
-           worst_in_words(result, units) + "\n\n";
+    return "Standard runs. " + worst_in_words(result, units) + "\n" +
+           text_table(run_columns, result.runs, units) + "\n";
 }
 
 std::string runs_csv(const ResponseResult &result, const Units &units) {
