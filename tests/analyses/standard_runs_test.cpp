@@ -238,9 +238,10 @@ TEST(StandardRuns, ChecksAreThoseOfTheWorst) {
             // By hand: the largest of its place in all runs and in the response of the case.
             double largest = 0;
             std::string of;
-            const auto look = [&](const OperatingResponse &operating, const std::string &name) {
+            const auto look = [&, measure = what](const OperatingResponse &operating,
+                                                  const std::string &name) {
                 for (const auto &worst : operating.worst)
-                    if (worst.what == what && worst.value > largest &&
+                    if (worst.what == measure && worst.value > largest &&
                         (worst.name.empty()
                              ? check.where.find(worst.z == 0 ? "z = 0 m" : "z = 1 m")
                              : check.where.find("probe " + worst.name)) != std::string::npos) {

@@ -49,7 +49,7 @@ model::Case for_shapes(model::Case scene) {
     return scene;
 }
 
-/// The critical speeds of one clearance.
+/// With the nodes that the weights of a run make.
 void find_critical_speeds(const model::Case &scene, StandardRun &run) {
     try {
         run.critical_speeds = unjudged_critical_speeds(scene).critical_speeds;
@@ -73,21 +73,18 @@ void add_runs(results::ResponseResult &result, const model::Case &scene,
     const auto all = static_cast<double>(fits.size() * wanted.size());
     std::size_t done = 0;
     for (const BearingFit fit : fits) {
-        StandardRun common;
-        common.clearance = model::fit_name(fit);
-        model::Case fitted = scene;
-        fitted.rotor = model::with_fit(std::move(fitted.rotor), fit);
-        find_critical_speeds(fitted, common);
         for (const PlacedUnbalance &placed : wanted) {
-            StandardRun run = common;
+            StandardRun run;
             run.name = placed.name;
+            run.clearance = model::fit_name(fit);
             run.placed_by = placed.critical_speeds;
             run.unbalance = placed.imbalances;
+            const model::Case own_scene = scene_of_run(scene, run);
             const process::Stage stage(Sentence("{}", run.name), static_cast<double>(done) / all,
                                        static_cast<double>(done + 1) / all);
             ++done;
-            results::ResponseResult own =
-                response_in_operation(scene_of_run(scene, run), run.critical_speeds);
+            find_critical_speeds(own_scene, run);
+            results::ResponseResult own = response_in_operation(own_scene, run.critical_speeds);
             run.peaks = std::move(own.peaks);
             if (own.margins)
                 run.margins = std::move(*own.margins);
