@@ -188,7 +188,7 @@ struct StandardRun {
     std::vector<ResponsePeak> peaks; ///< as of HarmonicMotion, without names of modes
     std::vector<SeparationMargin> margins;
     std::vector<CriticalSpeed> critical_speeds; ///< with this clearance
-    Sentence no_critical; ///< why these are not known: margins are of the peaks alone
+    std::vector<Sentence> notes; ///< on peaks and critical speeds that have no margin
 };
 
 /// "run first bending", with the clearance where that is not the one given.

@@ -54,9 +54,9 @@ void find_critical_speeds(const model::Case &scene, StandardRun &run) {
     try {
         run.critical_speeds = unjudged_critical_speeds(scene).critical_speeds;
     } catch (const model::AnalysisFailure &failure) {
-        run.no_critical = failure.sentence();
+        run.notes.emplace_back("margins of the peaks alone: {}", failure.sentence());
     } catch (const linalg::SolverError &failure) {
-        run.no_critical = failure.sentence();
+        run.notes.emplace_back("margins of the peaks alone: {}", failure.sentence());
     }
 }
 
@@ -88,11 +88,7 @@ void add_runs(results::ResponseResult &result, const model::Case &scene,
             run.peaks = std::move(own.peaks);
             if (own.margins)
                 run.margins = std::move(*own.margins);
-            for (const Sentence &note : own.model.notes)
-                if (std::ranges::find(result.model.notes, note) == result.model.notes.end())
-                    result.model.notes.emplace_back(model::Weight::information,
-                                                    "standard run {}, clearance {}: {}", run.name,
-                                                    run.clearance, note);
+            run.notes.insert(run.notes.end(), own.model.notes.begin(), own.model.notes.end());
             if (own.operating)
                 run.operating = std::move(*own.operating);
             result.runs.push_back(std::move(run));
@@ -179,10 +175,6 @@ void add_notes(results::ResponseResult &result, const model::Case &scene) {
                            "standard runs are those of the first, {}",
                            result.runs.front().name)
                 : Sentence("the imbalances of the case are not in the standard runs"));
-    for (const StandardRun &run : result.runs)
-        if (!run.no_critical.empty() && run.name == result.runs.front().name)
-            notes.emplace_back("standard runs, clearance {}: margins of the peaks alone: {}",
-                               run.clearance, run.no_critical);
 }
 
 } // namespace

@@ -432,7 +432,8 @@ std::string text_of(const model::Case &scene, const ResponseResult &result, cons
                               (result.receptance && parts.size() == 1
                                    ? range_text({result.receptance->speed}, units)
                                    : range_text(result.speeds, units))) +
-           operating_text(result, units) + runs_text(result, units) +
+           worst_run_text(result, units) + operating_text(result, units) +
+           runs_text(result, units) +
            joined(parts, "\n", [&units](const Part &part) { return part.text(units); }) +
            model_text(result.model, units);
 }

@@ -121,7 +121,20 @@ const Columns<StandardRun> run_columns{
     {ForReaders(""), outcome_of}};
 
 std::string worst_in_words(const ResponseResult &result, const Units &units) {
-    return "The worst is " + units.text(result.worst_run_text) + ".";
+    return fmt::format("The worst of {} standard runs is {}.", result.runs.size(),
+                       result.worst_run ? units.text(result.worst_run_text) : "not known");
+}
+
+/// Folded: each is about a margin of one run.
+std::string notes_html(const ResponseResult &result, const Units &units) {
+    std::string list;
+    for (const StandardRun &run : result.runs)
+        for (const model::Sentence &note : run.notes)
+            list += "<li>" + escaped(units.text(results::run_name(run)) + ": " + units.text(note)) +
+                    "</li>";
+    return list.empty() ? ""
+                        : "<details><summary>Notes on margins of the runs</summary><ul>" + list +
+                              "</ul></details>";
 }
 
 } // namespace
@@ -139,6 +152,7 @@ void add_runs(Json &json, const ResponseResult &result, const Units &units) {
         peaks.resize(std::min(peaks.size(), few_peaks));
         one["peaks"] = json_rows(curve_peaks(), peaks, units);
         add_margins(one, run.margins, units);
+        one["notes"] = written(units, run.notes);
         return one;
     });
     json["worst_run"] = {{"index", result.worst_run ? Json(*result.worst_run) : Json()},
@@ -149,14 +163,17 @@ std::vector<Section> run_sections(const ResponseResult &result, const Units &uni
     if (result.runs.empty())
         return {};
     return {{"Standard runs", "<p>" + escaped(worst_in_words(result, units)) + "</p>" +
-                                  page_table(run_columns, result.runs, units)}};
+                                  page_table(run_columns, result.runs, units) +
+                                  notes_html(result, units)}};
+}
+
+std::string worst_run_text(const ResponseResult &result, const Units &units) {
+    return result.runs.empty() ? "" : worst_in_words(result, units) + "\n\n";
 }
 
 std::string runs_text(const ResponseResult &result, const Units &units) {
-    if (result.runs.empty())
-        return "";
-    return "Standard runs. " + worst_in_words(result, units) + "\n" +
-           text_table(run_columns, result.runs, units) + "\n";
+    return text_table("Standard runs:\n", run_columns, result.runs, units) +
+           (result.runs.empty() ? "" : "\n");
 }
 
 std::string runs_csv(const ResponseResult &result, const Units &units) {
