@@ -147,15 +147,18 @@ void name_worst(results::ResponseResult &result) {
     const Sentence name = results::run_name(result.runs[*result.worst_run]);
     if (most.worst != nullptr) {
         const model::ValueOf as_value{results::measure_quantity(most.worst->what)};
-        result.worst_run_text = {"{}: {}, {} {} of {} at {}",
-                                 name,
-                                 place_of(*most.worst),
-                                 results::measure_name(most.worst->what),
-                                 std::isinf(most.worst->value)
-                                     ? Sentence("without limit")
-                                     : Sentence("{}", as_value(most.worst->value, 4)),
-                                 as_value(most.worst->limit, 4),
-                                 as::speed(most.worst->speed, 5)};
+        const auto said = [&](double value) {
+            if (std::isinf(value))
+                return Sentence("without limit");
+            return most.worst->what == results::Measure::clearance_share
+                       ? Sentence("{} %", as::number(100 * value, 4))
+                       : Sentence("{}", as_value(value, 4));
+        };
+        result.worst_run_text = {
+            "{}: {}, {} {} of {} at {}",    name,
+            place_of(*most.worst),          results::measure_name(most.worst->what),
+            said(most.worst->value),        said(most.worst->limit),
+            as::speed(most.worst->speed, 5)};
         return;
     }
     result.worst_run_text = {"{}: {} moves most, {} at {}", name, place_of(*most.row),

@@ -62,11 +62,16 @@ std::string limit_in_words(const StandardRun &run, const Units &units) {
     const OperatingWorst *worst = most_used(run);
     if (!worst)
         return "";
-    const Quantity quantity = results::measure_quantity(worst->what);
-    return fmt::format(
-        "{} {}: {} of {} at {}", worst->of, place(worst->name, worst->z, units),
-        std::isinf(worst->value) ? "no limit" : units.text(quantity, worst->value, 4),
-        units.text(quantity, worst->limit, 4), units.text(Quantity::speed, worst->speed, 5));
+    const auto said = [&](double value) {
+        if (std::isinf(value))
+            return std::string("no limit");
+        return worst->what == results::Measure::clearance_share
+                   ? fmt::format("{:.4g} %", 100 * value)
+                   : units.text(results::measure_quantity(worst->what), value, 4);
+    };
+    return fmt::format("{} {}: {} of {} at {}", worst->of, place(worst->name, worst->z, units),
+                       said(worst->value), said(worst->limit),
+                       units.text(Quantity::speed, worst->speed, 5));
 }
 
 /// The largest value of a kind at any operating speed.
