@@ -115,8 +115,8 @@ const Columns<StandardRun> run_columns{
     {"name", ForReaders("run"), &StandardRun::name},
     {"clearance", ForReaders("clearance"), &StandardRun::clearance},
     {OnPage("Imbalances"), InText("imbalances"), weights_in_words},
-    {OnPage("Probes read at most", "{:.5g}", "no limit"),
-     InText("probes read", "{:.5g}", "no limit"), Quantity::amplitude, largest_reading},
+    {OnPage("Probes (else stations) move at most", "{:.5g}", "no limit"),
+     InText("largest motion", "{:.5g}", "no limit"), Quantity::amplitude, largest_reading},
     {OnPage("Bearings carry at most", "{:.5g}", "no limit"),
      InText("bearings carry", "{:.5g}", "no limit"), Quantity::force, largest_force},
     {OnPage("Nearest to its limit"), InText("nearest to its limit"), limit_in_words},
@@ -126,8 +126,10 @@ const Columns<StandardRun> run_columns{
     {ForReaders(""), outcome_of}};
 
 std::string worst_in_words(const ResponseResult &result, const Units &units) {
-    return fmt::format("The worst of {} standard runs is {}.", result.runs.size(),
-                       result.worst_run ? units.text(result.worst_run_text) : "not known");
+    const std::string said = result.worst_run ? units.text(result.worst_run_text) : "not known";
+    return result.runs.size() == 1
+               ? "The one standard run is " + said + "."
+               : fmt::format("The worst of {} standard runs is {}.", result.runs.size(), said);
 }
 
 /// Folded: each is about a margin of one run.
