@@ -5,9 +5,9 @@
 #include "analyses/checks/checks.h"
 #include "analyses/critical.h"
 #include "analyses/modes.h"
-#include "analyses/response.h"
 #include "analyses/show.h"
 #include "analyses/stability.h"
+#include "analyses/standard/standard_runs.h"
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "model/variants.h"
@@ -50,7 +50,7 @@ bool has_range(const model::Case &scene) { return scene.speeds && scene.speeds->
 bool driven(const model::Case &scene) {
     return !model::with_balancer_imbalances(scene.rotor).imbalances.empty() ||
            !scene.rotor.forces.empty() || scene.response.gravity != 0 ||
-           !scene.response.receptances.empty();
+           !scene.response.receptances.empty() || (scene.standard && scene.standard->api617);
 }
 
 /// Whether a motion could grow: without damping, balls and unequal stiffnesses or inertias that
@@ -87,7 +87,7 @@ peaks_of(const model::Case &scene, const results::Part<results::ResponseResult> 
 void add_response(const model::Case &scene, results::MachineReport &report) {
     report.response.why = not_called_for(scene).response;
     if (report.response.why.empty())
-        run(report.response, "response", 1, [&] { return unbalance_response(scene); });
+        run(report.response, "response", 1, [&] { return response_with_runs(scene); });
 }
 
 void add_stability(const model::Case &scene, const CaseWith &with, results::MachineReport &report) {

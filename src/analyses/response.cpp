@@ -509,6 +509,20 @@ results::ResponseResult response_peaks(const model::Case &asked, bool with_error
     return result;
 }
 
+results::ResponseResult
+response_in_operation(const model::Case &scene,
+                      const std::vector<results::CriticalSpeed> &critical_speeds) {
+    results::ResponseResult result;
+    choose_model(scene, result.model);
+    const assembly::Discretization d(scene.rotor, result.model.order);
+    static_cast<void>(add_imbalance_peaks(result, d, scene, true));
+    result.margins = operation::separation_margins(*scene.operation, critical_speeds, result.peaks,
+                                                   !scene.rotor.bearings_rotation_invariant(),
+                                                   result.model.notes);
+    add_operating(result, d, scene);
+    return result;
+}
+
 results::ResponseResult unbalance_response(const model::Case &asked) {
     const model::Case scene = driven(asked);
     results::ResponseResult result;

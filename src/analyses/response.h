@@ -1,8 +1,11 @@
 #pragma once
 
 #include "model/case.h"
+#include "results/critical.h"
 #include "results/formulation.h"
 #include "results/response.h"
+
+#include <vector>
 
 namespace whirl::analyses {
 
@@ -21,6 +24,14 @@ namespace whirl::analyses {
 ///         model::AnalysisFailure for an asymmetric rotor on bearings that differ between their
 ///         directions.
 [[nodiscard]] results::ResponseResult unbalance_response(const model::Case &scene);
+
+/// Of that response peaks, margins and the motion at the operating speeds, by this process alone.
+/// @param scene            with [operation] and imbalances; no balancers, and no rotor that is
+///                         stiffer in one direction than in another
+/// @param critical_speeds  of that rotor, for the margins
+[[nodiscard]] results::ResponseResult
+response_in_operation(const model::Case &scene,
+                      const std::vector<results::CriticalSpeed> &critical_speeds);
 
 /// Of that response the model and the peaks alone, by this process alone.
 /// @param with_errors  false: the errors of the peaks are NaN

@@ -77,6 +77,7 @@ model::Case read_case(CheckedTable &root) {
     read_section(root, "operation", read_operation, scene);
     read_section(root, "limits", read_limits, scene);
     read_section(root, "level1", read_level1, scene);
+    read_section(root, "standard", read_standard, scene);
     read_imbalances(root, scene);
     read_forces(root, scene.rotor);
     read_section(root, "campbell", read_campbell, scene);

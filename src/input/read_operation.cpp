@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace whirl::input {
 
 std::optional<std::size_t> support_of(const CheckedEntry &entry, const model::Rotor &rotor) {
@@ -176,6 +178,80 @@ void read_limits(CheckedTable &table, model::Case &scene) {
                    "and clearance, got none");
     scene.limits = limits;
     need_operation(table, "over whose speeds limits are judged");
+}
+
+namespace {
+
+/// What API 617 places imbalances by: the loads of two journals, and modes that a rotor has.
+void refuse_what_api617_is_not_for(CheckedTable &table, const model::Rotor &rotor) {
+    const auto supports = rotor.supports();
+    const auto fail = [&table](const std::string &what) {
+        table.fail("unbalance", "expected " + what);
+    };
+    if (!rotor.balancers.empty())
+        fail("a rotor without balancers, whose parts go where the imbalance lets them, got "
+             "[[balancer]]");
+    if (!rotor.anisotropies.empty() || rotor.shaft.asymmetric())
+        fail("a rotor that is the same from every direction, got one with [[anisotropy]] or two "
+             "bending stiffnesses, on which it matters in which of them a weight is");
+    if (supports.size() != 2)
+        fail(fmt::format("two bearings, whose loads the imbalances come from, got {}",
+                         supports.size()));
+    else if (supports[0].z == supports[1].z)
+        fail("two bearings with a distance between them, got both at one place");
+}
+
+/// Which tables of the bearings are wanted: none without mistakes where there are none.
+void read_fits(CheckedTable &table, const model::Rotor &rotor,
+               std::vector<model::BearingFit> &fits) {
+    const auto list = table.entry("clearances");
+    if (!list)
+        return;
+    const std::vector<std::string> words{"min", "max"};
+    if (!list->node.is_list())
+        list->fail(R"(expected a list of "min" and "max", got )" + shown(list->node));
+    for (const CheckedEntry &item : list->items()) {
+        const auto word = std::ranges::find(words, item.node.text);
+        if (word == words.end()) {
+            item.fail(one_of(words, item.node));
+            continue;
+        }
+        const bool least = word == words.begin();
+        const auto fit = least ? model::BearingFit::least : model::BearingFit::most;
+        if (std::ranges::find(fits, fit) != fits.end()) {
+            item.fail("expected each once, got " + shown(item.node) + " again");
+            continue;
+        }
+        fits.push_back(fit);
+        if (std::ranges::none_of(rotor.bearings, [least](const model::Bearing &bearing) {
+                return least ? bearing.least.has_value() : bearing.most.has_value();
+            }))
+            item.fail(fmt::format("expected a bearing or seal with table_{0}, got none with one "
+                                  "that can be read",
+                                  *word));
+    }
+}
+
+} // namespace
+
+void read_standard(CheckedTable &table, model::Case &scene) {
+    model::StandardSettings standard;
+    if (table.has("unbalance")) {
+        (void)table.choice("unbalance", {"api617"}, 0);
+        standard.api617 = true;
+        refuse_what_api617_is_not_for(table, scene.rotor);
+    }
+    read_fits(table, scene.rotor, standard.fits);
+    if (!table.has("unbalance") && !table.has("clearances"))
+        table.fail("expected unbalance or clearances, got neither");
+    if (!table.context().tree.find("speeds"))
+        table.fail("expected a section [speeds], over which the response is computed, got none");
+    if (standard.api617 && standard.fits.empty())
+        standard.fits.push_back(model::BearingFit::given);
+    if (!standard.fits.empty()) // an empty list asks for nothing
+        scene.standard = standard;
+    need_operation(table, "whose maximum speed the imbalances are for and whose speeds the runs "
+                          "are judged at");
 }
 
 void read_critical_map(CheckedTable &table, model::Case &scene) {

@@ -46,6 +46,7 @@ void read_critical_map(CheckedTable &table, model::Case &scene); ///< the bearin
 void read_operation(CheckedTable &table, model::Case &scene);
 void read_limits(CheckedTable &table, model::Case &scene);
 void read_level1(CheckedTable &table, model::Case &scene);
+void read_standard(CheckedTable &table, model::Case &scene); ///< bearings and balancers are there
 void read_campbell(CheckedTable &table, model::Case &scene);
 void read_modes(CheckedTable &table, model::Case &scene);
 void read_response(CheckedTable &table, model::Case &scene);

@@ -40,6 +40,14 @@ struct Pedestal {
         : mass(m, m), k(stiffness, stiffness), c(damping, damping) {}
 };
 
+/// What a bearing is with its least or its largest clearance: a table over spin speed, as of
+/// Bearing.
+struct BearingAtClearance {
+    std::vector<double> speeds; ///< rad/s
+    std::vector<BearingCoefficients> rows;
+    std::optional<double> clearance; ///< radial, m; none: as the bearing says otherwise
+};
+
 /// A bearing at z: constant coefficients (one row) or a table over spin speed. A seal acts like one
 /// but carries nothing: drawings and lists of forces have bearings alone.
 struct Bearing {
@@ -50,6 +58,8 @@ struct Bearing {
     std::optional<Pedestal> pedestal;
     std::optional<double> clearance; ///< radial, between the shaft and what holds it, m
     bool seal = false;
+    std::optional<BearingAtClearance> least; ///< with its minimum clearance
+    std::optional<BearingAtClearance> most;  ///< with its maximum clearance
 
     [[nodiscard]] bool depends_on_speed() const { return rows.size() > 1; }
 

@@ -140,6 +140,7 @@ struct Case {
     std::optional<Operation> operation;             ///< empty: operating speeds not given
     std::optional<Limits> limits;                   ///< empty: none are given
     std::optional<Level1Settings> level1;
+    std::optional<StandardSettings> standard; ///< empty: no standard runs
     bool reduction = true; ///< top-level key `reduction`: few shapes where they are enough
     CampbellSettings campbell;
     ModesSettings modes;

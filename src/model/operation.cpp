@@ -15,4 +15,9 @@ std::string zone_name(Zone zone) {
     return names.at(static_cast<std::size_t>(zone));
 }
 
+std::string fit_name(BearingFit fit) {
+    static constexpr std::array names{"as given", "min", "max"};
+    return names.at(static_cast<std::size_t>(fit));
+}
+
 } // namespace whirl::model

@@ -65,4 +65,16 @@ struct Level1Settings {
     std::optional<double> gas_density; ///< mean of inlet and outlet, kg/m3
 };
 
+/// Which of the tables of its bearings a machine has.
+enum class BearingFit { given, least, most };
+/// "as given", "min" or "max": minimum or maximum clearance.
+[[nodiscard]] std::string fit_name(BearingFit fit);
+
+/// Entries of [standard]: the response is repeated with imbalances that a standard places, and with
+/// the least and the largest clearance of the bearings.
+struct StandardSettings {
+    bool api617 = false;          ///< imbalances as API 617 places them; else those of the case
+    std::vector<BearingFit> fits; ///< never empty
+};
+
 } // namespace whirl::model

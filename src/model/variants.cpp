@@ -97,6 +97,21 @@ Rotor without_elasticity(Rotor rotor) {
     return rotor;
 }
 
+Rotor with_fit(Rotor rotor, BearingFit fit) {
+    if (fit == BearingFit::given)
+        return rotor;
+    for (Bearing &bearing : rotor.bearings) {
+        const auto &own = fit == BearingFit::least ? bearing.least : bearing.most;
+        if (!own)
+            continue;
+        bearing.speeds = own->speeds;
+        bearing.rows = own->rows;
+        if (own->clearance)
+            bearing.clearance = own->clearance;
+    }
+    return rotor;
+}
+
 Rotor with_balancer_imbalances(Rotor rotor) {
     for (const Balancer &balancer : rotor.balancers)
         if (balancer.imbalance > 0)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/operation.h"
 #include "model/rotor.h"
 
 #include <cstddef>
@@ -40,6 +41,9 @@ namespace whirl::model {
 
 /// Without elastic unknowns.
 [[nodiscard]] Rotor without_elasticity(Rotor rotor);
+
+/// Bearings and seals with the tables of their least or largest clearance, where they have one.
+[[nodiscard]] Rotor with_fit(Rotor rotor, BearingFit fit);
 
 /// The imbalances that balancers are there for among those of the rotor.
 [[nodiscard]] Rotor with_balancer_imbalances(Rotor rotor);

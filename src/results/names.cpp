@@ -1,8 +1,10 @@
+#include "model/operation.h"
 #include "results/balance.h"
 #include "results/checks.h"
 #include "results/formulation.h"
 #include "results/margins.h"
 #include "results/operating.h"
+#include "results/response.h"
 #include "results/simulate.h"
 #include "results/stability.h"
 #include "results/steady_states.h"
@@ -40,6 +42,12 @@ std::string supply_name(Supply supply) {
 
 std::string end_kind_name(EndKind kind) {
     return name_of(kind, {"zero", "pair", "collision", "multiplier"});
+}
+
+Sentence run_name(const StandardRun &run) {
+    return run.clearance == model::fit_name(model::BearingFit::given)
+               ? Sentence("run {}", run.name)
+               : Sentence("run {}, clearance {}", run.name, run.clearance);
 }
 
 std::string measure_name(Measure measure) {

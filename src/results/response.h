@@ -1,5 +1,7 @@
 #pragma once
 
+#include "model/attachments.h"
+#include "results/critical.h"
 #include "results/error_parts.h"
 #include "results/margins.h"
 #include "results/model_summary.h"
@@ -175,6 +177,23 @@ struct ReceptanceResponse {
     std::vector<ReceptancePeak> peaks; ///< by receptance, direction, frequency
 };
 
+/// The response to imbalances that a standard places, with one clearance of the bearings: what it
+/// is judged by.
+struct StandardRun {
+    std::string name;      ///< "first bending", "overhung left", ... or "imbalance of the case"
+    std::string clearance; ///< "as given", "min" or "max"
+    std::vector<double> placed_by; ///< critical speeds whose shapes place them, rad/s
+    std::vector<model::Imbalance> unbalance;
+    OperatingResponse operating;
+    std::vector<ResponsePeak> peaks; ///< as of HarmonicMotion, without names of modes
+    std::vector<SeparationMargin> margins;
+    std::vector<CriticalSpeed> critical_speeds; ///< with this clearance
+    std::vector<Sentence> notes; ///< on peaks and critical speeds that have no margin
+};
+
+/// "run first bending", with the clearance where that is not the one given.
+[[nodiscard]] Sentence run_name(const StandardRun &run);
+
 struct ResponseResult : HarmonicMotion { ///< to the imbalances
     ModelSummary model;
     std::vector<double> speeds; ///< rad/s
@@ -191,6 +210,13 @@ struct ResponseResult : HarmonicMotion { ///< to the imbalances
     /// Forces of each frequency of their own: the motions add, their amplitudes do not.
     std::vector<ForceResponse> forces;
     std::optional<ReceptanceResponse> receptance;
+    /// With [standard]: by clearance, then by name.
+    std::vector<StandardRun> runs;
+    std::optional<std::size_t> worst_run;
+    Sentence worst_run_text; ///< which that is, and by what
+    Sentence no_runs;        ///< why there are none although the case asks for them
+    /// The case has no imbalance of its own: everything beside the runs is that of the first.
+    bool of_first_run = false;
 };
 
 } // namespace whirl::results

@@ -1,7 +1,9 @@
+#include "model/variants.h"
 #include "scratch_case.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace whirl::tests {
 namespace {
@@ -36,6 +38,35 @@ TEST(Bearings, HaveMassInTablesAndBesideThem) {
     EXPECT_EQ(rotor.bearings[0].at(5).m(0, 0), 2);
     EXPECT_EQ(rotor.bearings[0].at(50).m(1, 1), 3);
     EXPECT_EQ(rotor.bearings[1].at(7).m(1, 1), 4);
+}
+
+TEST(Bearings, HaveTablesOfTheirClearances) {
+    const std::vector<std::pair<std::string, std::string>> files{
+        {"a.csv", "speed [rad/s], k\n0, 1\n10, 2\n"},
+        {"min.csv", "speed [rpm], k\n0, 3\n60, 5\n"},
+        {"max.csv", "speed [rad/s], k\n5, 0.5\n"}};
+    const model::Case scene = load_text(
+        at_0 +
+            "table = \"a.csv\"\ntable_min = \"min.csv\"\ntable_max = \"max.csv\"\nm = 4\nkt = 7\n"
+            "clearance = \"0.2 mm\"\nclearance_min = \"0.15 mm\"\n"
+            "[[bearing]]\nz = 1\nk = 9\n[operation]\nfrom = 1\nto = 2\n[speeds]\nto = 9\n"
+            "[standard]\nunbalance = \"api617\"\nclearances = [\"max\", \"min\"]\n",
+        {}, files);
+    ASSERT_TRUE(scene.standard.has_value());
+    EXPECT_TRUE(scene.standard->api617);
+    EXPECT_EQ(scene.standard->fits,
+              (std::vector{model::BearingFit::most, model::BearingFit::least}));
+    const model::Rotor least = model::with_fit(scene.rotor, model::BearingFit::least);
+    const model::Rotor most = model::with_fit(scene.rotor, model::BearingFit::most);
+    const model::Bearing &bearing = least.bearings[0];
+    EXPECT_DOUBLE_EQ(bearing.at(std::numbers::pi).k(0, 0), 4); // 30 rpm
+    EXPECT_EQ(bearing.at(1).m(1, 1), 4); // what stands beside the table holds for all
+    EXPECT_EQ(bearing.at(1).kt(0, 0), 7);
+    EXPECT_DOUBLE_EQ(*bearing.clearance, 1.5e-4);
+    EXPECT_EQ(most.bearings[0].at(100).k(1, 1), 0.5);
+    EXPECT_DOUBLE_EQ(*most.bearings[0].clearance, 2e-4);
+    EXPECT_EQ(most.bearings[1].at(0).k(0, 0), 9); // without tables it stays as it is
+    EXPECT_EQ(scene.rotor.bearings[0].at(0).k(0, 0), 1);
 }
 
 TEST(Bearings, HavePedestalsThatDiffer) {

@@ -11,6 +11,8 @@ inline std::vector<BrokenCase> broken_operation() {
     const std::string seal = base + "[[seal]]\nz = 0.5\n";                    // on line 10
     const std::string stage = running + "[level1]\nz = 0.5\n[[level1.stage]]\npower = 1e6\n"
                                         "diameter = 0.4\n"; // next is line 16
+    const std::string to_300 = "[speeds]\nto = 300\n";      // two lines
+    const std::string two = "[[bearing]]\nz = 0\nk = 1e7\n[[bearing]]\nz = 1\nk = 1e7\n";
     return {
         {"stage without a width", 13, "level1.stage[0].width", "missing, expected a length", stage},
         {"stage wider than it is large", 16, "level1.stage[0].width",
@@ -93,6 +95,58 @@ inline std::vector<BrokenCase> broken_operation() {
          running + "[level1]\nz = 0.5\ncount = 1\n"},
         {"coupling expected below zero", 13, "level1.anticipated", "greater than 0, got -1",
          running + "[level1]\nz = 0.5\nanticipated = -1\n"},
+        {"standard runs without operating speeds", 10, "standard", "expected a section [operation]",
+         base + to_300 + "[standard]\nunbalance = \"api617\"\n" + two},
+        {"standard runs without speeds", 11, "standard", "expected a section [speeds]",
+         running + "[standard]\nunbalance = \"api617\"\n" + two},
+        {"standard runs of nothing", 13, "standard", "expected unbalance or clearances",
+         running + to_300 + "[standard]\n"},
+        {"imbalances of another standard", 14, "standard.unbalance", "expected \"api617\"",
+         running + to_300 + "[standard]\nunbalance = \"iso\"\n" + two},
+        {"imbalances of a rotor on one bearing", 14, "standard.unbalance", "two bearings",
+         running + "[speeds]\nto = 300\n[standard]\nunbalance = \"api617\"\n"
+                   "[[bearing]]\nz = 0\nk = 1e7\n"},
+        {"imbalances of a rotor on two bearings at one place", 14, "standard.unbalance",
+         "a distance between them",
+         running + "[speeds]\nto = 300\n[standard]\nunbalance = \"api617\"\n"
+                   "[[bearing]]\nz = 0\nk = 1e7\n[[bearing]]\nz = 0\nk = 1e7\n"},
+        {"imbalances of a rotor with a balancer", 14, "standard.unbalance", "without balancers",
+         running + to_300 +
+             "[standard]\nunbalance = \"api617\"\n"
+             "[[balancer]]\nz = 0.5\nmass = 0.01\nradius = 0.1\n" +
+             two},
+        {"imbalances of a rotor with two inertias", 14, "standard.unbalance",
+         "the same from every direction",
+         running + to_300 +
+             "[standard]\nunbalance = \"api617\"\n"
+             "[[anisotropy]]\nz = 0.5\ndI = 1e-3\n" +
+             two},
+        {"clearances without tables", 14, "standard.clearances[0]", "with table_min",
+         running + to_300 + "[standard]\nclearances = [\"min\"]\n"},
+        {"clearance of another kind", 14, "standard.clearances[0]", "expected \"min\" or \"max\"",
+         running + to_300 + "[standard]\nclearances = [\"mean\"]\n"},
+        {"clearances that are no list", 14, "standard.clearances", "expected a list",
+         running + to_300 + "[standard]\nclearances = \"min\"\n"},
+        {"table of a clearance alone", 11, "bearing[0].table_min", "expected it beside table",
+         base + "[[bearing]]\nz = 0\nk = 1e7\ntable_min = \"min.csv\"\n"},
+        {"clearance of no table", 11, "bearing[0].clearance_max", "only with table_max",
+         base + "[[bearing]]\nz = 0\nk = 1e7\nclearance_max = \"0.2 mm\"\n"},
+        {"clearances that change places",
+         14,
+         "bearing[0].clearance_max",
+         "more than clearance_min = \"0.2 mm\"",
+         base + "[[bearing]]\nz = 0\ntable = \"a.csv\"\ntable_min = \"a.csv\"\n"
+                "clearance_min = \"0.2 mm\"\ntable_max = \"a.csv\"\n"
+                "clearance_max = \"0.1 mm\"\n",
+         {{"a.csv", "speed [rad/s], k\n0, 1e7\n10, 2e7\n"}}},
+        {"mistake in a table of a clearance",
+         2,
+         "k",
+         "0 or more, got \"-1\"",
+         base + "[[bearing]]\nz = 0\ntable = \"a.csv\"\ntable_min = \"min.csv\"\n",
+         {{"a.csv", "speed [rad/s], k\n0, 1e7\n10, 2e7\n"},
+          {"min.csv", "speed [rad/s], k\n0, -1\n"}},
+         "min.csv"},
         {"seal of nothing", 8, "seal[0]", "got a seal with none", seal},
         {"seal beyond the shaft", 9, "seal[0].z", "expected a place on the shaft, 0 to 1 m",
          base + "[[seal]]\nz = 2\nk = 1\n"},

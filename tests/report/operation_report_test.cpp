@@ -1,11 +1,13 @@
 #include "report/pictures/operation.h"
 #include "results/critical.h"
+#include "results/response.h"
 #include "results/stability.h"
 #include "sample_results.h"
 #include "whole_report.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace whirl::report {
@@ -34,6 +36,31 @@ results::CriticalResult sample_critical() {
     margin.found = 10;
     margin.required = 10.2;
     result.margins = {margin};
+    return result;
+}
+
+/// Two runs, one of which rests at a resonance without damping.
+results::ResponseResult sample_runs() {
+    results::ResponseResult result;
+    result.speeds = {100, 200};
+    result.operating.emplace();
+    for (const char *name : {"first bending", "overhung left"}) {
+        results::StandardRun &run = result.runs.emplace_back();
+        run.name = name;
+        run.clearance = "min";
+        run.placed_by = {150};
+        run.unbalance = {{"", 0.5, 2e-5, 0}, {"", 0.75, 1e-5, 1}};
+        results::OperatingRow row;
+        row.of = "probe";
+        row.name = "DE";
+        row.speed = 100;
+        row.at = "minimum";
+        row.amplitude = result.runs.size() == 1 ? 3e-6 : std::numeric_limits<double>::infinity();
+        row.phase = std::numeric_limits<double>::quiet_NaN();
+        run.operating.rows = {row, row};
+    }
+    result.worst_run = 1;
+    result.worst_run_text = {"run overhung left"};
     return result;
 }
 
@@ -102,6 +129,40 @@ TEST_F(OperationReport, WithoutOperatingSpeedsThereAreNone) {
 }
 
 /// A motion that no longer swings leaves a gap, and no root is null.
+TEST_F(OperationReport, StandardRunsStandSideBySide) {
+    const model::Case scene = running_case();
+    const results::ResponseResult result = sample_runs();
+    const Report report = describe(scene, result);
+    const auto json = nlohmann::json::parse(to_json(report));
+    ASSERT_EQ(json.at("runs").size(), 2U);
+    const auto &run = json.at("runs").at(0);
+    EXPECT_EQ(run.at("name"), "first bending");
+    EXPECT_EQ(run.at("clearance"), "min");
+    EXPECT_EQ(run.at("unbalance").at(1).at("mr"), 1e-5);
+    EXPECT_EQ(run.at("unbalance").at(1).at("phase"), 1);
+    EXPECT_EQ(run.at("operating").at(1).at("amplitude"), 3e-6);
+    EXPECT_TRUE(json.at("runs").at(1).at("operating").at(0).at("amplitude").is_null());
+    EXPECT_EQ(json.at("worst_run").at("index"), 1);
+    const std::string text = to_text(report);
+    EXPECT_NE(text.find("The worst of 2 standard runs is run overhung left."), std::string::npos);
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+    EXPECT_EQ(text.find("inf"), std::string::npos);
+    // A line a run and place.
+    const auto tables = report.tables();
+    ASSERT_EQ(tables.size(), 2U);
+    EXPECT_EQ(tables[1].name, "response_runs");
+    const std::string csv = tables[1].csv(Units());
+    EXPECT_TRUE(csv.starts_with("run,clearance,speed"));
+    EXPECT_EQ(std::ranges::count(csv, '\n'), 5);
+    EXPECT_NE(csv.find("\noverhung left,min,100"), std::string::npos);
+    // None: no such keys.
+    results::ResponseResult without = result;
+    without.runs.clear();
+    const auto plain = nlohmann::json::parse(to_json(describe(scene, without)));
+    EXPECT_FALSE(plain.contains("runs"));
+    EXPECT_FALSE(plain.contains("worst_run"));
+}
+
 TEST_F(OperationReport, AddedCouplingWithoutARoot) {
     results::StabilityResult result;
     result.speeds = {0, 100};

@@ -1,5 +1,6 @@
 #include "analyses/checks/checks.h"
 
+#include "model/variants.h"
 #include "operation/doubt.h"
 #include "operation/level1_verdict.h"
 #include "operation/limits.h"
@@ -99,34 +100,6 @@ bool covers(const SeparationMargin &margin, const results::CriticalSpeed &critic
     return std::abs(margin.speed - critical.speed) <= (near + width) * critical.speed;
 }
 
-/// Critical speeds that could be too near and have no margin of their own: their damping is not
-/// known, or the peak that was seen next to them is that of another, broader motion. A backward one
-/// that no peak shows needs none.
-void add_uncovered_criticals(std::vector<Check> &checks, const results::CriticalResult &critical,
-                             const std::vector<SeparationMargin> &margins, double lowest,
-                             double highest) {
-    for (const results::CriticalSpeed &one : critical.critical_speeds) {
-        const bool known = one.damping.known();
-        if (one.speed < lowest || one.speed > highest || (known && one.damping.heavy()) ||
-            (known && one.whirl == results::Whirl::backward) ||
-            std::ranges::any_of(margins,
-                                [&one](const auto &margin) { return covers(margin, one); }))
-            continue;
-        checks.push_back(not_judged(
-            margin_name,
-            known ? Sentence("the {} critical speed {} is little damped (amplification factor {}), "
-                             "and no peak of its own was seen",
-                             results::whirl_name(one.whirl), as::speed(one.speed),
-                             one.damping.amplification
-                                 ? Sentence("{}", as::number(*one.damping.amplification, 4))
-                                 : Sentence("without limit"))
-                  : Sentence("the damping of the {} critical speed {} is not known, and no peak of "
-                             "its own was seen",
-                             results::whirl_name(one.whirl), as::speed(one.speed)),
-            api617));
-    }
-}
-
 /// Where critical speeds may be missing in a list.
 void add_missing_criticals(std::vector<Check> &checks, const results::CriticalResult &critical,
                            double highest) {
@@ -144,13 +117,197 @@ void add_missing_criticals(std::vector<Check> &checks, const results::CriticalRe
                                         api617));
 }
 
-void add_margins(std::vector<Check> &checks, const model::Case &scene, const Computed &computed) {
+/// How bad a check is: fails, is not judged, passes; then what is left up to the limit.
+std::pair<int, double> badness(const Check &check) {
+    const int rank = !check.pass ? 1 : *check.pass ? 2 : 0;
+    return {rank, check.margin().value_or(rank == 0 ? -infinite : infinite)};
+}
+
+/// A response that is judged: that of the case, or a standard run.
+struct Run {
+    model::Case scene;
+    Sentence name; ///< empty: there are no others
+    std::string clearance;
     const std::vector<SeparationMargin> *margins = nullptr;
-    if (computed.response != nullptr && computed.response->margins)
-        margins = &*computed.response->margins;
-    else if (computed.critical != nullptr && computed.critical->margins)
-        margins = &*computed.critical->margins;
-    if (margins == nullptr) {
+    const std::vector<results::ResponsePeak> *peaks = nullptr;
+    const std::vector<results::CriticalSpeed> *critical_speeds = nullptr;
+    const results::OperatingResponse *operating = nullptr;
+};
+
+/// The response of the case, and its standard runs. That of the case is none of its own where it
+/// only has the imbalances of a run.
+std::vector<Run> runs_of(const model::Case &scene, const Computed &computed) {
+    std::vector<Run> runs;
+    const results::ResponseResult *response = computed.response;
+    const bool several = response != nullptr && !response->runs.empty();
+    if (!several || !response->of_first_run) {
+        Run &own = runs.emplace_back();
+        own.scene = scene;
+        own.clearance = model::fit_name(model::BearingFit::given);
+        if (several)
+            own.name = {"imbalance of the case"};
+        if (response != nullptr && response->margins)
+            own.margins = &*response->margins;
+        else if (computed.critical != nullptr && computed.critical->margins)
+            own.margins = &*computed.critical->margins;
+        if (response != nullptr) {
+            own.peaks = &response->peaks;
+            own.operating = response->operating ? &*response->operating : nullptr;
+        }
+        if (computed.critical != nullptr)
+            own.critical_speeds = &computed.critical->critical_speeds;
+    }
+    if (!several)
+        return runs;
+    for (const results::StandardRun &one : response->runs) {
+        Run &run = runs.emplace_back();
+        run.scene = scene;
+        for (const auto fit : {model::BearingFit::least, model::BearingFit::most})
+            if (one.clearance == model::fit_name(fit))
+                run.scene.rotor = model::with_fit(scene.rotor, fit);
+        run.scene.rotor.imbalances = one.unbalance;
+        run.clearance = one.clearance;
+        run.name = results::run_name(one);
+        run.margins = &one.margins;
+        run.peaks = &one.peaks;
+        run.critical_speeds = &one.critical_speeds;
+        run.operating = &one.operating;
+    }
+    return runs;
+}
+
+void name_run(Check &check, const Run &run) {
+    if (!run.name.empty())
+        check.where += Sentence("{}{}", check.where.empty() ? "" : ", ", run.name);
+}
+
+/// The margins of all runs: of each critical speed and place that of the worst.
+class WorstMargins {
+  public:
+    void add(const SeparationMargin &margin, const Check &check, const Run &run) {
+        constexpr double near = 0.05; // peaks of one critical speed in several runs
+        Group *best = nullptr;
+        const auto off = [&margin](const Group &group) {
+            return std::abs(group.margin.speed - margin.speed);
+        };
+        for (Group &group : _groups)
+            if (group.last != &run && same_place(group.margin, margin) &&
+                off(group) <= near * margin.speed && (!best || off(group) < off(*best)))
+                best = &group;
+        if (best == nullptr) {
+            _groups.push_back({margin, check, &run});
+            return;
+        }
+        best->last = &run;
+        if (badness(check) < badness(best->check))
+            best->check = check;
+    }
+
+    [[nodiscard]] std::vector<Check> checks() const {
+        std::vector<Check> out;
+        for (const Group &group : _groups)
+            out.push_back(group.check);
+        return out;
+    }
+
+  private:
+    struct Group {
+        SeparationMargin margin;
+        Check check;
+        const Run *last;
+    };
+    std::vector<Group> _groups;
+
+    static bool same_place(const SeparationMargin &a, const SeparationMargin &b) {
+        return a.side == b.side && a.of == b.of && a.z == b.z && a.name == b.name &&
+               a.angle == b.angle;
+    }
+};
+
+/// Critical speeds that could be too near and have no margin of their own: their damping is not
+/// known, or the peak that was seen next to them is that of another, broader motion. A backward one
+/// that no peak shows needs none.
+void add_uncovered_criticals(std::vector<Check> &checks, const std::vector<Run> &runs,
+                             const Run &of, double lowest, double highest) {
+    const auto covered = [&](const results::CriticalSpeed &one) {
+        return std::ranges::any_of(runs, [&](const Run &run) {
+            return run.clearance == of.clearance && run.margins != nullptr &&
+                   std::ranges::any_of(*run.margins,
+                                       [&one](const auto &margin) { return covers(margin, one); });
+        });
+    };
+    for (const results::CriticalSpeed &one : *of.critical_speeds) {
+        const bool known = one.damping.known();
+        if (one.speed < lowest || one.speed > highest || (known && one.damping.heavy()) ||
+            (known && one.whirl == results::Whirl::backward) || covered(one))
+            continue;
+        checks.push_back(not_judged(
+            margin_name,
+            known ? Sentence("the {} critical speed {} is little damped (amplification factor {}), "
+                             "and no peak of its own was seen",
+                             results::whirl_name(one.whirl), as::speed(one.speed),
+                             one.damping.amplification
+                                 ? Sentence("{}", as::number(*one.damping.amplification, 4))
+                                 : Sentence("without limit"))
+                  : Sentence("the damping of the {} critical speed {} is not known, and no peak of "
+                             "its own was seen",
+                             results::whirl_name(one.whirl), as::speed(one.speed)),
+            api617));
+        if (of.clearance != model::fit_name(model::BearingFit::given))
+            checks.back().where = Sentence("clearance {}", of.clearance);
+    }
+}
+/// Of each clearance once.
+void add_uncovered_criticals(std::vector<Check> &checks, const std::vector<Run> &runs,
+                             double lowest, double highest) {
+    std::vector<std::string> done;
+    for (const Run &run : runs)
+        if (run.critical_speeds != nullptr &&
+            std::ranges::find(done, run.clearance) == done.end()) {
+            done.push_back(run.clearance);
+            add_uncovered_criticals(checks, runs, run, lowest, highest);
+        }
+}
+
+/// Another run with this clearance has the margin of the peak: a resonance that one run hardly
+/// excites has its factor from one that does.
+bool known_elsewhere(const results::ResponsePeak &peak, const std::vector<Run> &runs,
+                     const Run &run) {
+    constexpr double near = 0.05; // as of WorstMargins
+    return std::ranges::any_of(runs, [&](const Run &other) {
+        return &other != &run && other.clearance == run.clearance && other.margins != nullptr &&
+               std::ranges::any_of(*other.margins, [&peak](const SeparationMargin &margin) {
+                   return margin.of == peak.of && margin.z == peak.z && margin.name == peak.name &&
+                          margin.angle == peak.angle &&
+                          std::abs(margin.speed - peak.speed) <= near * peak.speed;
+               });
+    });
+}
+
+/// Peaks whose margin would count and is not known.
+void add_peaks_without_factor(std::vector<Check> &checks, const std::vector<Run> &runs,
+                              const Run &run, const model::Operation &operation) {
+    if (run.critical_speeds == nullptr || run.peaks == nullptr)
+        return;
+    for (const results::ResponsePeak *peak :
+         operation::peaks_without_factor(operation, *run.critical_speeds, *run.peaks)) {
+        if (known_elsewhere(*peak, runs, run))
+            continue;
+        Check check = not_judged(
+            margin_name,
+            {"the curve does not come down to the half-power points on both sides of the peak, "
+             "and without them it has no amplification factor"},
+            api617);
+        check.where = Sentence("peak at {}, {}", as::speed(peak->speed),
+                               place_in_words(peak->of.c_str(), peak->name, peak->z));
+        name_run(check, run);
+        checks.push_back(std::move(check));
+    }
+}
+
+void add_margins(std::vector<Check> &checks, const model::Case &scene, const Computed &computed) {
+    const std::vector<Run> runs = runs_of(scene, computed);
+    if (runs.front().margins == nullptr) {
         checks.push_back(not_judged(
             margin_name,
             or_else(computed.no_critical.empty() ? computed.no_response : computed.no_critical,
@@ -161,10 +318,24 @@ void add_margins(std::vector<Check> &checks, const model::Case &scene, const Com
     const model::Operation &operation = *scene.operation;
     const double highest = operation::highest_relevant_speed(operation);
     const double lowest = operation::lowest_relevant_speed(operation);
-    const Doubt doubt = doubt_of_rotor(scene, lowest, highest);
-    std::vector<Check> own;
-    for (const SeparationMargin &margin : *margins)
-        own.push_back(check_of(margin, operation));
+    WorstMargins worst;
+    bool none = true;
+    Doubt doubt;
+    for (const Run &run : runs) {
+        const Doubt of_run = doubt_of_rotor(run.scene, lowest, highest);
+        if (doubt.why.empty() || of_run.either_way)
+            doubt = of_run;
+        if (run.margins == nullptr)
+            continue;
+        none = none && run.margins->empty();
+        for (const SeparationMargin &margin : *run.margins) {
+            Check check = check_of(margin, operation);
+            apply(of_run, check);
+            name_run(check, run);
+            worst.add(margin, check, run);
+        }
+    }
+    std::vector<Check> own = worst.checks();
     if (own.empty()) {
         Check &check = own.emplace_back();
         check.name = margin_name;
@@ -172,18 +343,17 @@ void add_margins(std::vector<Check> &checks, const model::Case &scene, const Com
         check.pass = true;
         check.where = Sentence("no critical speed with an amplification factor of {} or more",
                                as::number(results::Damping::least_amplification));
-    }
-    for (Check &check : own)
         apply(doubt, check);
+    }
     if (computed.critical == nullptr)
         own.push_back(not_judged(margin_name,
                                  or_else(computed.no_critical, "critical speeds were not computed"),
                                  api617));
     else {
         add_missing_criticals(own, *computed.critical, highest);
-        add_uncovered_criticals(own, *computed.critical, *margins, lowest, highest);
+        add_uncovered_criticals(own, runs, lowest, highest);
         // What is not known is not none.
-        if (own.size() > 1 && margins->empty())
+        if (own.size() > 1 && none)
             own.erase(own.begin());
     }
     const bool driven = computed.response != nullptr && !computed.response->nodes.empty();
@@ -194,18 +364,9 @@ void add_margins(std::vector<Check> &checks, const model::Case &scene, const Com
              "must reach beyond both",
              as::speed.range(lowest, highest)},
             api617));
-    if (driven && computed.critical != nullptr)
-        for (const results::ResponsePeak *peak : operation::peaks_without_factor(
-                 operation, computed.critical->critical_speeds, computed.response->peaks)) {
-            Check check = not_judged(
-                margin_name,
-                {"the curve does not come down to the half-power points on both sides of the peak, "
-                 "and without them it has no amplification factor"},
-                api617);
-            check.where = Sentence("peak at {}, {}", as::speed(peak->speed),
-                                   place_in_words(peak->of.c_str(), peak->name, peak->z));
-            own.push_back(std::move(check));
-        }
+    if (driven)
+        for (const Run &run : runs)
+            add_peaks_without_factor(own, runs, run, operation);
     checks.insert(checks.end(), own.begin(), own.end());
 }
 
@@ -356,6 +517,38 @@ Check check_of(const OperatingWorst &worst) {
     return check;
 }
 
+/// Of each limit and place the worst of all runs.
+void add_worst_of_runs(std::vector<Check> &checks, const std::vector<Run> &runs) {
+    std::vector<std::pair<const OperatingWorst *, Check>> all;
+    const auto same = [](const OperatingWorst &a, const OperatingWorst &b) {
+        return a.of == b.of && a.name == b.name && a.z == b.z && a.angle == b.angle &&
+               a.relative == b.relative && a.what == b.what && a.source == b.source;
+    };
+    for (const Run &run : runs) {
+        if (run.operating == nullptr)
+            continue;
+        std::vector<const OperatingWorst *> taken; // places of one run may look the same
+        for (const OperatingWorst &worst : run.operating->worst) {
+            Check check = check_of(worst);
+            name_run(check, run);
+            const auto found = std::ranges::find_if(all, [&](const auto &other) {
+                return same(*other.first, worst) &&
+                       std::ranges::find(taken, other.first) == taken.end();
+            });
+            if (found == all.end()) {
+                all.emplace_back(&worst, std::move(check));
+                taken.push_back(&worst);
+                continue;
+            }
+            taken.push_back(found->first);
+            if (badness(check) < badness(found->second))
+                found->second = std::move(check);
+        }
+    }
+    for (auto &[worst, check] : all)
+        checks.push_back(std::move(check));
+}
+
 void add_vibration(std::vector<Check> &checks, const model::Case &scene, const Computed &computed) {
     if (!scene.limits)
         return;
@@ -373,8 +566,9 @@ void add_vibration(std::vector<Check> &checks, const model::Case &scene, const C
         return limits.empty() ? std::string() : limits.front().source;
     };
     if (known)
-        for (const OperatingWorst &worst : computed.response->operating->worst)
-            checks.push_back(check_of(worst));
+        add_worst_of_runs(checks, runs_of(scene, computed));
+    if (computed.response != nullptr && !computed.response->no_runs.empty())
+        checks.push_back(not_judged("standard runs", computed.response->no_runs, api617));
     const bool probes =
         std::ranges::any_of(rotor.probes, [](const auto &probe) { return !probe.on_pedestal; });
     if (!shaft.empty() && (!known || !probes))

@@ -1,6 +1,6 @@
 #include "cli/commands.h"
 
-#include "analyses/response.h"
+#include "analyses/standard/standard_runs.h"
 #include "cli/commands/on_case.h"
 
 namespace whirl::cli {
@@ -9,11 +9,11 @@ Command response_command() {
     return {
         "response",
         "unbalance response over speed, forces at bearings; forces of any frequency, receptances",
-        {"speeds", "imbalance", "force", "probe", "response", "operation", "limits"},
+        {"speeds", "imbalance", "force", "probe", "response", "operation", "limits", "standard"},
         {},
         {"cases/compressor_margins --units mm-rpm --peak-to-peak",
          "cases/compressor_margins --set \"imbalance[0].mr=50 g mm\"", "cases/harmonic_forces"},
-        on_case(analyses::unbalance_response)};
+        on_case(analyses::response_with_runs)};
 }
 
 } // namespace whirl::cli

@@ -196,6 +196,45 @@ void read_rows(CheckedTable &table, model::Bearing &bearing) {
             row.m = constant.m;
 }
 
+/// `table_min` or `table_max`, with the clearance that belongs to it.
+std::optional<model::BearingAtClearance>
+read_at_clearance(CheckedTable &table, const std::string &which, const model::Bearing &bearing) {
+    const std::string key = "table_" + which;
+    const std::string clearance = "clearance_" + which;
+    const auto own = table.optional_number(clearance, Quantity::length, Range::positive());
+    if (!table.has(key)) {
+        if (own)
+            table.fail(clearance, fmt::format("expected only with {}, got none", key));
+        return std::nullopt;
+    }
+    const auto path = table.text(key);
+    if (!table.has("table")) {
+        table.fail(key, "expected it beside table, got no table");
+        return std::nullopt;
+    }
+    model::Bearing other;
+    other.seal = bearing.seal;
+    const Node *between = table.find("interpolation");
+    if (path)
+        read_bearing_table(*path, between && between->text == "spline", other, table.context());
+    if (other.rows.empty())
+        return std::nullopt; // with mistakes
+    // What stands beside the table holds for this one too.
+    bool beside = false;
+    for (const Coefficient &entry : coefficients)
+        beside |= entry.quantity == Quantity::mass && table.has(entry.name);
+    if (beside && other.has_mass())
+        table.fail(key, "expected mass coefficients in the table or beside it, got both");
+    for (model::BearingCoefficients &row : other.rows)
+        if (!bearing.rows.empty()) {
+            if (beside)
+                row.m = bearing.rows.front().m;
+            row.kt = bearing.rows.front().kt;
+            row.ct = bearing.rows.front().ct;
+        }
+    return model::BearingAtClearance{other.speeds, other.rows, own};
+}
+
 /// A number for both directions, or one for each.
 std::optional<Eigen::Vector2d> read_directions(CheckedTable &table, const std::string &key,
                                                const std::string &stem, Quantity quantity,
@@ -262,6 +301,15 @@ void read_supports(CheckedTable &root, bool seal, const char *expected, model::R
             read_pedestal(table, bearing);
         }
         bearing.clearance = table.optional_number("clearance", Quantity::length, Range::positive());
+        bearing.least = read_at_clearance(table, "min", bearing);
+        bearing.most = read_at_clearance(table, "max", bearing);
+        const auto least = bearing.least ? bearing.least->clearance : std::nullopt;
+        const auto most = bearing.most ? bearing.most->clearance : std::nullopt;
+        if (least && most && *least >= *most)
+            table.fail("clearance_max",
+                       fmt::format("expected more than clearance_min = {}, got {}",
+                                   as_written(table.find("clearance_min"), *least, "m", *most),
+                                   as_written(table.find("clearance_max"), *most, "m", *least)));
         table.refuse_unknown();
         if (!bearing.rows.empty() && std::ranges::all_of(bearing.rows, is_zero))
             table.fail(expected);

@@ -158,9 +158,20 @@ std::vector<std::string> reasons(const ResponseResult &result, const Units &unit
 void add_operating(Json &json, const ResponseResult &result, const Units &units) {
     if (!result.operating)
         return;
-    json["operating"] = json_rows(row_columns, result.operating->rows, units);
-    json["worst"] = json_rows(worst_columns, result.operating->worst, units);
-    json["scale"] = Json(result.operating->scale);
+    take_entries(json, operating_json(*result.operating, units));
+}
+
+Json operating_json(const results::OperatingResponse &operating, const Units &units) {
+    return {{"operating", json_rows(row_columns, operating.rows, units)},
+            {"worst", json_rows(worst_columns, operating.worst, units)},
+            {"scale", Json(operating.scale)}};
+}
+
+std::string operating_rows_csv(const Columns<OperatingRow> &first,
+                               const std::vector<OperatingRow> &rows, const Units &units) {
+    Columns<OperatingRow> columns = first;
+    columns.insert(columns.end(), row_columns.begin(), row_columns.end());
+    return csv_table(columns, rows, units);
 }
 
 std::vector<Section> operating_sections(const ResponseResult &result, const Units &units) {
@@ -249,7 +260,7 @@ std::string operating_text(const ResponseResult &result, const Units &units) {
 }
 
 std::string operating_csv(const ResponseResult &result, const Units &units) {
-    return csv_table(row_columns, result.operating->rows, units);
+    return operating_rows_csv({}, result.operating->rows, units);
 }
 
 } // namespace whirl::report

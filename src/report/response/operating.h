@@ -1,5 +1,6 @@
 #pragma once
 
+#include "report/common/column.h"
 #include "report/common/json.h"
 #include "report/report.h"
 #include "results/response.h"
@@ -11,6 +12,12 @@ namespace whirl::report {
 
 /// Adds the keys `operating`, `worst` and `scale`, where there are operating speeds.
 void add_operating(Json &json, const results::ResponseResult &result, const Units &units);
+/// The same keys of one run.
+[[nodiscard]] Json operating_json(const results::OperatingResponse &operating, const Units &units);
+/// A line a place and speed, after columns of the whole (which runs they belong to).
+[[nodiscard]] std::string operating_rows_csv(const Columns<results::OperatingRow> &first,
+                                             const std::vector<results::OperatingRow> &rows,
+                                             const Units &units);
 /// What is told first; nothing without.
 [[nodiscard]] std::vector<Section> operating_sections(const results::ResponseResult &result,
                                                       const Units &units);

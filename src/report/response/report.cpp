@@ -12,6 +12,7 @@
 #include "report/response/operating.h"
 #include "report/response/orbits.h"
 #include "report/response/receptance.h"
+#include "report/response/runs.h"
 #include "report/response/tables.h"
 
 #include <fmt/format.h>
@@ -127,6 +128,13 @@ const Columns<ResponsePeak> peaks_found = with_error_parts<ResponsePeak>(
 
 const Columns<ResponsePeak> &curve_peaks() { return peaks_found; }
 
+std::vector<ResponsePeak> sharpest_first(std::vector<ResponsePeak> peaks) {
+    std::ranges::stable_sort(peaks, std::greater(), [](const ResponsePeak &peak) {
+        return peak.amplification.value_or(std::isfinite(peak.value) ? 0.0 : HUGE_VAL);
+    });
+    return peaks;
+}
+
 Json curves_of_kind(const results::ResponseCurves &curves, std::size_t from, std::size_t to,
                     const char *key, Quantity quantity, const Units &units) {
     Json list = Json::array();
@@ -238,6 +246,7 @@ Json force_json(const Speeds &speeds, const ForceResponse &response, const Units
 Json json_of(const ResponseResult &result, const Units &units) {
     Json json{{"speeds", written(units, Quantity::speed, result.speeds)}};
     add_operating(json, result, units);
+    add_runs(json, result, units);
     // Without an imbalance the first of the forces, so that a motion is always at the same place.
     const HarmonicMotion *first = &result;
     if (result.nodes.empty() && !result.forces.empty())
@@ -423,7 +432,8 @@ std::string text_of(const model::Case &scene, const ResponseResult &result, cons
                               (result.receptance && parts.size() == 1
                                    ? range_text({result.receptance->speed}, units)
                                    : range_text(result.speeds, units))) +
-           operating_text(result, units) +
+           worst_run_text(result, units) + operating_text(result, units) +
+           runs_text(result, units) +
            joined(parts, "\n", [&units](const Part &part) { return part.text(units); }) +
            model_text(result.model, units);
 }
@@ -488,14 +498,20 @@ model::Sentence answer_of(const ResponseResult &result) {
             as::speed(largest->speed, 5)};
 }
 
+/// What is told before the curves: the operating speeds and the standard runs.
+std::vector<Section> first_sections(const ResponseResult &result, const Units &units) {
+    std::vector<Section> sections = operating_sections(result, units);
+    for (Section &section : run_sections(result, units))
+        sections.push_back(std::move(section));
+    return sections;
+}
+
 /// The peaks that rise highest, by kind and place as in the table of all.
 std::vector<Section> brief_of(const ResponseResult &result, const Units &units) {
-    std::vector<Section> sections = operating_brief(result, units);
-    std::vector<ResponsePeak> peaks = result.peaks;
-    // First those without limit, last those whose sharpness is not known.
-    std::ranges::stable_sort(peaks, std::greater(), [](const ResponsePeak &peak) {
-        return peak.amplification.value_or(std::isfinite(peak.value) ? 0.0 : HUGE_VAL);
-    });
+    std::vector<Section> sections = run_sections(result, units);
+    for (Section &section : operating_brief(result, units))
+        sections.push_back(std::move(section));
+    const std::vector<ResponsePeak> peaks = sharpest_first(result.peaks);
     if (!peaks.empty())
         sections.push_back({"Peaks, the sharpest first",
                             page_table_of_first(brief_rows, curve_peaks(), peaks, units)});
@@ -511,20 +527,24 @@ Report describe(const model::Case &scene, const ResponseResult &result) {
     report.csv = parts.front().csv;
     report.figure = parts.front().figure;
     report.sections = [parts, &result](const Units &units) {
-        return sections_of(operating_sections(result, units), parts, units);
+        return sections_of(first_sections(result, units), parts, units);
     };
     if (result.operating)
         report.tables = [&result] {
-            return std::vector<TableFile>{{"response_operating", [&result](const Units &units) {
-                                               return operating_csv(result, units);
-                                           }}};
+            std::vector<TableFile> files{{"response_operating", [&result](const Units &units) {
+                                              return operating_csv(result, units);
+                                          }}};
+            if (!result.runs.empty())
+                files.push_back({"response_runs", [&result](const Units &units) {
+                                     return runs_csv(result, units);
+                                 }});
+            return files;
         };
     report.pictures = [&scene, &result](const Units &units) {
         return pictures_of(scene, result, units);
     };
     report.pictures_heading = pictures_heading(parts, result);
-    report.pictures_after =
-        result.nodes.empty() ? 0 : 2 + operating_sections(result, Units()).size();
+    report.pictures_after = result.nodes.empty() ? 0 : 2 + first_sections(result, Units()).size();
     if (!result.speeds.empty()) // complete: on the first process
         report.answer = answer_of(result);
     report.brief = [&](const Units &units) { return brief_of(result, units); };

@@ -120,6 +120,10 @@ peaks_of(const std::vector<double> &speeds, const std::vector<results::ResponseP
     return peaks;
 }
 
+/// Those without limit first, those whose sharpness is not known last.
+[[nodiscard]] std::vector<results::ResponsePeak>
+sharpest_first(std::vector<results::ResponsePeak> peaks);
+
 /// Local maxima of the curves.
 [[nodiscard]] const Columns<results::ResponsePeak> &curve_peaks();
 
