@@ -45,9 +45,9 @@ std::string end_kind_name(EndKind kind) {
 }
 
 Sentence run_name(const StandardRun &run) {
-    return run.clearance == model::fit_name(model::BearingFit::given)
+    return run.fit == model::BearingFit::given
                ? Sentence("run {}", run.name)
-               : Sentence("run {}, clearance {}", run.name, run.clearance);
+               : Sentence("run {}, clearance {}", run.name, model::fit_name(run.fit));
 }
 
 std::string measure_name(Measure measure) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/attachments.h"
+#include "model/operation.h"
 #include "results/critical.h"
 #include "results/error_parts.h"
 #include "results/margins.h"
@@ -180,8 +181,8 @@ struct ReceptanceResponse {
 /// The response to imbalances that a standard places, with one clearance of the bearings: what it
 /// is judged by.
 struct StandardRun {
-    std::string name;      ///< "first bending", "overhung left", ... or "imbalance of the case"
-    std::string clearance; ///< "as given", "min" or "max"
+    std::string name; ///< "first bending", "overhung left", ... or "imbalance of the case"
+    model::BearingFit fit = model::BearingFit::given;
     std::vector<double> placed_by; ///< critical speeds whose shapes place them, rad/s
     std::vector<model::Imbalance> unbalance;
     OperatingResponse operating;

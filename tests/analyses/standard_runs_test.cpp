@@ -99,7 +99,7 @@ TEST(StandardRuns, PlacesOfAUniformShaftOnStiffBearings) {
     const StandardRun &second = found.runs[1];
     EXPECT_EQ(first.name, "first bending");
     EXPECT_EQ(second.name, "second bending");
-    EXPECT_EQ(first.clearance, "as given");
+    EXPECT_EQ(first.fit, BearingFit::given);
     // sin(pi z) and sin(2 pi z), but for bearings that give and stations that are some way apart.
     constexpr double of_shape = 2e-3;
     ASSERT_EQ(first.unbalance.size(), 1U);
@@ -183,7 +183,7 @@ TEST(StandardRuns, TablesOfClearancesAreCasesOfTheirOwn) {
     const std::size_t half = found.runs.size() / 2;
     for (std::size_t i = 0; i < found.runs.size(); ++i) {
         const StandardRun &run = found.runs[i];
-        EXPECT_EQ(run.clearance, i < half ? "min" : "max");
+        EXPECT_EQ(run.fit, i < half ? BearingFit::least : BearingFit::most);
         EXPECT_EQ(run.name, found.runs[i % half].name);
         model::Case plain = scene;
         plain.standard.reset();

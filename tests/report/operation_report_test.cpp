@@ -47,7 +47,7 @@ results::ResponseResult sample_runs() {
     for (const char *name : {"first bending", "overhung left"}) {
         results::StandardRun &run = result.runs.emplace_back();
         run.name = name;
-        run.clearance = "min";
+        run.fit = model::BearingFit::least;
         run.placed_by = {150};
         run.unbalance = {{"", 0.5, 2e-5, 0}, {"", 0.75, 1e-5, 1}};
         results::OperatingRow row;

@@ -127,7 +127,7 @@ std::pair<int, double> badness(const Check &check) {
 struct Run {
     model::Case scene;
     Sentence name; ///< empty: there are no others
-    std::string clearance;
+    model::BearingFit fit = model::BearingFit::given;
     const std::vector<SeparationMargin> *margins = nullptr;
     const std::vector<results::ResponsePeak> *peaks = nullptr;
     const std::vector<results::CriticalSpeed> *critical_speeds = nullptr;
@@ -143,7 +143,6 @@ std::vector<Run> runs_of(const model::Case &scene, const Computed &computed) {
     if (!several || !response->of_first_run) {
         Run &own = runs.emplace_back();
         own.scene = scene;
-        own.clearance = model::fit_name(model::BearingFit::given);
         if (several)
             own.name = {"imbalance of the case"};
         if (response != nullptr && response->margins)
@@ -162,11 +161,9 @@ std::vector<Run> runs_of(const model::Case &scene, const Computed &computed) {
     for (const results::StandardRun &one : response->runs) {
         Run &run = runs.emplace_back();
         run.scene = scene;
-        for (const auto fit : {model::BearingFit::least, model::BearingFit::most})
-            if (one.clearance == model::fit_name(fit))
-                run.scene.rotor = model::with_fit(scene.rotor, fit);
+        run.scene.rotor = model::with_fit(scene.rotor, one.fit);
         run.scene.rotor.imbalances = one.unbalance;
-        run.clearance = one.clearance;
+        run.fit = one.fit;
         run.name = results::run_name(one);
         run.margins = &one.margins;
         run.peaks = &one.peaks;
@@ -231,7 +228,7 @@ void add_uncovered_criticals(std::vector<Check> &checks, const std::vector<Run> 
                              const Run &of, double lowest, double highest) {
     const auto covered = [&](const results::CriticalSpeed &one) {
         return std::ranges::any_of(runs, [&](const Run &run) {
-            return run.clearance == of.clearance && run.margins != nullptr &&
+            return run.fit == of.fit && run.margins != nullptr &&
                    std::ranges::any_of(*run.margins,
                                        [&one](const auto &margin) { return covers(margin, one); });
         });
@@ -253,18 +250,17 @@ void add_uncovered_criticals(std::vector<Check> &checks, const std::vector<Run> 
                              "its own was seen",
                              results::whirl_name(one.whirl), as::speed(one.speed)),
             api617));
-        if (of.clearance != model::fit_name(model::BearingFit::given))
-            checks.back().where = Sentence("clearance {}", of.clearance);
+        if (of.fit != model::BearingFit::given)
+            checks.back().where = Sentence("clearance {}", model::fit_name(of.fit));
     }
 }
 /// Of each clearance once.
 void add_uncovered_criticals(std::vector<Check> &checks, const std::vector<Run> &runs,
                              double lowest, double highest) {
-    std::vector<std::string> done;
+    std::vector<model::BearingFit> done;
     for (const Run &run : runs)
-        if (run.critical_speeds != nullptr &&
-            std::ranges::find(done, run.clearance) == done.end()) {
-            done.push_back(run.clearance);
+        if (run.critical_speeds != nullptr && std::ranges::find(done, run.fit) == done.end()) {
+            done.push_back(run.fit);
             add_uncovered_criticals(checks, runs, run, lowest, highest);
         }
 }
@@ -275,7 +271,7 @@ bool known_elsewhere(const results::ResponsePeak &peak, const std::vector<Run> &
                      const Run &run) {
     constexpr double near = 0.05; // as of WorstMargins
     return std::ranges::any_of(runs, [&](const Run &other) {
-        return &other != &run && other.clearance == run.clearance && other.margins != nullptr &&
+        return &other != &run && other.fit == run.fit && other.margins != nullptr &&
                std::ranges::any_of(*other.margins, [&peak](const SeparationMargin &margin) {
                    return margin.of == peak.of && margin.z == peak.z && margin.name == peak.name &&
                           margin.angle == peak.angle &&

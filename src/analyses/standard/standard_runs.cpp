@@ -76,7 +76,7 @@ void add_runs(results::ResponseResult &result, const model::Case &scene,
         for (const PlacedUnbalance &placed : wanted) {
             StandardRun run;
             run.name = placed.name;
-            run.clearance = model::fit_name(fit);
+            run.fit = fit;
             run.placed_by = placed.critical_speeds;
             run.unbalance = placed.imbalances;
             const model::Case own_scene = scene_of_run(scene, run);
@@ -197,9 +197,7 @@ std::vector<PlacedUnbalance> standard_unbalance(const model::Case &scene) {
 }
 
 model::Case scene_of_run(model::Case scene, const StandardRun &run) {
-    for (const BearingFit fit : {BearingFit::least, BearingFit::most})
-        if (run.clearance == model::fit_name(fit))
-            scene.rotor = model::with_fit(std::move(scene.rotor), fit);
+    scene.rotor = model::with_fit(std::move(scene.rotor), run.fit);
     scene.rotor.imbalances = run.unbalance;
     return scene;
 }

@@ -113,7 +113,8 @@ std::string margins_in_words(const StandardRun &run) {
 
 const Columns<StandardRun> run_columns{
     {"name", ForReaders("run"), &StandardRun::name},
-    {"clearance", ForReaders("clearance"), &StandardRun::clearance},
+    {"clearance", ForReaders("clearance"),
+     [](const StandardRun &run) { return model::fit_name(run.fit); }},
     {OnPage("Imbalances"), InText("imbalances"), weights_in_words},
     {OnPage("Probes (else stations) move at most", "{:.5g}", "no limit"),
      InText("largest motion", "{:.5g}", "no limit"), Quantity::amplitude, largest_reading},
@@ -151,7 +152,7 @@ void add_runs(Json &json, const ResponseResult &result, const Units &units) {
         return;
     json["runs"] = json_list(result.runs, [&units](const StandardRun &run) {
         Json one{{"name", run.name},
-                 {"clearance", run.clearance},
+                 {"clearance", model::fit_name(run.fit)},
                  {"placed_by", written(units, Quantity::speed, run.placed_by)},
                  {"unbalance", json_rows(weight_columns, run.unbalance, units)}};
         take_entries(one, operating_json(run.operating, units));
@@ -194,7 +195,7 @@ std::string runs_csv(const ResponseResult &result, const Units &units) {
     return operating_rows_csv(
         {{InCsv("run"), [&of](const Row &, std::size_t index) { return of[index]->name; }},
          {InCsv("clearance"),
-          [&of](const Row &, std::size_t index) { return of[index]->clearance; }}},
+          [&of](const Row &, std::size_t index) { return model::fit_name(of[index]->fit); }}},
         rows, units);
 }
 
