@@ -216,6 +216,29 @@ results::BalanceResult empirical_criterion(const model::Case &scene,
     return result;
 }
 
+/// Where all balanced states are known to be unstable the balancers do not stay in them.
+void take_stability(const results::SteadyStates &states, const std::vector<double> &speeds,
+                    results::BalanceSupply &supply) {
+    for (std::size_t k = 0; k < speeds.size(); ++k) {
+        constexpr double same = 1e-12; // of the speed: the grids are made alike
+        bool any = false, all_unstable = true;
+        for (const results::SteadyState &state : states.states)
+            if (state.kind == results::SteadyState::Kind::balanced &&
+                std::abs(state.speed - speeds[k]) <= same * speeds[k]) {
+                any = true;
+                all_unstable = all_unstable && state.stable == false;
+            }
+        if (!any || !all_unstable || supply.with_balancers[k] != results::Supply::balanced)
+            continue;
+        supply.with_balancers[k] = results::Supply::unstable;
+        for (results::LeftAt &left : supply.left) {
+            left.amplitude.balancers[k].reset();
+            if (left.force)
+                left.force->balancers[k].reset();
+        }
+    }
+}
+
 } // namespace
 
 results::BalanceResult balance(const model::Case &scene, bool map) {
@@ -238,6 +261,8 @@ results::BalanceResult balance(const model::Case &scene, bool map) {
         if (s.has_range() && !scene.rotor.balancers.empty())
             judge_real_balancers(scene, s.order, result);
         result.states = steady_states_of(scene, result.model.notes);
+        if (result.supply && result.states)
+            take_stability(*result.states, result.speeds, *result.supply);
         result.findings = balance_findings(result, scene);
         return result;
     } catch (const linalg::SolverError &error) {

@@ -482,6 +482,12 @@ class SupplyFinder {
         const auto fine = [&](const Eigen::VectorXcd &u) {
             return (u.cwiseAbs().array() >= least.array() * (1 - just)).all();
         };
+        if (!works(at.real_matrix(_active))) {
+            out.supply = !needed           ? Supply::out_of_reach
+                         : enough(*needed) ? Supply::unkept
+                                           : Supply::beyond;
+            return out;
+        }
         if (needed && enough(*needed)) {
             out.supply = fine(*needed) ? Supply::balanced : Supply::coarse;
             if (out.supply == Supply::balanced)
@@ -493,9 +499,8 @@ class SupplyFinder {
             return out;
         const Eigen::MatrixXcd A = at.complex_matrix(_active);
         const auto best = balancing::best_supply({A, w, capacity});
-        if (!best) {
-            if (works(at.real_matrix(_active))) // there is one, but it was not found
-                out.supply = Supply::unknown;
+        if (!best) { // there is one, but it was not found
+            out.supply = Supply::unknown;
             return out;
         }
         const bool all = (w + A * *best).norm() <= nothing_left * w.norm(); // shared out otherwise

@@ -304,7 +304,8 @@ void add_notes(const model::Case &scene, const stability::StabilityModel &model,
 
 void add_note_of_placed_balls(const model::Rotor &rotor, std::vector<Sentence> &notes) {
     if (!rotor.imbalances.empty() && !rotor.balancers.empty())
-        notes.emplace_back("stability is that of balls placed against the imbalance of their own "
+        notes.emplace_back(model::Weight::warning,
+                           "stability is that of balls placed against the imbalance of their own "
                            "balancer; where [[imbalance]] entries make them stand elsewhere, "
                            "elsewhere at every speed, [states] judges them");
 }

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace whirl::cli {
@@ -75,8 +76,14 @@ std::vector<report::ComparedResult> results_of(const Arguments &arguments) {
     if (!arguments.names.empty() && arguments.names.size() != results.size())
         throw model::BadInput(fmt::format("--name: expected one for each of {} results, got {}",
                                           results.size(), arguments.names.size()));
-    for (std::size_t i = 0; i < arguments.names.size(); ++i)
-        results[i].name = arguments.names[i];
+    for (std::size_t i = 0; i < arguments.names.size(); ++i) {
+        const std::string &name = arguments.names[i];
+        if (name.empty() || std::ranges::count(arguments.names, name) > 1)
+            throw model::BadInput(
+                fmt::format("--name: expected a name of its own for each result, got \"{}\"{}",
+                            name, name.empty() ? "" : " again"));
+        results[i].name = name;
+    }
     return results;
 }
 

@@ -251,12 +251,13 @@ class WeightsReader {
                                    {"plane", {}},
                                    {"amplitude", Quantity::influence},
                                    {"phase", Quantity::angle}});
-        if (influence && readings && !influence->says_reading("amplitude") &&
-            readings->says_reading("amplitude"))
-            influence->fail("amplitude",
-                            "expected a unit that says how the vibration was read, as the heading "
-                            "of the readings does, for example \"um pk-pk/(g mm)\" or \"um "
-                            "peak/(g mm)\", got one that does not say");
+        if (influence && readings &&
+            influence->says_reading("amplitude") != readings->says_reading("amplitude"))
+            (influence->says_reading("amplitude") ? readings : influence)
+                ->fail("amplitude",
+                       "expected a unit that says how the vibration was read, as the heading of "
+                       "the other table does, for example \"um pk-pk\" of readings and \"um "
+                       "pk-pk/(g mm)\" of coefficients, got one that does not say");
         if (influence)
             read_influence(*influence);
     }
@@ -292,7 +293,8 @@ class WeightsReader {
         return there ? std::optional(found->second) : std::nullopt;
     }
 
-    /// ", the nearest is 314.159 rad/s (3000 rpm)": nothing where the probe was not read at any speed.
+    /// ", the nearest is 314.159 rad/s (3000 rpm)": nothing where the probe was not read at any
+    /// speed.
     std::string nearest_speed(const std::string &probe, const std::optional<double> &speed) const {
         const auto of_probe = _places.find(probe);
         if (of_probe == _places.end() || !speed)
@@ -300,7 +302,8 @@ class WeightsReader {
         const auto nearest = std::ranges::min_element(of_probe->second, {}, [&](const auto &place) {
             return std::abs(place.first - *speed);
         });
-        return nearest->first < 0 ? "" : fmt::format(", the nearest is {}", speed_text(nearest->first));
+        return nearest->first < 0 ? ""
+                                  : fmt::format(", the nearest is {}", speed_text(nearest->first));
     }
 
     void read_readings(const CsvTable &csv) {

@@ -159,15 +159,12 @@ void add_left(const BalanceResult &result, const LeftAt &at, const std::vector<s
     }
 }
 
-/// For readers: the places that count, where the criterion does not hold in words.
+/// For readers: the places that count.
 std::vector<Left> left_for_readers(const BalanceResult &result, std::size_t most_places,
                                    std::size_t most_speeds) {
     std::vector<Left> out;
     for (const LeftAt *at : places_for_readers(*result.supply, most_places))
         add_left(result, *at, chosen_speeds(result.speeds.size(), most_speeds), out);
-    for (Left &left : out)
-        if (!left.works && left.supply == results::supply_name(results::Supply::balanced))
-            left.supply = "criterion does not hold";
     return out;
 }
 

@@ -120,6 +120,8 @@ enum class Supply {
     balanced,     ///< each supplies what is needed: no plane moves
     saturated,    ///< some supply all they have, the others leave no motion of their planes
     beyond,       ///< more is needed than there is, and where the balancers end is not known
+    unkept,       ///< the criterion does not hold: a balanced position would not be kept
+    unstable,     ///< each supplies what is needed, but small motions about that grow
     coarse,       ///< less is needed than a balancer always makes
     out_of_reach, ///< nothing in these planes takes away their motion
     resonance,    ///< without damping: no steady motion
@@ -127,7 +129,8 @@ enum class Supply {
     unknown       ///< pendulums, which do not take away the motion of their plane; or not found
 };
 
-/// "balanced", "saturated", "beyond capacity", "too coarse", "out of reach", "resonance", "at rest"
+/// "balanced", "saturated", "beyond capacity", "criterion does not hold", "balanced,
+/// unstable", "too coarse", "out of reach", "resonance", "at rest"
 /// or "not known".
 [[nodiscard]] std::string supply_name(Supply supply);
 

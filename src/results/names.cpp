@@ -36,8 +36,9 @@ std::string unknowns_name(Form form) { return is_planar(form) ? "planar" : "real
 std::string whirl_name(Whirl whirl) { return name_of(whirl, {"forward", "backward", "mixed"}); }
 
 std::string supply_name(Supply supply) {
-    return name_of(supply, {"balanced", "saturated", "beyond capacity", "too coarse",
-                            "out of reach", "resonance", "at rest", "not known"});
+    return name_of(supply, {"balanced", "saturated", "beyond capacity", "criterion does not hold",
+                            "balanced, unstable", "too coarse", "out of reach", "resonance",
+                            "at rest", "not known"});
 }
 
 std::string end_kind_name(EndKind kind) {

@@ -67,7 +67,12 @@ class Studio {
   public:
     explicit Studio(const Setup &setup)
         : _setup(setup), _file(setup.scene), _scene(_file.load(setup.overrides)),
-          _numbers(_file.numbers(setup.overrides)) {}
+          _numbers(_file.numbers(setup.overrides)) {
+        for (const auto &[name, text] : _file.files()) {
+            const fs::path file = _file.path().parent_path() / name;
+            _as_read.emplace_back(file, report::content_of(file));
+        }
+    }
 
     [[nodiscard]] std::vector<Route> routes() {
         const auto of = [this](Reply (Studio::*answer)(const Json &)) {
@@ -98,6 +103,8 @@ class Studio {
     std::vector<input::WrittenNumber> _numbers;
     std::string _token;
     Computations _computations;
+    /// The case and its tables, byte by byte.
+    std::vector<std::pair<fs::path, std::string>> _as_read;
     std::mutex _reading; ///< a case file keeps the tables it has read
     std::mutex _reporting;
     std::deque<std::pair<std::string, std::string>> _reports; ///< by name
@@ -156,10 +163,9 @@ class Studio {
     /// Whether the files have changed since the fields were made of them.
     [[nodiscard]] bool changed() {
         const std::lock_guard guard(_reading);
-        for (const auto &[path, text] : _file.files())
-            if (path.ends_with(".toml") && report::content_of(_file.path()) != text)
-                return true;
-        return false;
+        return std::ranges::any_of(_as_read, [](const auto &file) {
+            return report::content_of(file.first) != file.second;
+        });
     }
 
     Reply page() {
@@ -287,15 +293,16 @@ class Studio {
         if (!problems_json(asked, *overrides).empty())
             return bad_question("the case has mistakes");
         std::vector<std::string> line = line_of("report", *overrides);
-        line.insert(line.begin() + 1, {"--quiet", "--out=" + _setup.reports.string()});
+        const std::string name = next_report();
+        const fs::path folder = _setup.reports / name; // of its own: several pages may ask at once
+        line.insert(line.begin() + 1, {"--quiet", "--out=" + folder.string()});
         const Computations::Answer answer = _computations.run(place->panel, place->number, line);
         if (answer.superseded)
             return json_reply({{"superseded", true}});
         if (answer.failed)
             return json_reply({{"failed", answer.errors}});
-        const fs::path file = _setup.reports / "report.html";
+        const fs::path file = folder / "report.html";
         const std::lock_guard guard(_reporting);
-        const std::string name = std::to_string(++_made);
         _reports.emplace_back(name, report::content_of(file));
         if (_reports.size() > kept_reports)
             _reports.pop_front();
@@ -303,6 +310,11 @@ class Studio {
             {{"report", addressed("report", "&name=" + name)}, {"file", file.generic_string()}});
     }
     std::size_t _made = 0;
+
+    std::string next_report() {
+        const std::lock_guard guard(_reporting);
+        return std::to_string(++_made);
+    }
 
     /// A report that was made, as it was then.
     Reply made(const Question &question) {
@@ -332,7 +344,8 @@ class Studio {
         if (const fs::file_status there = fs::symlink_status(file, none); fs::exists(there)) {
             if (!fs::is_regular_file(there))
                 return json_reply({{"failed", name + " is there and is no plain file"}}, 422);
-            if (asked.value("replace", false) != true)
+            if (const auto replace = asked.find("replace");
+                replace == asked.end() || *replace != true)
                 return json_reply({{"exists", name}}, 409);
         }
         try {

@@ -269,6 +269,24 @@ TEST(Checks, ClearancesWithoutAScale) {
         EXPECT_EQ(check.pass, std::optional(false));
 }
 
+/// What touches fails also where the case gives no limit: an imbalance some thousand times as
+/// large.
+TEST(Checks, WhatTouchesNeedsNoLimit) {
+    model::Case scene = sound();
+    scene.limits.reset();
+    EXPECT_TRUE(named(assess(scene), clearance).empty());
+    for (model::Imbalance &imbalance : scene.rotor.imbalances)
+        imbalance.mr *= 1e5;
+    const Assessment all = assess(scene);
+    EXPECT_EQ(all.verdict, Judgement::fails);
+    const auto touching = named(all, clearance);
+    ASSERT_FALSE(touching.empty());
+    for (const Check &check : touching) {
+        EXPECT_EQ(check.pass, std::optional(false));
+        EXPECT_GE(*check.value, 1);
+    }
+}
+
 TEST(Checks, BalancersAreLeftOutOfTheResponse) {
     model::Case scene = sound();
     model::Balancer balancer;

@@ -602,6 +602,49 @@ void add_vibration(std::vector<Check> &checks, const model::Case &scene, const C
     }
 }
 
+/// What touches fails, whether the case limits the share of clearances or not.
+void add_touching(std::vector<Check> &checks, const model::Case &scene, const Computed &computed) {
+    if (computed.response == nullptr || !computed.response->operating ||
+        (scene.limits && scene.limits->clearance))
+        return;
+    struct Touching {
+        const results::OperatingRow *row;
+        Check check;
+    };
+    std::vector<Touching> own; // of each place the worst
+    for (const Run &run : runs_of(scene, computed)) {
+        if (run.operating == nullptr)
+            continue;
+        for (const results::OperatingRow &row : run.operating->rows) {
+            if (!(row.clearance_share.value_or(0) >= 1))
+                continue;
+            const auto before = std::ranges::find_if(own, [&row](const Touching &other) {
+                return other.row->of == row.of && other.row->name == row.name &&
+                       other.row->z == row.z;
+            });
+            if (before != own.end() && *before->check.value >= *row.clearance_share)
+                continue;
+            Check check;
+            check.name = clearance_name;
+            check.value = row.clearance_share;
+            check.limit = 1;
+            check.percent = true;
+            check.pass = false;
+            check.source = "clearance of the case";
+            check.where = place_in_words(row.of.c_str(), row.name, row.z);
+            check.where += Sentence(", {}", as::speed(row.speed));
+            name_run(check, run);
+            apply(doubt_of_rotor(scene), check);
+            if (before != own.end())
+                *before = {&row, std::move(check)};
+            else
+                own.push_back({&row, std::move(check)});
+        }
+    }
+    for (Touching &one : own)
+        checks.push_back(std::move(one.check));
+}
+
 /// Without operating speeds nothing is judged; where motions grow is said all the same, first of
 /// all.
 void add_without_operation(std::vector<Check> &checks, const results::StabilityResult *stability) {
@@ -694,6 +737,7 @@ results::Assessment assess(const model::Case &scene, const Computed &computed) {
     if (scene.operation) {
         add_margins(out.checks, scene, computed);
         add_vibration(out.checks, scene, computed);
+        add_touching(out.checks, scene, computed);
         out.checks.push_back(of_stability(scene, computed));
         add_level1(out.checks, scene, computed);
     } else {
