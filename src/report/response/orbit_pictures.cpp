@@ -135,7 +135,7 @@ Figure orbits_figure(const model::Case &scene, const std::vector<Orbits> &orbits
     const std::vector<std::size_t> drawn = drawn_places(orbits);
     const std::size_t rows = std::min(orbits.size(), most_rows);
     const int width =
-        std::max(860, static_cast<int>(70 + cell_width * static_cast<double>(drawn.size())));
+        std::max(860, static_cast<int>(90 + cell_width * static_cast<double>(drawn.size())));
     const int height = static_cast<int>(90 + cell_height * static_cast<double>(rows));
     const double high = height;
     const double wide = width;
@@ -143,7 +143,7 @@ Figure orbits_figure(const model::Case &scene, const std::vector<Orbits> &orbits
     for (std::size_t row = 0; row < rows; ++row)
         for (std::size_t column = 0; column < drawn.size(); ++column) {
             const Orbit &orbit = orbits[row].stations[drawn[column]];
-            const double left = 75 + cell_width * static_cast<double>(column);
+            const double left = 95 + cell_width * static_cast<double>(column);
             const double top = 75 + cell_height * static_cast<double>(row);
             const auto label = [&](int number, const std::string &text, double x, double y,
                                    const char *look) {
