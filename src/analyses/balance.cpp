@@ -228,7 +228,9 @@ void take_stability(const results::SteadyStates &states, const std::vector<doubl
                 any = true;
                 all_unstable = all_unstable && state.stable == false;
             }
-        if (!any || !all_unstable || supply.with_balancers[k] != results::Supply::balanced)
+        const bool in_place = supply.with_balancers[k] == results::Supply::balanced ||
+                              supply.with_balancers[k] == results::Supply::unkept;
+        if (!any || !all_unstable || !in_place)
             continue;
         supply.with_balancers[k] = results::Supply::unstable;
         for (results::LeftAt &left : supply.left) {

@@ -486,6 +486,8 @@ class SupplyFinder {
             out.supply = !needed           ? Supply::out_of_reach
                          : enough(*needed) ? Supply::unkept
                                            : Supply::beyond;
+            if (out.supply == Supply::unkept && fine(*needed))
+                out.supplied = out.needed; // damping may keep it all the same
             return out;
         }
         if (needed && enough(*needed)) {

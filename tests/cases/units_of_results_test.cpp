@@ -294,8 +294,7 @@ void compare_panels(const Panel &marked, const Panel &other, const MarkedTexts &
     const auto named = [](const Panel &panel) {
         return std::pair(panel.x.name.empty(), panel.y.name.empty());
     };
-    // gnuplot leaves out one that has no room; of one without a name the unit is not known.
-    if (named(marked) != named(other) || marked.y.name.empty()) {
+    if (named(marked) != named(other)) { // gnuplot leaves out one that has no room
         ++totals.unnamed;
         return;
     }

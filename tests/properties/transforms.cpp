@@ -203,8 +203,15 @@ model::Case in_units(model::Case scene, const Units &units) {
     }
     for (model::Balancer &b : r.balancers)
         scale(b, f);
-    for (model::CorrectionPlane &p : r.planes)
+    for (model::CorrectionPlane &p : r.planes) {
         p.z *= f.length;
+        if (p.radius)
+            *p.radius *= f.length;
+        if (p.max)
+            *p.max *= f.mass * f.length;
+        for (std::complex<double> &weight : p.fixed)
+            weight *= f.mass * f.length;
+    }
     for (model::Imbalance &i : r.imbalances) {
         i.z *= f.length;
         i.mr *= f.mass * f.length;
@@ -215,6 +222,9 @@ model::Case in_units(model::Case scene, const Units &units) {
         scene.speeds->from *= f.speed;
         scene.speeds->to *= f.speed;
     }
+    if (scene.states)
+        for (double &speed : scene.states->speeds)
+            speed *= f.speed;
     scale(scene.simulate, f);
     scale_operation(scene, f);
     for (model::PendulumDesign &d : scene.balance.designs) {

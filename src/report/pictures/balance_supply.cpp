@@ -29,6 +29,7 @@ constexpr const char *nothing_look = "lw 1.6 lc rgb '#8A8A8A'";
 constexpr const char *weights_look = "lw 1.8 dt (7,3) lc rgb '#0072B2'";
 constexpr const char *balancers_look = "lw 2.2 lc rgb '#007D5A'";
 constexpr const char *both_look = "lw 1.8 dt (3,3) lc rgb '#D55E00'";
+constexpr const char *idle_look = "lw 1.3 dt (2,3) lc rgb '#58A890'";
 
 double largest_of(const LeftMotion &motion) {
     double largest = 0;
@@ -62,6 +63,9 @@ std::string left_panel(const model::Case &scene, const Units &units, const Balan
     const double largest = largest_of(left.amplitude);
     const double bottom = drawn_zero * units(Quantity::amplitude, largest);
     const char *lines = result.speeds.size() == 1 ? "points pt 7" : "lines";
+    std::vector<bool> idle;
+    for (const bool works : supply.works)
+        idle.push_back(!works);
     Curves drawn;
     const auto add = [&](const LeftMotion::Values &values, const char *look, const char *title,
                          const std::vector<bool> &shown = {}) {
@@ -71,6 +75,7 @@ std::string left_panel(const model::Case &scene, const Units &units, const Balan
     if (largest > 0) {
         add(left.amplitude.nothing, nothing_look, "nothing");
         add(left.amplitude.weights, weights_look, "best weights");
+        add(left.amplitude.balancers, idle_look, "balanced position that does not keep", idle);
         add(left.amplitude.balancers, balancers_look, "balancers", supply.works);
         add(left.amplitude.both, both_look, "weights and balancers", supply.works);
     } else {
@@ -132,7 +137,7 @@ Figure residual_figure(const model::Case &scene, const BalanceResult &result, co
     const std::vector<const LeftAt *> places = places_for_readers(*result.supply, most_left_panels);
     const int panels = static_cast<int>(places.size()) + 1;
     const int height = left_head_height + panels * (left_panel_height + left_panel_gap);
-    std::vector<std::string> names{"weights and balancers"};
+    std::vector<std::string> names{"balanced position that does not keep"};
     for (const results::BalancePlane &plane : result.planes)
         names.push_back(plane.name);
     const LegendedFigure figure = beside_legend(880, 1100, height, names);
