@@ -42,8 +42,8 @@ std::string first_difference(const std::string &a, const std::string &b) {
 /// Wall time and date, and errors, whose share of rounding is itself rounding.
 bool left_out(const std::string &key) {
     static const std::set<std::string> keys{
-        "seconds",          "residual", "version",          "rounding",  "name",
-        "forward_fraction", "steps",    "rate_evaluations", "provenance"};
+        "seconds",          "residual", "version",          "rounding",   "name",
+        "forward_fraction", "steps",    "rate_evaluations", "provenance", "defect"};
     return keys.count(key) > 0 || key.find("error") != std::string::npos;
 }
 
