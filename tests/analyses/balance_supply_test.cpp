@@ -288,7 +288,6 @@ TEST(BalanceSupply, MotionInTimeLeavesTheResidual) {
     model::Case scene = flexible();
     const BalanceResult result = answer(scene);
     scene.simulate.time = 6; // motions die out as exp(-2.6 t)
-    scene.simulate.steady_start = true;
     for (std::size_t p = 0; p < 2; ++p) {
         const Complex needed = *result.supply->planes[p].needed[0];
         const double apart = std::acos(std::abs(needed) / (2 * 0.004 * 0.05));
