@@ -52,7 +52,7 @@ class CsvTable {
     struct Column {
         std::string name;
         std::optional<Quantity> quantity;
-        double factor = 1; ///< of its unit to SI
+        double factor = 1;    ///< of its unit to SI
         bool unit = false;    ///< given in the header
         bool reading = false; ///< how a vibration is read is given there too
         void take(double unit_factor, bool says_reading);

@@ -67,7 +67,8 @@ struct Receptance {
 /// Entries of [response].
 struct ResponseSettings {
     double gravity = 0; ///< m/s2 towards -y; 0: the motion under the weight is not asked for
-    std::vector<double> orbits_at;       ///< spin speeds, rad/s; empty: the operating speeds, or the largest peak
+    std::vector<double>
+        orbits_at; ///< spin speeds, rad/s; empty: the operating speeds, or the largest peak
     std::vector<double> shape_at;        ///< the same of deflected shapes; empty: as the orbits
     std::vector<Receptance> receptances; ///< at the first speed of the case
     SpeedRange frequencies{};            ///< of their excitation, rad/s

@@ -34,8 +34,8 @@ struct PlacedUnbalance {
 ///    neighbouring loops half a turn apart. One loop ("first bending"): W the load of both
 ///    journals. Two ("second bending"): W at each weight the load of the journal on its side. More,
 ///    for which the standard has no figure: equal shares of both loads;
-///    A loop that deflects most at its bearing, as of a rigid rotor on soft bearings, has the weight
-///    in the middle of its share of the span: mid-span of one loop, quarter-span of two;
+///    A loop that deflects most at its bearing, as of a rigid rotor on soft bearings, has the
+///    weight in the middle of its share of the span: mid-span of one loop, quarter-span of two;
 ///  - outside of a bearing, where the rotor deflects more there than anywhere between the bearings
 ///    ("overhung left", "overhung right"): at the largest deflection, W the overhung mass.
 /// A loop that deflects less than a tenth of the largest one between the bearings is none. Where

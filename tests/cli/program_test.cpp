@@ -80,7 +80,8 @@ TEST_F(Program, WrongArgumentsAreOneMessageAndStatusTwo) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes{
         {{}, "a command is missing"},
         {{"cambpell", rotor},
-         "unknown command \"cambpell\", did you mean \"campbell\"? The commands are report, studio"},
+         "unknown command \"cambpell\", did you mean \"campbell\"? The commands are report, "
+         "studio"},
         {{"campbell"}, "a case folder or .toml file is missing"},
         {{"campbell", rotor, "--fast"}, "--fast"},
         {{"campbell", rotor, "--unit", "us"}, "did you mean \"--units\"?"},
