@@ -5,8 +5,8 @@
 namespace whirl::balancers {
 
 void SmallMotions::set_diameter(std::complex<double> D, double rate) {
-    constexpr double rounding = 1e-12;
-    if (std::abs(std::abs(D) - 1) > rounding)
+    constexpr double accuracy = 1e-12;
+    if (std::abs(std::abs(D) - 1) > accuracy)
         return;
     diameter = D / std::abs(D);
     far = far_away * (rate > 0 ? rate : 1.0); // coupled to nothing: any rate does

@@ -15,6 +15,7 @@ namespace whirl::criterion {
 
 namespace {
 
+using Complex = std::complex<double>;
 using Sparse = Eigen::SparseMatrix<double>;
 
 /// Entries between unknowns of different planes (`across`), or of the same one.
@@ -71,7 +72,6 @@ std::vector<double> UndampedRotor::roots(const Sparse &T, double from, double to
     const Sparse A = T.transpose() * _A * T;
     if (_K_imaginary.nonZeros() == 0)
         return linalg::SemidefinitePair(K, A).roots(from, to);
-    using Complex = std::complex<double>;
     const Sparse skew = T.transpose() * _K_imaginary * T;
     const Eigen::SparseMatrix<Complex> hermitian =
         K.cast<Complex>() + Complex(0, 1) * skew.cast<Complex>();

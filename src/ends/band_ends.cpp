@@ -16,9 +16,9 @@ using stability::Motion;
 using stability::MotionsAt;
 
 /// An end of a band and a change of the count within this part of the speed are the same.
-constexpr double same = 1e-6;
+constexpr double same_speed = 1e-6;
 
-bool near(double a, double b) { return std::abs(a - b) <= same * std::abs(b); }
+bool near(double a, double b) { return std::abs(a - b) <= same_speed * std::abs(b); }
 
 int growing(const std::vector<Motion> &motions) {
     return static_cast<int>(std::ranges::count_if(motions, &Motion::grows));

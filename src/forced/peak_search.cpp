@@ -16,8 +16,8 @@ constexpr double beyond = 0.3;
 constexpr double step_to_pole = 0.2;
 constexpr int fewest_steps = 300; // for pictures
 /// Relative distance from such a pole at which the motion is evaluated.
-constexpr double offset = 1e-7;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double beside_pole = 1e-7;
+constexpr double no_phase = std::numeric_limits<double>::quiet_NaN();
 
 /// At rest there is no force; this share of the fastest speed is the slowest looked at.
 constexpr double slowest = 1e-6;
@@ -88,7 +88,7 @@ void PeakSearch::sample_piece(int piece) {
     double start = from;
     for (const Resonance &r : here)
         if (r.undamped()) {
-            const double apart = offset * std::abs(r.speed);
+            const double apart = beside_pole * std::abs(r.speed);
             sample_stretch(piece, start, r.speed - apart, poles);
             start = r.speed + apart;
         }
@@ -166,7 +166,7 @@ void PeakSearch::endless_peak(std::size_t q, std::size_t left) {
     constexpr double more_than_rounding = 1e-12;
     const bool driven =
         left > 1 && left + 3 < _samples.size() &&
-        _samples[left].value[q] * offset > more_than_rounding * _samples[left].cancelled[q] &&
+        _samples[left].value[q] * beside_pole > more_than_rounding * _samples[left].cancelled[q] &&
         _samples[left].value[q] > grown * _samples[left - 2].value[q] &&
         _samples[left + 1].value[q] > grown * _samples[left + 3].value[q];
     if (!driven)
@@ -180,7 +180,7 @@ void PeakSearch::endless_peak(std::size_t q, std::size_t left) {
     if (peak.speed <= _from || peak.speed >= _to)
         return;
     peak.value = std::numeric_limits<double>::infinity();
-    peak.phase = none;
+    peak.phase = no_phase;
     _peaks.push_back(peak);
 }
 

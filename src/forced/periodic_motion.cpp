@@ -10,6 +10,12 @@
 
 namespace whirl::forced {
 
+namespace {
+
+using Complex = std::complex<double>;
+
+} // namespace
+
 Eigen::Vector2d TurnParts::at(double angle) const {
     Eigen::Vector2d out(0, 0);
     int multiple = first;
@@ -67,7 +73,6 @@ PeriodicMotion::PeriodicMotion(const assembly::Discretization &discretization, d
     : _discretization(discretization), _gravity(gravity), _rotor(discretization, {}) {}
 
 bool PeriodicMotion::solve(double speed) {
-    using Complex = std::complex<double>;
     _speed = speed;
     Complex exponent = 0;
     Eigen::VectorXcd load;
@@ -87,7 +92,6 @@ bool PeriodicMotion::solve(double speed) {
 }
 
 TurnParts PeriodicMotion::motion(const assembly::Combination &combination) const {
-    using Complex = std::complex<double>;
     const Eigen::Index columns = _solution.terms.cols();
     const int N = static_cast<int>((columns - 1) / 2);
     Eigen::RowVectorXcd u = Eigen::RowVectorXcd::Zero(columns);

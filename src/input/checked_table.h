@@ -3,6 +3,7 @@
 #include "input/file_text.h"
 #include "input/node.h"
 #include "input/units.h"
+#include "model/sentence.h"
 
 #include <filesystem>
 #include <limits>

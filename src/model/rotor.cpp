@@ -102,10 +102,10 @@ Rotor Rotor::with_held_among_balancers() const {
 }
 
 std::vector<CorrectionPlane> Rotor::balancer_planes() const {
-    std::vector<CorrectionPlane> planes;
+    std::vector<CorrectionPlane> out;
     for (const Balancer &balancer : with_held_among_balancers().balancers)
-        planes.push_back({balancer.name, balancer.z});
-    return planes;
+        out.push_back({balancer.name, balancer.z});
+    return out;
 }
 
 std::vector<double> Rotor::table_bends() const {

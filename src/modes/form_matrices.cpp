@@ -12,6 +12,7 @@ namespace whirl::modes {
 
 namespace {
 
+using Complex = std::complex<double>;
 using Sparse = Eigen::SparseMatrix<double>;
 using Entries = std::vector<Eigen::Triplet<double>>;
 
@@ -226,7 +227,6 @@ ComplexQuadraticAt FormMatrices::complex_at(double speed) const {
     if (_discretization.rotor().bearings_depend_on_speed())
         add_tables(im, speed, Part::imaginary);
     const auto joined = [](const Sparse &a, const Sparse &b) {
-        using Complex = std::complex<double>;
         return ComplexQuadraticAt::Sparse(a.cast<Complex>() + Complex(0, 1) * b.cast<Complex>());
     };
     return {re.M.cast<std::complex<double>>(),

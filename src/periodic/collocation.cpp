@@ -11,27 +11,28 @@ namespace {
 using Real = long double; // rates to the last digit of double
 
 /// The beginning of a step, and the zeros of P_8 - P_7, Legendre's polynomials, moved to [0, 1].
-constexpr std::array<Real, stages + 1> places{0,
-                                              0.0224793864387124981L,
-                                              0.114679053160904232L,
-                                              0.265789822784589468L,
-                                              0.452846373669444617L,
-                                              0.647375282886830363L,
-                                              0.819759308263107635L,
-                                              0.943737439463077854L,
-                                              1};
+constexpr std::array<Real, stages + 1> collocation_places{0,
+                                                          0.0224793864387124981L,
+                                                          0.114679053160904232L,
+                                                          0.265789822784589468L,
+                                                          0.452846373669444617L,
+                                                          0.647375282886830363L,
+                                                          0.819759308263107635L,
+                                                          0.943737439463077854L,
+                                                          1};
 
 /// Rate at one of the places of the polynomial that is 1 at another, or the same one, and 0 at the
 /// rest.
 Real rate(std::size_t at, std::size_t of) {
-    Real out = at == of ? 0 : 1 / (places[of] - places[at]);
-    for (std::size_t k = 0; k < places.size(); ++k) {
+    Real out = at == of ? 0 : 1 / (collocation_places[of] - collocation_places[at]);
+    for (std::size_t k = 0; k < collocation_places.size(); ++k) {
         if (k == at || k == of)
             continue;
         if (at == of)
-            out += 1 / (places[at] - places[k]);
+            out += 1 / (collocation_places[at] - collocation_places[k]);
         else
-            out *= (places[at] - places[k]) / (places[of] - places[k]);
+            out *= (collocation_places[at] - collocation_places[k]) /
+                   (collocation_places[of] - collocation_places[k]);
     }
     return out;
 }
@@ -42,7 +43,7 @@ Collocation made() {
                     Eigen::MatrixXcd(stages / 2, stages)};
     for (int i = 0; i < stages; ++i) {
         const auto at = static_cast<std::size_t>(i) + 1;
-        out.nodes(i) = static_cast<double>(places[at]);
+        out.nodes(i) = static_cast<double>(collocation_places[at]);
         for (int j = 0; j < stages; ++j)
             out.inverse(i, j) = static_cast<double>(rate(at, static_cast<std::size_t>(j) + 1));
     }

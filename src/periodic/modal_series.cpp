@@ -27,7 +27,7 @@ using Eigen::VectorXcd;
 /// A mode whose left and right vectors have a smaller product than this (both of length 1) is
 /// defective within rounding.
 constexpr double defective = 1e-9;
-constexpr Index fewest = 2 * 3 + 1; // terms
+constexpr Index fewest_terms = 2 * 3 + 1;
 
 Complex product(const MatrixXcd &a, const MatrixXcd &b) {
     return a.conjugate().cwiseProduct(b).sum();
@@ -247,7 +247,7 @@ std::optional<SeriesMotion> ModalSeries::whole(const Settled &found) const {
     z.colwise().norm().maxCoeff(&places);
     places -= terms / 2;
     Index fewer = 0;
-    while (places == 0 && terms - 2 * fewer > fewest && ends(fewer + 1) < far_too_many)
+    while (places == 0 && terms - 2 * fewer > fewest_terms && ends(fewer + 1) < far_too_many)
         ++fewer;
     const auto shown = [&](const MatrixXcd &states) {
         return assembly::middle_terms(assembly::moved_terms(states, places), terms - 2 * fewer);
@@ -268,7 +268,7 @@ std::optional<SeriesMotion> ModalSeries::next_to(const SeriesMotion &guess) cons
     const MatrixXcd first = linalg::times(_L, MatrixXcd(weights * guess.right));
     const MatrixXcd first_left = both ? linalg::adjoint_times(_R, MatrixXcd(back * guess.left))
                                       : solve_adjoint(guess.value, first);
-    for (Index terms = std::max(fewest, first.cols()); terms <= most; terms += 4) {
+    for (Index terms = std::max(fewest_terms, first.cols()); terms <= most; terms += 4) {
         MatrixXcd a = assembly::middle_terms(first, terms);
         MatrixXcd b = assembly::middle_terms(first_left, terms);
         b /= std::conj(product(b, a));

@@ -62,7 +62,7 @@ const Columns<ModeShape> shape_columns{
      }}};
 
 /// The same with the speed of each: those at critical speeds.
-Columns<ModeShape> critical_columns() {
+Columns<ModeShape> critical_shape_columns() {
     Columns<ModeShape> columns = shape_columns;
     columns.insert(columns.begin() + 1,
                    {ForReaders("at", "{:.8g}"), Quantity::speed, &ModeShape::at});
@@ -143,7 +143,8 @@ std::string text_of(const model::Case &scene, const ModesResult &result, const U
     return heading(scene, "Mode shapes at " + units.text(Quantity::speed, result.speed)) +
            text_table(shape_columns, result.modes, units) +
            after_a_line(dissipation_texts(result.modes, "-", units)) +
-           text_table("\nAt the critical speeds:\n", critical_columns(), result.critical, units) +
+           text_table("\nAt the critical speeds:\n", critical_shape_columns(), result.critical,
+                      units) +
            after_a_line(dissipation_texts(result.critical, "-", units)) +
            model_text(result.model, units);
 }
@@ -201,7 +202,7 @@ std::vector<Section> sections_of(const ModesResult &result, const Units &units) 
         sections.push_back({"Where the modes dissipate", page_table(dissipation)});
     if (!result.critical.empty())
         sections.push_back({"Modes at the critical speeds",
-                            page_table(critical_columns(), result.critical, units)});
+                            page_table(critical_shape_columns(), result.critical, units)});
     const Texts critical = dissipation_texts(result.critical, "–", units);
     if (!critical.empty())
         sections.push_back({"Where they dissipate", page_table(critical)});

@@ -21,7 +21,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr const char *kind = "restart of simulate";
+constexpr const char *restart_kind = "restart of simulate";
 
 std::string text_of(const json &content) {
     return content.dump(-1, ' ', false, json::error_handler_t::replace);
@@ -54,7 +54,7 @@ std::string misfit(const model::Restart &restart) {
 void write_restart(const std::filesystem::path &file, const model::Restart &restart) {
     json content = restart;
     content.update(
-        {{"program", "whirl"}, {"format", 1}, {"kind", kind}, {"case", restart.case_name}});
+        {{"program", "whirl"}, {"format", 1}, {"kind", restart_kind}, {"case", restart.case_name}});
     content["checksum"] = checksum(content);
     write_file_atomically(file, text_of(content));
 }
@@ -74,7 +74,7 @@ model::Restart read_restart(const std::filesystem::path &file) {
                 throw json::other_error::create(0, "deep", static_cast<const json *>(nullptr));
             return true;
         });
-        if (j.at("kind") != kind || j.at("format") != 1)
+        if (j.at("kind") != restart_kind || j.at("format") != 1)
             throw model::BadInput(expected + ", which is another file");
         auto r = j.get<model::Restart>();
         j.at("case").get_to(r.case_name);

@@ -117,7 +117,7 @@ struct Point {
 
 const OfEach of_point{[](const Point &at) { return at.row.of; }};
 
-const Columns<Point> point_columns{
+const Columns<Point> limit_columns{
     {InCsv("quantity"),
      [](const Point &at, const Units &units) { return quantity_name(at.row, units); }},
     {InCsv("unit"), [](const Point &at, const Units &units) { return units.name(at.row.of); }},
@@ -140,7 +140,7 @@ std::string csv_of(const RigidLimitResult &result, const Units &units) {
     for (const RigidLimitRow &row : result.rows)
         for (std::size_t k = 0; k < row.fe.size(); ++k)
             points.push_back({row, k, of_mesh(row) ? row.elements[k] : result.model.elements});
-    return csv_table(point_columns, points, units);
+    return csv_table(limit_columns, points, units);
 }
 
 Json shaft_json(const std::optional<results::RigidShaft> &shaft, const Units &units) {

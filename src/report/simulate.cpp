@@ -122,7 +122,7 @@ std::optional<double> over_steady(const StationMotion &station) {
     return station.peak.value / *station.steady_peak;
 }
 
-const Columns<StationMotion> station_columns{
+const Columns<StationMotion> moving_station_columns{
     {OnPage("Station"), InText("station"),
      [](const auto &s, const Units &units) {
          return s.name.empty() ? place("", s.z, units) : s.name;
@@ -207,7 +207,7 @@ Json json_of(const SimulateResult &result, const Units &units) {
     });
     json["balancers"] = json_rows(balancer_motion_columns, result.balancers, units);
     json["other_starts"] = json_rows(start_columns, result.other_starts, units);
-    json["stations"] = json_rows(station_columns, result.stations, units);
+    json["stations"] = json_rows(moving_station_columns, result.stations, units);
     json["steady"] = {{"speeds", written(units, Quantity::speed, result.steady.speeds)},
                       {"amplitude", written(units, Quantity::amplitude, result.steady.amplitudes)}};
     json["waterfall"] = result.waterfall ? waterfall_json(*result.waterfall, units) : Json();
@@ -255,7 +255,8 @@ std::vector<Section> sections_of(const SimulateResult &result, const Units &unit
         sections.push_back(
             {"Balancers", page_table(balancer_motion_columns, result.balancers, units)});
     if (!result.stations.empty())
-        sections.push_back({"Stations", page_table(station_columns, result.stations, units)});
+        sections.push_back(
+            {"Stations", page_table(moving_station_columns, result.stations, units)});
     if (!result.other_starts.empty())
         sections.push_back(
             {"From other starts", page_table(start_columns, all_starts(result), units)});
@@ -312,7 +313,7 @@ std::string text_of(const model::Case &scene, const SimulateResult &result, cons
         (result.balancers.empty()
              ? ""
              : text_table(balancer_motion_columns, result.balancers, units) + "\n") +
-        text_table(station_columns, result.stations, units);
+        text_table(moving_station_columns, result.stations, units);
     for (const OtherStart &start : result.other_starts)
         text += fmt::format(
             "from another start ({}): {}{}\n", text_angles(start.start_angles, units),

@@ -14,7 +14,7 @@ using results::SteadyStates;
 namespace {
 
 /// Angles of one balancer after the other.
-std::string angles_text(const SteadyState &state, const Units &units) {
+std::string state_angles(const SteadyState &state, const Units &units) {
     std::string text;
     for (const std::vector<double> &balancer : state.angles) {
         text += text.empty() ? "" : " | ";
@@ -37,7 +37,7 @@ const Columns<SteadyState> state_columns{
     {"kind", ForReaders("kind"),
      [](const auto &state) { return results::steady_kind_name(state.kind); }},
     {"angles", Quantity::angle, &SteadyState::angles},
-    {ForReaders("angles"), Quantity::angle, angles_text},
+    {ForReaders("angles"), Quantity::angle, state_angles},
     {"family", &SteadyState::family},
     {"stable", Quantity::number, stable_json},
     {ForReaders("stability"), stable_text},

@@ -94,28 +94,28 @@ void add_cells(pugi::xml_node piece, const Grid &grid) {
 } // namespace
 
 std::string to_vtp(const model::Case &scene, const results::ModesResult &result) {
-    Grid grid{result.z.size()};
+    Grid surface{result.z.size()};
     for (const auto *list : {&result.modes, &result.critical})
         for (const auto &mode : *list)
-            grid.stations = std::min({grid.stations, mode.x.size(), mode.y.size()});
+            surface.stations = std::min({surface.stations, mode.x.size(), mode.y.size()});
     const std::vector<double> z(result.z.begin(),
-                                result.z.begin() + static_cast<std::ptrdiff_t>(grid.stations));
+                                result.z.begin() + static_cast<std::ptrdiff_t>(surface.stations));
     pugi::xml_document document;
     pugi::xml_node file = document.append_child("VTKFile");
     file.append_attribute("type") = "PolyData";
     file.append_attribute("version") = "1.0";
     file.append_attribute("byte_order") = "LittleEndian";
     pugi::xml_node piece = file.append_child("PolyData").append_child("Piece");
-    piece.append_attribute("NumberOfPoints") = grid.points();
+    piece.append_attribute("NumberOfPoints") = surface.points();
     piece.append_attribute("NumberOfVerts") = 0;
     piece.append_attribute("NumberOfLines") = 1;
     piece.append_attribute("NumberOfStrips") = 0;
     piece.append_attribute("NumberOfPolys") =
-        grid.stations > 0 ? (grid.stations - 1) * static_cast<std::size_t>(around) : 0;
+        surface.stations > 0 ? (surface.stations - 1) * static_cast<std::size_t>(around) : 0;
     pugi::xml_node data = piece.append_child("PointData");
     const auto add = [&](const std::string &name, const results::ModeShape &mode) {
-        add_array(data, name + " real", "Float64", 3, vectors(grid, mode, true));
-        add_array(data, name + " imag", "Float64", 3, vectors(grid, mode, false));
+        add_array(data, name + " real", "Float64", 3, vectors(surface, mode, true));
+        add_array(data, name + " imag", "Float64", 3, vectors(surface, mode, false));
     };
     int place = 0;
     for (const auto &mode : result.modes) {
@@ -128,7 +128,7 @@ std::string to_vtp(const model::Case &scene, const results::ModesResult &result)
                         mode.label.empty() ? "" : " " + mode.label, mode.at),
             mode);
     add_array(piece.append_child("Points"), "Points", "Float64", 3, coordinates(scene, z));
-    add_cells(piece, grid);
+    add_cells(piece, surface);
     std::ostringstream text;
     document.save(text, " ", pugi::format_default, pugi::encoding_utf8);
     return text.str();

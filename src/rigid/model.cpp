@@ -2,6 +2,7 @@
 
 #include "assembly/constraints.h"
 #include "assembly/rotating_system.h"
+#include "assembly/system.h"
 #include "balancers/arrangement.h"
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"

@@ -27,9 +27,9 @@ constexpr double creeping = 0.1;       ///< rad over the last quarter, of balls 
 /// Of the amplitude: the rotor moves as it would if the balls were fixed where they are.
 constexpr double follows_balls = 0.05;
 /// Of that motion: the balls have changed it.
-constexpr double moved = 0.01;
+constexpr double has_moved = 0.01;
 /// Errors of the integrator gather over its steps: sizes below so many tolerances say nothing.
-constexpr double noise = 1e3;
+constexpr double integration_noise = 1e3;
 
 /// First index of the series at or after the time.
 std::size_t index_from(const results::MotionSeries &series, double time) {
@@ -172,7 +172,7 @@ bool follows_the_balls(const results::SimulateResult &result) {
     if (!result.at_rest)
         return false;
     const auto [least, most] = std::minmax(result.at_rest->halfway, result.at_rest->amplitude);
-    if (most - least < moved * most)
+    if (most - least < has_moved * most)
         return false;
     const results::MotionSeries &series = result.series;
     const std::size_t last = series.time.size() - 1;
@@ -299,7 +299,9 @@ void classify(const model::Case &scene, results::SimulateResult &result) {
     const double tolerance = scene.simulate.tolerance;
     Sentence why;
     if (ends_at_constant_speed(result))
-        why = judge(ending, trends_of(result.series, noise * tolerance * scale, noise * tolerance),
+        why = judge(ending,
+                    trends_of(result.series, integration_noise * tolerance * scale,
+                              integration_noise * tolerance),
                     tolerance, result);
     else
         result.outcome = ending.outcome;

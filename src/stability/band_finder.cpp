@@ -18,7 +18,7 @@ namespace whirl::stability {
 namespace {
 
 /// With so few planar unknowns nothing is gained.
-constexpr int small = 16;
+constexpr int small_plane = 16;
 
 /// With the reduced rotor; nothing where the whole one does not agree.
 /// @param part  as in find_bands
@@ -66,7 +66,7 @@ std::vector<Motion> BandFinder::at(double speed) const {
 std::shared_ptr<const Eigen::MatrixXd>
 BandFinder::found_shapes(const std::vector<double> &speeds) const {
     const assembly::Discretization &d = _whole.discretization();
-    if (!_model.reduction || d.rigid() || d.planar_size() <= small)
+    if (!_model.reduction || d.rigid() || d.planar_size() <= small_plane)
         return nullptr;
     try {
         if (_shapes)

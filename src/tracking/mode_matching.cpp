@@ -15,7 +15,7 @@ namespace {
 
 /// An overlap above this cannot belong to two modes: overlaps of one mode with the modes of
 /// another speed sum to 1.
-constexpr double sure = 0.7;
+constexpr double sure_match = 0.7;
 /// Nor where another mode has more than this share of it: vectors of damped modes are not
 /// orthogonal, and large overlaps may cancel.
 constexpr double rival = 0.6;
@@ -57,7 +57,7 @@ Matching nothing_matched(const Snapshot &a, const Snapshot &b) {
 
 bool is_sure(const Eigen::MatrixXd &overlap, Eigen::Index i, Eigen::Index j) {
     const double own = overlap(i, j);
-    if (own < sure)
+    if (own < sure_match)
         return false;
     for (Eigen::Index k = 0; k < overlap.cols(); ++k)
         if (k != j && overlap(i, k) > rival * own)

@@ -1,5 +1,6 @@
 #include "tracking/mode_names.h"
 
+#include "assembly/discretization.h"
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "process/progress.h"

@@ -54,11 +54,11 @@ TEST(SectionsAndRules, LayersDoNotOverlap) {
 // Half the polar inertia of the rotor bounds an anisotropy where no disc stands; a sleeve adds to
 // it.
 TEST(SectionsAndRules, ASleeveCountsInTheBoundOfAnAnisotropy) {
-    const std::string uneven = "anisotropy=[{z = 0.5, dI = 0.01}]"; // the bare shaft has 0.0024
-    EXPECT_NE(refusal(sound_case, {uneven}).find("half the polar inertia"), std::string::npos);
+    const std::string added = "anisotropy=[{z = 0.5, dI = 0.01}]"; // the bare shaft has 0.0024
+    EXPECT_NE(refusal(sound_case, {added}).find("half the polar inertia"), std::string::npos);
     const std::string sleeved =
         "shaft.segments=[{length = 1, outer = 0.05, layers = [{outer = 0.1}]}]"; // 0.038
-    EXPECT_EQ(load_text(sound_case, {sleeved, uneven}).rotor.anisotropies.at(0).dI, 0.01);
+    EXPECT_EQ(load_text(sound_case, {sleeved, added}).rotor.anisotropies.at(0).dI, 0.01);
 }
 
 TEST(SectionsAndRules, ImbalanceByTheRulesOfIsoAndApi) {

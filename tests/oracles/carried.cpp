@@ -214,8 +214,8 @@ CarriedRotor::CarriedRotor(const CaseRotor &rotor, Real speed)
 }
 
 std::vector<Complex> CarriedRotor::eigenvalues(const std::vector<Real> &angles) const {
-    using Vector = Sums<Real>::Vector;
-    Vector q = Vector::Zero(_unknowns);
+    using WideVector = Sums<Real>::Vector;
+    WideVector q = WideVector::Zero(_unknowns);
     Real moments = _force;
     auto angle = angles.begin();
     for (std::size_t k = 0; k < _beads.size(); ++k) {
@@ -223,7 +223,7 @@ std::vector<Complex> CarriedRotor::eigenvalues(const std::vector<Real> &angles) 
         if (!_beads[k].held)
             q[_places[k]] = *angle++;
     }
-    const Vector rest = Vector::Zero(_unknowns);
+    const WideVector rest = WideVector::Zero(_unknowns);
     const Sums<Real> s = summed<Real>(*this, _body, _speed, _force, _moment, q, rest);
     if (_unknowns > 4 && s.f.norm() > 1e-15L * moments * _speed * _speed)
         throw std::runtime_error("the balls do not balance the rotor there");

@@ -13,7 +13,7 @@ namespace whirl::properties {
 
 namespace {
 
-using oracles::Complex;
+using WideComplex = oracles::Complex;
 
 /// The rotor with everything that takes or gives energy times a share.
 model::Rotor with_damping(model::Rotor rotor, double share) {
@@ -31,7 +31,7 @@ model::Rotor with_damping(model::Rotor rotor, double share) {
 }
 
 struct PrintedPair {
-    Complex eigenvalue;
+    WideComplex eigenvalue;
     double estimate = 0;
     results::Whirl whirl = results::Whirl::mixed;
 };
@@ -42,7 +42,7 @@ std::vector<PrintedPair> printed_at(const model::Case &scene, double share) {
     std::vector<PrintedPair> out;
     for (const results::CampbellMode &mode : analyses::campbell(step).modes)
         if (mode.frequency[0])
-            out.push_back({Complex(mode.real[0].value_or(0), *mode.frequency[0]),
+            out.push_back({WideComplex(mode.real[0].value_or(0), *mode.frequency[0]),
                            mode.error[0].value_or(std::numeric_limits<double>::quiet_NaN()),
                            mode.whirl[0]});
     std::sort(out.begin(), out.end(), [](const PrintedPair &a, const PrintedPair &b) {
@@ -56,8 +56,8 @@ struct Chain {
     int index = 0;
     oracles::Motion motion = oracles::Motion::both;
     PrintedPair printed;
-    Complex printed_before;
-    Complex truth, truth_before;
+    WideComplex printed_before;
+    WideComplex truth, truth_before;
     bool lost = false;
 };
 
@@ -73,7 +73,7 @@ std::vector<Chain> undamped_chains(const model::Case &scene, double speed, std::
             frequencies(continuum, {motion, speed, false}, static_cast<int>(some.size()),
                         4 * some.back().eigenvalue.imag());
         for (std::size_t i = 0; i < std::min(truth.size(), some.size()); ++i) {
-            const Complex lambda(0, truth[i]);
+            const WideComplex lambda(0, truth[i]);
             chains.push_back({static_cast<int>(i) + 1, motion, some[i], some[i].eigenvalue, lambda,
                               lambda, false});
         }
@@ -93,7 +93,7 @@ std::vector<Chain> undamped_chains(const model::Case &scene, double speed, std::
 }
 
 /// The printed eigenvalue that continues a chain; none where two could.
-std::optional<PrintedPair> continuation_of(const Complex &expected, const Complex &last,
+std::optional<PrintedPair> continuation_of(const WideComplex &expected, const WideComplex &last,
                                            const std::vector<PrintedPair> &all) {
     double nearest = std::numeric_limits<double>::infinity();
     double next = nearest;
@@ -124,10 +124,10 @@ void advance(std::vector<Chain> &chains, const model::Case &scene, double speed,
             continue;
         // A rotor whose bearings become unequal only with the damping is followed as one.
         const oracles::Motion motion = continuum.coupled() ? oracles::Motion::both : chain.motion;
-        const Complex here = chain.printed.eigenvalue;
+        const WideComplex here = chain.printed.eigenvalue;
         const auto next =
             continuation_of(here + ahead * (here - chain.printed_before), here, printed);
-        const Complex guess = chain.truth + ahead * (chain.truth - chain.truth_before);
+        const WideComplex guess = chain.truth + ahead * (chain.truth - chain.truth_before);
         const auto truth = eigenvalue_near(continuum, {motion, speed, false}, guess);
         if (!next || !truth || std::abs(*truth - guess) > 0.1L * std::abs(guess)) {
             chain.lost = true;
@@ -142,7 +142,7 @@ void advance(std::vector<Chain> &chains, const model::Case &scene, double speed,
 
 /// Chains that ended on the same eigenvalue are all given up.
 void drop_doubles(std::vector<Chain> &chains) {
-    const auto same = [](const Complex &a, const Complex &b) {
+    const auto same = [](const WideComplex &a, const WideComplex &b) {
         return std::abs(a - b) < 1e-12L * std::abs(a);
     };
     for (std::size_t i = 0; i < chains.size(); ++i)

@@ -105,13 +105,13 @@ std::vector<Spot> spots_in(const assembly::Discretization &d, const model::Case 
 }
 
 /// Why the motions computed are not judged.
-struct Doubt {
+struct MotionDoubt {
     Sentence why;            ///< empty: they are
     bool either_way = false; ///< no large ones either: the machine is another one
 };
 
 /// Why small motions would say nothing.
-Doubt doubt_of(const model::Case &scene) {
+MotionDoubt doubt_of(const model::Case &scene) {
     const model::Rotor &rotor = scene.rotor;
     if (!rotor.balancers.empty())
         return {"the response leaves the balancers' own parts out", true};
@@ -332,7 +332,7 @@ std::vector<std::pair<double, std::string>> named_speeds(const model::Operation 
 }
 
 /// Judges a row by the limit of its place that is used most.
-void judge(OperatingRow &row, const Spot &spot, const Moving &moving, const Doubt &doubt) {
+void judge(OperatingRow &row, const Spot &spot, const Moving &moving, const MotionDoubt &doubt) {
     double used = -1;
     bool known = true;
     for (const VibrationLimit &limit : spot.limits) {
@@ -352,7 +352,7 @@ void judge(OperatingRow &row, const Spot &spot, const Moving &moving, const Doub
 }
 
 std::vector<OperatingRow> rows_of(const std::vector<Spot> &spots, const model::Case &scene,
-                                  Motion &motion, const Doubt &doubt) {
+                                  Motion &motion, const MotionDoubt &doubt) {
     std::vector<OperatingRow> out;
     for (const auto &[speed, name] : named_speeds(*scene.operation)) {
         motion.solve(speed, true);
@@ -428,7 +428,7 @@ void find_scale(OperatingResponse &out, const std::vector<Spot> &spots, const mo
 
 void add_worst(OperatingResponse &out, const std::vector<Watch> &watches,
                const std::vector<const VibrationLimit *> &limits, double from, double to,
-               Motion &motion, const std::vector<double> &also, const Doubt &doubt) {
+               Motion &motion, const std::vector<double> &also, const MotionDoubt &doubt) {
     const std::vector<Largest> found = Search(motion, from, to, also).largest(watches);
     for (std::size_t i = 0; i < watches.size(); ++i) {
         OperatingWorst worst;
@@ -470,7 +470,7 @@ OperatingResponse operating_response(const model::Case &scene, const assembly::D
     OperatingResponse out;
     Motion motion(movers);
     const std::vector<Spot> spots = spots_in(d, scene, nodes);
-    const Doubt doubt = doubt_of(scene);
+    const MotionDoubt doubt = doubt_of(scene);
     out.rows = rows_of(spots, scene, motion, doubt);
     if (!scene.limits)
         return out;
@@ -504,7 +504,7 @@ OperatingResponse operating_response(const model::Case &scene, const assembly::D
     limits.assign(watches.size(), &clearance);
     // Without the scale they are smaller than they are to be: what is too large then, is.
     add_worst(out, watches, limits, 0, top, motion, named,
-              doubt.why.empty() ? Doubt{out.no_scale} : doubt);
+              doubt.why.empty() ? MotionDoubt{out.no_scale} : doubt);
     for (OperatingWorst &worst : out.worst)
         if (worst.what == Measure::clearance_share && worst.pass.value_or(false) &&
             beyond_tables(scene.rotor, worst.speed)) {

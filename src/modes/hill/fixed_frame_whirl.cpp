@@ -12,6 +12,7 @@ namespace whirl::modes {
 namespace {
 
 using assembly::i_unit;
+using Complex = std::complex<double>;
 
 /// x(t) + i y(t) = with exp(l t) + against exp(conj(l) t) for (x, y)(t) = Re(term exp(l t)).
 struct Whirls {

@@ -17,7 +17,7 @@ using Complex = std::complex<double>;
 using Vector = Eigen::VectorXcd;
 
 /// An entry is a sum of some four terms, each rounded by half an epsilon, and scaled.
-constexpr double of_entries = 2 * std::numeric_limits<double>::epsilon();
+constexpr double entry_rounding = 2 * std::numeric_limits<double>::epsilon();
 
 // Products of complex numbers without the checks for infinities.
 void add_product(double a, Complex b, Complex &sum) {
@@ -187,7 +187,7 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
                 WholeRoot out;
                 out.value = l;
                 out.residual = residual;
-                out.rounding = of_entries * entries_between(y, std::abs(l), x) / size;
+                out.rounding = entry_rounding * entries_between(y, std::abs(l), x) / size;
                 out.right = _scales.asDiagonal() * x;
                 out.left = _scales.asDiagonal() * y;
                 return out;
@@ -242,7 +242,7 @@ WholeRoot WholePencil<Scalar>::corrected(const WholeRoot &guess, const Inverse &
     const Complex change = left_off.dot(right_part) / slope;
     out.value = l + change;
     out.residual = std::abs(l * change) > 0 ? std::abs(change) / std::abs(l) : 0;
-    out.rounding = of_entries * entries_between(y, std::abs(l), x) / size;
+    out.rounding = entry_rounding * entries_between(y, std::abs(l), x) / size;
     out.right = _scales.asDiagonal() * x - right_part;
     out.left = _scales.asDiagonal() * y - left_part;
     return out;

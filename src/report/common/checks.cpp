@@ -2,6 +2,7 @@
 
 #include "report/common/csv.h"
 #include "report/common/html.h"
+#include "report/common/text_width.h"
 #include "report/common/words.h"
 
 #include <fmt/format.h>

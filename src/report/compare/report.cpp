@@ -24,7 +24,7 @@ std::string verdict(const Difference &at) {
 
 const OfEach of_difference{[](const Difference &at) { return at.quantity; }};
 
-const Columns<Difference> columns{
+const Columns<Difference> difference_columns{
     {OnPage("No."), InText(""), [](const auto &, std::size_t i) { return i + 1; }},
     {"quantity", InCsv("quantity"), OnPage("Quantity"), InText("quantity"),
      [](const Difference &at, const Units &units) { return units.text(at.name); }},
@@ -76,7 +76,7 @@ std::string sections(const Comparison &comparison, const Units &units) {
         html += element("p", result_text(comparison.results[i], i));
     for (std::size_t i = 1; i < comparison.results.size(); ++i)
         html += element("h2", against_first(comparison, i)) +
-                page_table(columns, comparison.differences[i - 1], units);
+                page_table(difference_columns, comparison.differences[i - 1], units);
     return html;
 }
 
@@ -125,7 +125,7 @@ std::string comparison_text(const Comparison &comparison, const Units &units) {
     for (std::size_t i = 1; i < comparison.results.size(); ++i) {
         const std::vector<Difference> &of = comparison.differences[i - 1];
         text += "\n" + against_first(comparison, i) + ":\n" +
-                (of.empty() ? "  nothing to compare\n" : text_table(columns, of, units));
+                (of.empty() ? "  nothing to compare\n" : text_table(difference_columns, of, units));
     }
     for (const std::string &note : comparison.notes)
         text += "note: " + note + "\n";
@@ -147,7 +147,7 @@ Json comparison_json(const Comparison &comparison, const Units &units) {
               {"command", "compare"},
               {"of", comparison.command},
               {"results", results},
-              {"differences", json_rows(columns, all_of(comparison), units)},
+              {"differences", json_rows(difference_columns, all_of(comparison), units)},
               {"notes", comparison.notes}};
     if (units.asked())
         json["units"] = unit_names(units);
@@ -172,7 +172,8 @@ std::vector<std::filesystem::path> write_comparison(const Comparison &comparison
         }
     }
     files.add("compare.json", json_text(comparison_json(comparison, Units::of_json(asked))));
-    files.add("compare.csv", csv_table(columns, all_of(comparison), Units::of_files(asked)));
+    files.add("compare.csv",
+              csv_table(difference_columns, all_of(comparison), Units::of_files(asked)));
     std::vector<std::string> linked{"compare.json", "compare.csv"};
     if (!still.empty())
         linked.insert(linked.end(), {"compare.svg", "compare.png"});

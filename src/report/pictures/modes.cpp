@@ -81,9 +81,9 @@ std::string critical_heading(const Units &units, const ModeShape &mode) {
     return name_before(mode) + drawn_value(units, Quantity::speed, mode.at) + motion_words(mode);
 }
 
-constexpr double head = 120;   // pixels: above the first panels
-constexpr double pitch = 238;  // from a row of panels to the next
-constexpr double between = 45; // what says that critical speeds follow
+constexpr double panel_head = 120; // pixels: above the first panels
+constexpr double pitch = 238;      // from a row of panels to the next
+constexpr double between = 45;     // what says that critical speeds follow
 
 /// One shape below its heading, but for the margins of the panel.
 std::string shape_script(const Units &units, const ModeShape &mode, const std::string &heading,
@@ -134,10 +134,10 @@ double rows_of(const std::vector<ModeShape> &modes) {
 Figure modes_figure(const model::Case &scene, const ModesResult &result, const Units &units) {
     const double rows = std::max(1.0, rows_of(result.modes));
     const double critical_rows = rows_of(result.critical);
-    const int height = static_cast<int>(head + pitch * (rows + critical_rows) + 40 +
+    const int height = static_cast<int>(panel_head + pitch * (rows + critical_rows) + 40 +
                                         (critical_rows > 0 ? between : 0));
     const double length = units(Quantity::length, std::max(scene.rotor.shaft.length(), 1e-9));
-    double top = height - head;
+    double top = height - panel_head;
     std::string panels = panel_margins(0.05, 0.975, 0.01, 0.02) + curve_legend(1 - 80.0 / height) +
                          outline_data(units, scene.rotor, 1) +
                          "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\nset ytics -1,1,1\n" +

@@ -16,8 +16,8 @@ namespace whirl::report {
 
 namespace {
 
-constexpr double text_size = 13; ///< pixels
-constexpr double line = 17;      ///< from text line to text line, pixels
+constexpr double text_size = 13;   ///< pixels
+constexpr double line_height = 17; ///< from text line_height to text line_height, pixels
 
 /// A name with the place it points to.
 struct Callout {
@@ -86,7 +86,7 @@ int draw_callouts(Drawing &drawing, std::vector<Callout> callouts, double start,
         if (row == row_ends.size())
             row_ends.push_back(0);
         row_ends[row] = x + half + 12;
-        names.push_back({x, half, start + direction * line * static_cast<double>(row)});
+        names.push_back({x, half, start + direction * line_height * static_cast<double>(row)});
         drawing.texts.push_back({{x, names.back().baseline}, callout.text, text_size});
     }
     for (std::size_t i = 0; i < callouts.size(); ++i)
@@ -226,7 +226,7 @@ Drawing draw_rotor(const model::Rotor &rotor, const Units &units, const Sheet &s
         draw_bearing(drawing, sheet, rotor.shaft, bearing, ground);
     const int rows =
         draw_callouts(drawing, bearing_callouts(units, rotor, sheet, ground), ground + 28, 1);
-    const double ruler = ground + 34 + line * rows;
+    const double ruler = ground + 34 + line_height * rows;
     draw_ruler(drawing, units, sheet, rotor.shaft.length(), ruler);
     drawing.height = ruler + 52;
     return drawing;
@@ -238,7 +238,7 @@ Sheet sheet_of(const model::Case &scene, const Units &units) {
     Sheet sheet(scene, largest_radius(rotor));
     Drawing scrap;
     const int rows = draw_callouts(scrap, upper_callouts(units, rotor, sheet), 0, -1);
-    sheet.axis = 20 + line * rows + 16 + sheet.radius;
+    sheet.axis = 20 + line_height * rows + 16 + sheet.radius;
     return sheet;
 }
 

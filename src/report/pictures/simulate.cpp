@@ -16,7 +16,7 @@ using results::SimulateResult;
 
 namespace {
 
-constexpr std::size_t most_curves = 16;
+constexpr std::size_t most_motions = 16;
 
 std::vector<NamedCurve> amplitude_curves(const Units &units, const SimulateResult &result) {
     std::vector<NamedCurve> curves;
@@ -67,7 +67,7 @@ std::string draw(const std::vector<NamedCurve> &curves, std::size_t solid) {
     return drawn.script();
 }
 
-std::string logarithmic_axis(const std::vector<NamedCurve> &curves) {
+std::string decades_axis(const std::vector<NamedCurve> &curves) {
     double high = 0;
     double low = HUGE_VAL;
     for (const NamedCurve &curve : curves)
@@ -111,14 +111,14 @@ Figure simulate_figure(const model::Case &scene, const SimulateResult &result, c
     const bool constant = std::all_of(speed.begin(), speed.end(),
                                       [&](double value) { return value == speed.front(); });
     const bool lagging = result.outcome == results::Outcome::lagging;
-    const std::vector<NamedCurve> angles = angle_curves(result, most_curves);
+    const std::vector<NamedCurve> angles = angle_curves(result, most_motions);
     std::vector<std::string> names;
     for (const std::vector<NamedCurve> *list : {&amplitude, &angles})
         for (const NamedCurve &curve : *list)
             names.push_back(curve.name);
     const LegendedFigure room = beside_legend(864, 1080, constant ? 780 : 960, names);
     std::string panels =
-        grid + fmt::format("set xrange [0:{}]\n", result.time) + logarithmic_axis(amplitude) +
+        grid + fmt::format("set xrange [0:{}]\n", result.time) + decades_axis(amplitude) +
         room.panel(75, 400) +
         axes_beside_legend(units.label("Amplitude", Quantity::amplitude), "") +
         draw(amplitude, result.balancers.size() + result.other_starts.size()) + "unset label\n" +
@@ -127,7 +127,7 @@ Figure simulate_figure(const model::Case &scene, const SimulateResult &result, c
         axes_beside_legend(lagging ? "Ball speed / rotor speed"
                                    : units.label("Angle in the rotor", Quantity::angle),
                            constant ? units.label("Time", Quantity::time) : "") +
-        draw(angles, most_curves);
+        draw(angles, most_motions);
     if (!constant)
         panels += operation_band(scene, units, speed_range(units, speed), SpeedAxis::y) +
                   "set yrange [*:*]\nset ytics auto\n" + room.panel(745, 895) +

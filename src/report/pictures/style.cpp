@@ -96,10 +96,10 @@ std::vector<PlotPoint> angles_over(const std::vector<double> &x, double x_factor
             points.push_back({place, std::nullopt});
             continue;
         }
-        const double degrees = std::remainder(angles[i], 2 * pi) * 180 / pi;
-        if (!points.empty() && points.back().y && std::abs(degrees - *points.back().y) > 180)
+        const double angle = std::remainder(angles[i], 2 * pi) * 180 / pi;
+        if (!points.empty() && points.back().y && std::abs(angle - *points.back().y) > 180)
             points.push_back({place, std::nullopt});
-        points.push_back({place, degrees});
+        points.push_back({place, angle});
     }
     return points;
 }

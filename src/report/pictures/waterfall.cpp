@@ -16,7 +16,7 @@ using results::Waterfall;
 namespace {
 
 constexpr double shown_share = 2e-3; ///< of the largest: nothing of that size beyond is not drawn
-constexpr double room = 8;           ///< the highest line is as high as so many gaps between lines
+constexpr double line_room = 8;      ///< the highest line is as high as so many gaps between lines
 constexpr double orders[] = {1, 2, 3};
 
 /// The speed changes, and only rises or only falls.
@@ -53,7 +53,7 @@ class Layout {
         std::sort(_order.begin(), _order.end(),
                   [&](std::size_t a, std::size_t b) { return base(a) > base(b); });
         const double gap = (highest() - lowest()) / static_cast<double>(_order.size());
-        _scale = _largest > 0 ? room * gap / _largest : 0;
+        _scale = _largest > 0 ? line_room * gap / _largest : 0;
         _right = units(Quantity::frequency, highest_frequency(waterfall, _largest));
     }
 

@@ -20,10 +20,10 @@ constexpr double together = 1e-5;
 /// Of the scale of rates: how fast parts that stay together may still approach, by rounding.
 constexpr double still = 1e-12;
 /// Of the scale of rates: how far a part that comes to rest moves on before it is seen.
-constexpr double seen = 1e-9;
+constexpr double stop_seen = 1e-9;
 /// Of the scale of rates: a part slower than that relative to the rotor stands, and two that come
 /// apart slower than that touch. The energy of that motion is lost: 1e-17 of its own.
-constexpr double at_rest = 2 * seen;
+constexpr double at_rest = 2 * stop_seen;
 /// Of the torque m R^2 scale^2: how far a constraint may be overstrained.
 constexpr double overstrained = 1e-9;
 constexpr int pieces = 4; ///< in which gaps are looked at between the ends of a step
@@ -67,7 +67,7 @@ std::vector<double> DryEvents::values(double t, const double *state) {
             continue;
         const double strain = overstrained * _motion.torque_scale(static_cast<int>(i), _scale);
         out.push_back(dry.stands(i) ? _motion.friction_reserve(i) + strain
-                                    : dry.slip[i] * rates[i] + seen * _scale);
+                                    : dry.slip[i] * rates[i] + stop_seen * _scale);
         _lifted = _lifted || _motion.lifts(i);
     }
     return out;

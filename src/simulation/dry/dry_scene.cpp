@@ -13,7 +13,7 @@ namespace whirl::simulation {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi; ///< rad
-constexpr double rounding = 1e-9;             ///< rad, of angles as they are written in a case
+constexpr double angle_rounding = 1e-9;             ///< rad, of angles as they are written in a case
 
 /// The gaps between neighbours around one race.
 void add_gaps(const balancers::TouchingRow &row, int first, const std::vector<double> &angles,
@@ -30,7 +30,7 @@ void add_gaps(const balancers::TouchingRow &row, int first, const std::vector<do
         const double apart = there - here + (k + 1 == around.size() ? turn : 0);
         const double between =
             angles[static_cast<std::size_t>(j)] - angles[static_cast<std::size_t>(i)];
-        if (apart < row.touching - rounding)
+        if (apart < row.touching - angle_rounding)
             throw model::BadInput(fmt::format(
                 "simulate.ball_angles: expected balls that do not overlap, {:.6g} rad apart or "
                 "more, got {:.6g} rad between two that cannot pass each other (contact = true)",

@@ -15,7 +15,7 @@ namespace {
 using Complex = std::complex<double>;
 using Pairs = std::vector<linalg::ComplexPair>;
 
-constexpr double settled = 1e-8;  ///< of the spin speed
+constexpr double settled_within = 1e-8;  ///< of the spin speed
 constexpr int fewest_aliases = 8; ///< next to zero: some motions that count at every speed
 /// Motions up to this multiple of the spin speed are looked at in any flexible rotor: pairs of them
 /// resonate at twice and four times the spin speed.
@@ -115,10 +115,10 @@ HillMotions::Found HillMotions::at(double signed_speed) const {
         const modes::RotatingSpectrum &fine = spectrum(signed_speed, N + 1);
         worst = std::max(largest_distance(coarse, before, after, speed, wanted.terms),
                          largest_distance(fine, after, before, speed, wanted.terms));
-        if (worst < settled) {
+        if (worst < settled_within) {
             // Of what is enough: the next speed begins with a harmonic less.
             constexpr double more_than_enough = 1e-3;
-            _last = worst < more_than_enough * settled ? std::max(1, N - 1) : N;
+            _last = worst < more_than_enough * settled_within ? std::max(1, N - 1) : N;
             _most = std::max(_most, N);
             std::erase_if(after, [&](const linalg::ComplexPair &pair) {
                 return std::abs(pair.value.imag()) > strip * speed ||

@@ -52,7 +52,7 @@ std::vector<DoubleRoot> roots_between(const modes::SpectrumSolver &solver, const
     return out;
 }
 
-LockEnd end_of(const DoubleRoot &root) {
+LockEnd lock_end(const DoubleRoot &root) {
     // Far enough outside that the meeting eigenvalues are apart by much more than their rounding.
     constexpr double offset = 1e-7;
     const double outwards = root.opens ? -1 : 1;
@@ -95,7 +95,7 @@ void add_ends(const modes::SpectrumSolver &solver, const Count &a, const Count &
     }
     const std::vector<DoubleRoot> roots = roots_between(solver, a, b);
     if (explained(solver, a, b, wanted, roots)) {
-        std::transform(roots.begin(), roots.end(), std::back_inserter(ends), end_of);
+        std::transform(roots.begin(), roots.end(), std::back_inserter(ends), lock_end);
         return;
     }
     const Count middle = count_at(solver, a.speed + (b.speed - a.speed) / 2, wanted);
@@ -196,7 +196,7 @@ std::optional<std::vector<LockEnd>> of_whole(const modes::SpectrumSolver &whole,
                                       near * std::abs(end.speed));
         if (!root || root->opens != (end.outside < end.speed))
             return std::nullopt;
-        out.push_back(end_of(*root));
+        out.push_back(lock_end(*root));
     }
     return out;
 }

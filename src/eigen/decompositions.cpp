@@ -1,0 +1,3 @@
+#include "eigen/decompositions.h"
+
+WHIRL_DECOMPOSITIONS(template);

@@ -1,1 +1,0 @@
-// The precompiled header stands before this.

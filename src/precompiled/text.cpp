@@ -1,2 +1,0 @@
-// The precompiled header stands before this; what it has of functions is compiled here
-// (whirl_instances).
