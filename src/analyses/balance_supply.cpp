@@ -115,10 +115,8 @@ class Places {
         for (std::size_t i = 0; i < rotor.supports().size(); ++i)
             add(forced::Quantity{d.deflection_at(rotor.bearings[i].z)}, "bearing",
                 named(rotor.bearings[i].name, "bearing", i), rotor.bearings[i].z);
-        for (std::size_t i = 0; i < rotor.supports().size(); ++i) {
+        for (std::size_t i = 0; i < rotor.supports().size(); ++i)
             _quantities.emplace_back().bearing = static_cast<int>(i);
-            _first_force = std::min(_first_force, _quantities.size() - 1);
-        }
         _probes = !rotor.probes.empty();
         _planes = s.planes.size();
     }
@@ -177,7 +175,6 @@ class Places {
   private:
     std::vector<forced::Quantity> _quantities;
     std::vector<results::LeftAt> _names;
-    std::size_t _first_force = std::numeric_limits<std::size_t>::max();
     std::size_t _planes = 0;
     bool _probes = false;
 

@@ -6,6 +6,7 @@
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "model/variants.h"
+#include "operation/doubt.h"
 #include "operation/margins.h"
 #include "process/progress.h"
 
@@ -129,8 +130,7 @@ Used used_by(const StandardRun &run) {
 }
 
 Sentence place_of(const results::OperatingPlace &place) {
-    return place.name.empty() ? Sentence("{} at z = {}", place.of, as::length(place.z))
-                              : Sentence("{} {}", place.of, place.name);
+    return operation::place_in_words(place.of.c_str(), place.name, place.z);
 }
 
 /// The run that breaks or uses most of a limit; without limits that which moves the rotor most.
