@@ -30,7 +30,10 @@ model::Bearing bearing(double z, double kx, double ky, double c) {
     model::BearingCoefficients at;
     at.k << kx, 0, 0, ky;
     at.c << c, 0, 0, c;
-    return {"", z, {}, {at}, {}, {}};
+    model::Bearing of;
+    of.z = z;
+    of.rows = {at};
+    return of;
 }
 
 model::Case scene_of(const model::Rotor &rotor, double from, double to, int count) {
