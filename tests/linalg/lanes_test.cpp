@@ -2,7 +2,6 @@
 
 #include "linalg/check.h"
 #include "linalg/lanes/directions.h"
-#include "linalg/lanes/general_factors.h"
 #include "linalg/lanes/row_products.h"
 #include "linalg/lanes/small_products.h"
 
@@ -91,58 +90,6 @@ TEST(RowProducts, SolverSolvesAllRightSides) {
             const Eigen::MatrixXcd X = re.cast<Complex>() + Complex(0, 1) * im.cast<Complex>();
             EXPECT_LT((A * X - B).norm(), 1e-13 * A.norm() * X.norm());
         }
-}
-
-/// A chain with a branch, in an order that hides it; the pattern is its own mirror image.
-Eigen::MatrixXcd chain(unsigned seed) {
-    constexpr int size = 23;
-    const Eigen::MatrixXcd entries = random_complex(size, size, seed);
-    Eigen::MatrixXcd A = Eigen::MatrixXcd::Zero(size, size);
-    const auto place = [](int i) { return (7 * i) % size; };
-    for (int i = 0; i < size; ++i)
-        for (int k = 0; k < size; ++k)
-            if (std::abs(i - k) < 3 || i + k == size)
-                A(place(i), place(k)) = entries(i, k);
-    return A;
-}
-
-TEST(GeneralFactors, SolveFourTransposedProblems) {
-    std::array<Eigen::MatrixXcd, lanes> A;
-    std::array<Eigen::VectorXcd, lanes> b;
-    std::array<const Eigen::VectorXcd *, lanes> all{};
-    Vector4 values;
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-        A[lane] = chain(static_cast<unsigned>(20 + lane));
-        const Eigen::SparseMatrix<Complex> sparse = A[lane].sparseView();
-        values.resize(static_cast<std::size_t>(sparse.nonZeros()));
-        for (std::size_t i = 0; i < values.size(); ++i)
-            values[i].set(static_cast<int>(lane), sparse.valuePtr()[i]);
-        b[lane] =
-            random_complex(static_cast<int>(A[lane].rows()), 1, static_cast<unsigned>(30 + lane));
-        all[lane] = &b[lane];
-    }
-    GeneralFactors factors(Eigen::SparseMatrix<Complex>(A[0].sparseView()));
-    for (int again = 0; again < 2; ++again) {
-        for (const bool sound : factors.factorize(values))
-            EXPECT_TRUE(sound);
-        Vector4 work;
-        set(work, all);
-        factors.solve_transposed(work);
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const Eigen::VectorXcd x = vector_of(work, static_cast<int>(lane));
-            EXPECT_LT((A[lane].transpose() * x - b[lane]).norm(), 1e-11 * x.norm());
-        }
-    }
-}
-
-TEST(GeneralFactors, ALaneWithoutPivotsIsTold) {
-    Eigen::SparseMatrix<Complex> full = Eigen::MatrixXcd::Ones(2, 2).sparseView();
-    GeneralFactors factors(full);
-    Vector4 values(4); // columns (2 1), (1 2), and in one lane (0 1), (1 0)
-    for (int lane = 0; lane < lanes; ++lane)
-        for (std::size_t i = 0; i < 4; ++i)
-            values[i].set(lane, i == 1 || i == 2 ? 1.0 : lane == 2 ? 0.0 : 2.0);
-    EXPECT_EQ(factors.factorize(values), (std::array{true, true, false, true}));
 }
 
 TEST(Directions, AreThoseOfTheLibraryToTheLastPlaces) {

@@ -112,95 +112,53 @@ namespace {
 /// Distance from the eigenvalue: of those that are nearer together, which rounding distinguishes by
 /// chance alone, one inverse iteration takes all parts alike, and hardly any of others.
 constexpr double offset = 1e-8;
-/// What may be lost by pivots that are not the largest, of the matrix: a hundred times its
-/// rounding.
-constexpr double well_solved = 2e-14;
 
 } // namespace
 
 Eigen::VectorXcd QuadraticProblem::left_vector(std::complex<double> l, Eigen::VectorXcd start) {
-    SparseFactor<std::complex<double>> lu;
-    if (!lu.factorize(_on_pattern->at(l * (1 + offset))))
+    if (!_near.factorize(_on_pattern->at(l * (1 + offset))))
         return {};
-    lu.solve_transposed(start);
+    _near.solve_transposed(start);
     const Columns y = columns_of(start.normalized());
     Columns next = _D.transpose() * y;
     add(2.0 * l, _M * y, next);
     Eigen::VectorXcd out = vector_of(next);
-    lu.solve_transposed(out);
+    _near.solve_transposed(out);
     out.normalize();
     return out.allFinite() ? out : Eigen::VectorXcd();
 }
 
-/// Products and left vectors of at most four pairs, without exchanges of rows.
-void QuadraticProblem::measure_condition(std::span<ComplexPair *const> pairs) {
-    if (!_on_pattern) {
-        _on_pattern.emplace(_M, _D, _K);
-        _four.factors.emplace(_on_pattern->pattern());
-    }
-    QuadraticPattern::Four l;
-    QuadraticPattern::Four near;
-    std::array<const Eigen::VectorXcd *, lanes> vectors{};
-    for (std::size_t lane = 0; lane < lanes; ++lane) { // the last one fills those that are left
-        const ComplexPair &pair = *pairs[std::min(lane, pairs.size() - 1)];
-        l[lane] = pair.value;
-        near[lane] = pair.value * (1 + offset);
-        vectors[lane] = &pair.vector;
-    }
-    _on_pattern->set_slopes(l, _four.slopes);
-    set(_four.x, vectors);
-    _on_pattern->multiply(_four.slopes, _four.x, _four.slope);
-    _on_pattern->set_values(l, _four.Q);
-    _on_pattern->multiply(_four.Q, _four.x, _four.residual);
-    _on_pattern->set_values(near, _four.Q);
-    _four.sound = _four.factors->factorize(_four.Q);
-    _four.left = _four.slope;
-    for (Complex4 &entry : _four.left)
-        entry.im = -entry.im;
-    _four.factors->solve_transposed(_four.left);
-    _on_pattern->multiply_transposed(_four.slopes, _four.left, _four.start);
-    _four.left = _four.start;
-    _four.factors->solve_transposed(_four.left);
-    _on_pattern->multiply_transposed(_four.Q, _four.left, _four.lost);
-}
-
-/// By what measure_condition() left in a lane.
-void QuadraticProblem::take_condition(ComplexPair &pair, int lane) {
+void QuadraticProblem::measure_condition(ComplexPair &pair) {
     // An entry is a sum of some four terms, rounded by half an epsilon each and in its product.
     constexpr double unit = std::numeric_limits<double>::epsilon();
-    const Eigen::VectorXcd slope = vector_of(_four.slope, lane);
-    Eigen::VectorXcd left = vector_of(_four.left, lane);
-    const double lost = (vector_of(_four.lost, lane) - vector_of(_four.start, lane)).norm();
-    const double entries = vector_of(_four.Q, lane).norm();
-    if (_four.sound[static_cast<std::size_t>(lane)] && lost <= well_solved * entries * left.norm())
-        left.normalize();
-    else
-        left = left_vector(pair.value, slope.conjugate());
+    const std::complex<double> l = pair.value;
+    const Columns x = columns_of(pair.vector);
+    const Columns Mx = _M * x;
+    Columns slope = _D * x;    // Q'(l) x = 2 l M x + D x
+    Columns residual = _K * x; // Q(l) x
+    add(l, slope, residual);
+    add(l * l, Mx, residual);
+    add(2.0 * l, Mx, slope);
+    Eigen::VectorXcd left = left_vector(l, vector_of(slope).conjugate());
     if (left.size() == 0)
         return; // nothing is known beyond what the right vector says
-    const double size = std::abs(pair.value);
-    const double derivative = size * std::abs((left.transpose() * slope).value());
+    const double size = std::abs(l);
+    const double derivative = size * std::abs((left.transpose() * vector_of(slope)).value());
     if (!(derivative > 0))
         return;
     pair.rounding =
         std::max(pair.rounding, unit * _on_pattern->size(left, size, pair.vector) / derivative);
-    const double off = std::abs((left.transpose() * vector_of(_four.residual, lane)).value());
+    const double off = std::abs((left.transpose() * vector_of(residual)).value());
     pair.residual = std::max(pair.residual, off / derivative);
     pair.left = std::move(left);
 }
 
 void QuadraticProblem::assess_condition(std::vector<ComplexPair> &pairs) {
-    std::vector<ComplexPair *> asked; // of those beside zero assess() has used both vectors
-    for (ComplexPair &pair : pairs)
+    if (!_on_pattern)
+        _on_pattern.emplace(_M, _D, _K);
+    for (ComplexPair &pair : pairs) // of those beside zero assess() has used both vectors
         if (std::abs(pair.value) >= blurred * std::abs(_shift))
-            asked.push_back(&pair);
-    for (std::size_t i = 0; i < asked.size(); i += lanes) {
-        const std::span four =
-            std::span(asked).subspan(i, std::min<std::size_t>(lanes, asked.size() - i));
-        measure_condition(four);
-        for (std::size_t k = 0; k < four.size(); ++k)
-            take_condition(*four[k], static_cast<int>(k));
-    }
+            measure_condition(pair);
 }
 
 double QuadraticProblem::polish_near_zero(ComplexPair &pair) const {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "linalg/eigenpair.h"
-#include "linalg/lanes/general_factors.h"
 #include "linalg/quadratic/quadratic_pattern.h"
 #include "linalg/sparse_factor.h"
 
@@ -10,7 +9,6 @@
 #include <array>
 #include <complex>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace whirl::linalg {
@@ -50,19 +48,11 @@ class QuadraticProblem {
     double _shift;
     SparseFactor<double> _lu;
 
-    /// At work on four pairs: Q next to their eigenvalues, Q'(l), x, Q'(l) x, Q(l) x, right side
-    /// and left vector of the last step of inverse iteration, and their product.
-    struct Four {
-        std::optional<GeneralFactors> factors; ///< made when first asked for
-        std::array<bool, lanes> sound{};
-        Vector4 Q, slopes, x, slope, residual, start, left, lost;
-    } _four;
-
-    std::optional<QuadraticPattern> _on_pattern;                 ///< likewise
+    std::optional<QuadraticPattern> _on_pattern;                 ///< made when first asked for
+    SparseFactor<std::complex<double>> _near;                    ///< of Q next to an eigenvalue
     std::array<std::optional<std::vector<ComplexPair>>, 2> _all; ///< of dense(), by its argument
 
-    void measure_condition(std::span<ComplexPair *const> pairs);
-    void take_condition(ComplexPair &pair, int lane);
+    void measure_condition(ComplexPair &pair);
     /// By two steps of inverse iteration with the transposed problem, of length 1; empty where it
     /// cannot be found.
     /// @param start  Q'(l) x, conjugate
