@@ -5,6 +5,8 @@
 #include "results/formulation.h"
 #include "results/whirl.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,76 +15,13 @@ namespace whirl::mesh_error {
 
 namespace {
 
-using linalg::Complex4;
-using linalg::Real4;
-
 /// The next function of either parity.
 constexpr int further_orders = 2;
 
 /// Further functions of an element of order 1, the most: 2 * (1 + further_orders) - 1.
 constexpr int most_further = 5;
-/// Of four modes.
-struct Block {
-    std::array<std::array<Complex4, most_further>, most_further> at;
-    Complex4 &operator()(int row, int column) {
-        return at[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
-    }
-};
-using Column = std::array<Complex4, most_further>;
-
-Complex4 &entry(Column &x, int k) { return x[static_cast<std::size_t>(k)]; }
-
-WHIRL_INLINED void add_times(double a, const Complex4 &b, Complex4 &sum) {
-    sum.re += a * b.re;
-    sum.im += a * b.im;
-}
-
-/// L D L^T of n rows of a symmetric matrix in place, 1 / D on the diagonal, L^T above it. Further
-/// functions vanish at the nodes and are far stiffer than the modes: no pivot comes near zero.
-WHIRL_INLINED void factorize(Block &A, int n) {
-    for (int k = 0; k < n; ++k) {
-        linalg::set_inverse(A(k, k), Complex4(A(k, k)));
-        for (int j = k + 1; j < n; ++j) {
-            Complex4 factor;
-            linalg::set_product(factor, A(j, k), A(k, k));
-            for (int i = j; i < n; ++i)
-                linalg::subtract_product(A(i, j), A(i, k), factor);
-            A(k, j) = factor;
-        }
-    }
-}
-
-/// r^H A^-1 r from these factors.
-WHIRL_INLINED Complex4 inverse_form(Block &factors, const Column &r, int n) {
-    Column x = r;
-    for (int k = 0; k < n; ++k)
-        for (int i = k + 1; i < n; ++i)
-            linalg::subtract_product(entry(x, i), factors(k, i), entry(x, k));
-    for (int k = n - 1; k >= 0; --k) {
-        linalg::set_product(entry(x, k), Complex4(entry(x, k)), factors(k, k));
-        for (int i = k + 1; i < n; ++i)
-            linalg::subtract_product(entry(x, k), factors(k, i), entry(x, i));
-    }
-    Complex4 sum{};
-    for (int k = 0; k < n; ++k) {
-        const Complex4 &left = r[static_cast<std::size_t>(k)];
-        linalg::add_product(sum, {left.re, -left.im}, entry(x, k));
-    }
-    return sum;
-}
-
-/// A row of a real matrix times four complex vectors.
-WHIRL_INLINED Complex4 product(const Eigen::SparseMatrix<double, Eigen::RowMajor> &A,
-                               Eigen::Index row, const linalg::Vector4 &x) {
-    Complex4 sum{};
-    const int *columns = A.innerIndexPtr();
-    const double *values = A.valuePtr();
-    const Complex4 *in = x.data();
-    const int last = A.outerIndexPtr()[row + 1];
-    for (int p = A.outerIndexPtr()[row]; p < last; ++p)
-        add_times(values[p], in[columns[p]], sum);
-    return sum;
-}
+using Block = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                            most_further, most_further>;
 
 /// A block on the unknowns of an element as rows over those of the shaft.
 void add_rows(std::vector<Eigen::Triplet<double>> &entries, const Eigen::MatrixXd &block,
@@ -150,96 +89,55 @@ std::vector<assembly::Combination> ShapeResidual::own_motion(int span) const {
     return out;
 }
 
-std::vector<ShapeResidual::Plane> ShapeResidual::planes_of(const Four &modes) const {
-    const bool planar = results::is_planar(_form);
-    const auto n = static_cast<std::size_t>(_mass.rows());
-    std::vector<Plane> planes(planar ? 1 : 2);
-    for (Plane &plane : planes)
-        plane.w.resize(n);
-    for (int lane = 0; lane < linalg::lanes; ++lane) {
-        const auto &[mode, speed] = modes[static_cast<std::size_t>(lane)];
-        const std::complex<double> *shape = mode->shape.data();
-        std::complex<double> rate = mode->eigenvalue;
-        if (_form == results::Form::planar) {
-            const bool positive = (mode->whirl == results::Whirl::forward) == (speed >= 0);
-            rate = {0, positive ? std::abs(rate) : -std::abs(rate)};
-        } else if (_form == results::Form::planar_damped)
-            rate = mode->rotating_value;
-        // Of w = x + i y; x - i y is as seen with the speed reversed. Moving masses are none of
-        // them.
-        planes.front().speed[lane] = speed;
-        planes.back().speed[lane] = planar ? speed : -speed;
-        for (Plane &plane : planes)
-            plane.rate.set(lane, rate);
-        for (std::size_t k = 0; k < n && planar; ++k)
-            planes.front().w[k].set(lane, shape[k]);
-        const bool turned = _form == results::Form::hyperbolic; // y stands for -i y
-        for (std::size_t k = 0; k < n && !planar; ++k) {
-            const std::complex<double> y = shape[2 * k + 1];
-            const std::complex<double> i_y =
-                turned ? -y : std::complex<double>(-y.imag(), y.real());
-            planes.front().w[k].set(lane, shape[2 * k] + i_y);
-            planes.back().w[k].set(lane, shape[2 * k] - i_y);
-        }
-    }
-    return planes;
+std::vector<ShapeResidual::Plane> ShapeResidual::planes_of(const At &at) const {
+    const modes::WhirlMode &mode = *at.mode;
+    const Eigen::Index n = _mass.rows();
+    std::complex<double> rate = mode.eigenvalue;
+    if (_form == results::Form::planar) {
+        const bool positive = (mode.whirl == results::Whirl::forward) == (at.speed >= 0);
+        rate = {0, positive ? std::abs(rate) : -std::abs(rate)};
+    } else if (_form == results::Form::planar_damped)
+        rate = mode.rotating_value;
+    if (results::is_planar(_form))
+        return {{mode.shape.head(n), rate, at.speed}};
+    // Of w = x + i y; x - i y is as seen with the speed reversed. Moving masses are none of them.
+    const auto planes = mode.shape.head(2 * n).reshaped(2, n);
+    const bool turned = _form == results::Form::hyperbolic; // y stands for -i y
+    const std::complex<double> factor = turned ? -1.0 : std::complex<double>(0, 1);
+    const Eigen::VectorXcd x = planes.row(0).transpose();
+    const Eigen::VectorXcd i_y = factor * planes.row(1).transpose();
+    return {{x + i_y, rate, at.speed}, {x - i_y, rate, -at.speed}};
 }
 
-void ShapeResidual::add_energies(const Plane &plane, Real4 &residual, Real4 &kinetic) const {
-    linalg::in_lanes([&]() __attribute__((always_inline)) {
-        Complex4 squared;
-        linalg::set_product(squared, plane.rate, plane.rate);
-        const Complex4 coupling{plane.rate.im * plane.speed, -plane.rate.re * plane.speed};
-        Block Q2; // its factors
-        Column r;
-        for (std::size_t i = 0; i < _elements.size(); ++i) {
-            const Element &e = _elements[i];
-            if (!e.like_last) {
-                for (int row = 0; row < _further; ++row)
-                    for (int column = 0; column < _further; ++column) {
-                        Complex4 &Q = Q2(row, column);
-                        Q = {Real4{} + e.K2(row, column), Real4{}};
-                        add_times(e.M2(row, column), squared, Q);
-                        add_times(e.G2(row, column), coupling, Q);
-                    }
-                factorize(Q2, _further);
-            }
-            for (int k = 0; k < _further; ++k) {
-                const Eigen::Index row = static_cast<Eigen::Index>(i) * _further + k;
-                Complex4 &sum = entry(r, k);
-                sum = product(_K, row, plane.w);
-                linalg::add_product(sum, squared, product(_M, row, plane.w));
-                linalg::add_product(sum, coupling, product(_G, row, plane.w));
-            }
-            const Complex4 form = inverse_form(Q2, r, _further);
-            const Real4 square = form.re * form.re + form.im * form.im;
-            for (int lane = 0; lane < linalg::lanes; ++lane)
-                residual[lane] += std::sqrt(square[lane]);
-        }
-        const Real4 size = plane.rate.re * plane.rate.re + plane.rate.im * plane.rate.im;
-        for (std::size_t k = 0; k < plane.w.size(); ++k) {
-            const Complex4 momentum = product(_mass, static_cast<Eigen::Index>(k), plane.w);
-            kinetic += size * (plane.w[k].re * momentum.re + plane.w[k].im * momentum.im);
-        }
-    });
+void ShapeResidual::add_energies(const Plane &plane, double &residual, double &kinetic) const {
+    const std::complex<double> squared = plane.rate * plane.rate;
+    const std::complex<double> coupling = -std::complex<double>(0, 1) * plane.rate * plane.speed;
+    const Eigen::VectorXcd r = _K * plane.w + squared * (_M * plane.w) + coupling * (_G * plane.w);
+    // Further functions vanish at the nodes and are far stiffer than the modes: no pivot comes near
+    // zero.
+    Eigen::PartialPivLU<Block> Q2;
+    for (std::size_t i = 0; i < _elements.size(); ++i) {
+        const Element &e = _elements[i];
+        if (!e.like_last)
+            Q2.compute(e.K2 + squared * e.M2 + coupling * e.G2);
+        const auto own = r.segment(static_cast<Eigen::Index>(i) * _further, _further);
+        residual += std::abs(own.dot(Q2.solve(own)));
+    }
+    kinetic += std::norm(plane.rate) * plane.w.dot(_mass * plane.w).real();
 }
 
 std::vector<double> ShapeResidual::of(const std::vector<At> &modes) const {
     std::vector<double> out(modes.size());
     if (_elements.empty())
         return out;
-    for (std::size_t first = 0; first < modes.size(); first += linalg::lanes) {
-        Four four;
-        for (std::size_t lane = 0; lane < linalg::lanes; ++lane)
-            four[lane] = modes[std::min(first + lane, modes.size() - 1)];
-        Real4 residual{};
-        Real4 kinetic{};
-        for (const Plane &plane : planes_of(four))
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+        if (modes[i].mode->eigenvalue == 0.0)
+            continue;
+        double residual = 0;
+        double kinetic = 0;
+        for (const Plane &plane : planes_of(modes[i]))
             add_energies(plane, residual, kinetic);
-        for (std::size_t lane = 0; lane < linalg::lanes && first + lane < modes.size(); ++lane)
-            if (four[lane].mode->eigenvalue != 0.0)
-                out[first + lane] =
-                    residual[static_cast<int>(lane)] / kinetic[static_cast<int>(lane)];
+        out[i] = residual / kinetic;
     }
     return out;
 }

@@ -1,14 +1,13 @@
 #pragma once
 
 #include "assembly/discretization.h"
-#include "linalg/lanes/complex4.h"
 #include "modes/whirl_mode.h"
 #include "results/formulation.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <array>
+#include <complex>
 #include <vector>
 
 namespace whirl::mesh_error {
@@ -28,7 +27,7 @@ class ShapeResidual {
         const modes::WhirlMode *mode;
         double speed;
     };
-    /// Of each; 0 for a rigid shaft. Four of them take hardly longer than one.
+    /// Of each; 0 for a rigid shaft.
     [[nodiscard]] std::vector<double> of(const std::vector<At> &modes) const;
 
   private:
@@ -45,18 +44,17 @@ class ShapeResidual {
     Rows _M, _G, _K; ///< further functions of all elements over the unknowns of a plane
     Rows _mass;
 
-    /// A plane of four modes, w(t) = w exp(rate t), and their speeds.
+    /// A plane of a mode, w(t) = w exp(rate t), at a spin speed.
     struct Plane {
-        linalg::Vector4 w;
-        linalg::Complex4 rate;
-        linalg::Real4 speed;
+        Eigen::VectorXcd w;
+        std::complex<double> rate;
+        double speed = 0;
     };
-    using Four = std::array<At, linalg::lanes>;
     [[nodiscard]] std::vector<assembly::Combination> own_motion(int span) const;
     /// One in the planar forms, of the others those of x + i y and of x - i y.
-    [[nodiscard]] std::vector<Plane> planes_of(const Four &modes) const;
+    [[nodiscard]] std::vector<Plane> planes_of(const At &mode) const;
     /// Adds both energies of the plane.
-    void add_energies(const Plane &plane, linalg::Real4 &residual, linalg::Real4 &kinetic) const;
+    void add_energies(const Plane &plane, double &residual, double &kinetic) const;
 };
 
 } // namespace whirl::mesh_error

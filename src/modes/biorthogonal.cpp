@@ -1,7 +1,6 @@
 #include "modes/biorthogonal.h"
 
 #include "linalg/dense/products.h"
-#include "linalg/lanes/complex4.h"
 #include "linalg/quadratic/quadratic_pattern.h"
 #include "linalg/sparse_factor.h"
 
@@ -23,47 +22,13 @@ using Complex = std::complex<double>;
 template <class Scalar> using Columns = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 template <class Scalar> using Values = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-/// A X or A^T X: the rows of X, filled up to whole vectors, stand in line.
-template <class Scalar>
-Columns<Scalar> product(const Sparse &A, bool transposed, const Columns<Scalar> &X) {
-    constexpr std::size_t each = Eigen::NumTraits<Scalar>::IsComplex ? 2 : 1; // numbers
-    const auto rows = static_cast<std::size_t>(X.rows());
-    const auto columns = static_cast<std::size_t>(X.cols());
-    const std::size_t width = (each * columns + linalg::lanes - 1) / linalg::lanes;
-    std::vector<linalg::Real4> in(rows * width);
-    std::vector<linalg::Real4> out(rows * width);
-    for (std::size_t i = 0; i < rows; ++i) {
-        auto *line = reinterpret_cast<Scalar *>(&in[i * width]);
-        for (std::size_t j = 0; j < columns; ++j)
-            line[j] = X.data()[j * rows + i];
-    }
-    linalg::in_lanes([&]() __attribute__((always_inline)) {
-        for (Eigen::Index j = 0; j < A.outerSize(); ++j)
-            for (Sparse::InnerIterator entry(A, j); entry; ++entry) {
-                const Eigen::Index from = transposed ? entry.row() : j;
-                const Eigen::Index to = transposed ? j : entry.row();
-                const linalg::Real4 *x = &in[static_cast<std::size_t>(from) * width];
-                linalg::Real4 *y = &out[static_cast<std::size_t>(to) * width];
-                for (std::size_t k = 0; k < width; ++k)
-                    y[k] += entry.value() * x[k];
-            }
-    });
-    Columns<Scalar> Y(X.rows(), X.cols());
-    for (std::size_t i = 0; i < rows; ++i) {
-        const auto *line = reinterpret_cast<const Scalar *>(&out[i * width]);
-        for (std::size_t j = 0; j < columns; ++j)
-            Y.data()[j * rows + i] = line[j];
-    }
-    return Y;
-}
-
 template <class Scalar> Columns<Scalar> times(const Sparse &A, const Columns<Scalar> &X) {
-    return product(A, false, X);
+    return A * X;
 }
 
 template <class Scalar>
 Columns<Scalar> transposed_times(const Sparse &A, const Columns<Scalar> &X) {
-    return product(A, true, X);
+    return A.transpose() * X;
 }
 
 Eigen::MatrixXcd times(const ComplexQuadraticAt::Sparse &A, const Eigen::MatrixXcd &X) {

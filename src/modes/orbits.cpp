@@ -3,13 +3,11 @@
 #include "balancers/balanced_position.h"
 #include "elements/section.h"
 #include "linalg/dense/products.h"
-#include "linalg/lanes/complex4.h"
 #include "results/whirl.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 namespace whirl::modes {
@@ -43,53 +41,6 @@ std::vector<double> kinks(const model::Rotor &rotor) {
     return out;
 }
 
-/// |x + i y|^2 and |x - i y|^2 at two stations.
-/// @param with, against  squares of real and imaginary parts in turn
-WHIRL_INLINED void set_circles(const double *x, const double *y, linalg::Real4 &with,
-                               linalg::Real4 &against) {
-    linalg::Real4 a;
-    linalg::Real4 b;
-    std::memcpy(&a, x, sizeof a);
-    std::memcpy(&b, y, sizeof b);
-    const linalg::Real4 turned =
-        __builtin_shufflevector(b, b, 1, 0, 3, 2) * linalg::Real4{-1, 1, -1, 1};
-    with = (a + turned) * (a + turned);
-    against = (a - turned) * (a - turned);
-}
-
-/// a becomes the sums of neighbours in a and b.
-WHIRL_INLINED void add_neighbours(linalg::Real4 &a, const linalg::Real4 &b) {
-    a = __builtin_shufflevector(a, b, 0, 2, 4, 6) + __builtin_shufflevector(a, b, 1, 3, 5, 7);
-}
-
-/// What orbits sweep at some stations, each with the mass there.
-struct Swept {
-    linalg::Real4 forward{}, backward{}, size{};
-
-    WHIRL_INLINED void add(const double *x, const double *y, const double *masses) {
-        linalg::Real4 with;
-        linalg::Real4 against;
-        linalg::Real4 next_with;
-        linalg::Real4 next_against;
-        linalg::Real4 mass;
-        set_circles(x, y, with, against);
-        set_circles(x + linalg::lanes, y + linalg::lanes, next_with, next_against);
-        add_neighbours(with, next_with);
-        add_neighbours(against, next_against);
-        std::memcpy(&mass, masses, sizeof mass);
-        const linalg::Real4 square = with * against;
-        const linalg::Real4 root{std::sqrt(square[0]), std::sqrt(square[1]), std::sqrt(square[2]),
-                                 std::sqrt(square[3])};
-        const linalg::Real4 area = mass * (with - against) / 4;
-        const linalg::Real4 none{};
-        forward += area > none ? area : none;
-        backward -= area > none ? none : area;
-        size += mass * (with + against + 2 * root) / 4;
-    }
-};
-
-double sum(const linalg::Real4 &four) { return four[0] + four[1] + four[2] + four[3]; }
-
 } // namespace
 
 Stations::Stations(const assembly::Discretization &d, int per_span) {
@@ -119,19 +70,6 @@ void Stations::add(double z, const assembly::Combination &row) {
         _values.push_back(value);
     }
     _first.push_back(_unknowns.size());
-    const std::size_t station = _z.size() - 1;
-    if (const std::size_t start = _fours.size() > 1 ? *(_fours.end() - 2) : 0;
-        station > 0 && station - start < linalg::lanes && same_unknowns(start, station))
-        _fours.back() = _z.size();
-    else
-        _fours.push_back(_z.size());
-}
-
-bool Stations::same_unknowns(std::size_t a, std::size_t b) const {
-    const auto at = [this](std::size_t station) {
-        return _unknowns.begin() + static_cast<std::ptrdiff_t>(_first[station]);
-    };
-    return std::equal(at(a), at(a + 1), at(b), at(b + 1));
 }
 
 void Stations::add(double z, const assembly::Combination &row, double mass,
@@ -188,38 +126,13 @@ Eigen::VectorXcd Stations::deflections(const Eigen::VectorXcd &planar) const {
 std::pair<Eigen::VectorXcd, Eigen::VectorXcd>
 Stations::deflections_of_both(const Eigen::VectorXcd &planes) const {
     std::pair<Eigen::VectorXcd, Eigen::VectorXcd> out(_z.size(), _z.size());
-    const auto *in = reinterpret_cast<const double *>(planes.data());
-    auto *x = reinterpret_cast<double *>(out.first.data());
-    auto *y = reinterpret_cast<double *>(out.second.data());
-    linalg::in_lanes([&]() __attribute__((always_inline)) {
-        for (std::size_t group = 1; group < _fours.size(); ++group) {
-            const std::size_t first = _fours[group - 1];
-            const int *unknowns = &_unknowns[_first[first]];
-            const std::size_t count = _first[first + 1] - _first[first];
-            const double *values = &_values[_first[first]];
-            const std::size_t last = _fours[group] - first - 1;
-            const auto of = [&](std::size_t i) { return values + std::min(i, last) * count; };
-            const double *second = of(1);
-            const double *third = of(2);
-            const double *fourth = of(3);
-            // Real and imaginary parts of x and y at once; of each unknown at all four stations.
-            std::array<linalg::Real4, linalg::lanes> sums{};
-            for (std::size_t p = 0; p < count; ++p) {
-                linalg::Real4 four;
-                std::memcpy(&four, in + 4 * unknowns[p], sizeof four);
-                sums[0] += values[p] * four;
-                sums[1] += second[p] * four;
-                sums[2] += third[p] * four;
-                sums[3] += fourth[p] * four;
-            }
-            for (std::size_t i = first; i < _fours[group]; ++i) {
-                std::memcpy(x + 2 * i, &sums[i - first], 2 * sizeof(double));
-                const linalg::Real4 high =
-                    __builtin_shufflevector(sums[i - first], sums[i - first], 2, 3, 2, 3);
-                std::memcpy(y + 2 * i, &high, 2 * sizeof(double));
-            }
-        }
-    });
+    for (std::size_t i = 0; i < _z.size(); ++i) {
+        Eigen::Vector2cd sum = Eigen::Vector2cd::Zero();
+        for (std::size_t p = _first[i]; p < _first[i + 1]; ++p)
+            sum += _values[p] * planes.segment<2>(2 * _unknowns[p]);
+        out.first(static_cast<Eigen::Index>(i)) = sum(0);
+        out.second(static_cast<Eigen::Index>(i)) = sum(1);
+    }
     return out;
 }
 
@@ -256,28 +169,20 @@ OrbitSense orbit_sense(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y,
     // move, beside the nodes of the mode.
     constexpr double straight = 1e-6;
     constexpr double significant = 0.01;
-    const Eigen::Index whole = x.size() / linalg::lanes * linalg::lanes;
-    const auto *in_x = reinterpret_cast<const double *>(x.data());
-    const auto *in_y = reinterpret_cast<const double *>(y.data());
-    const double *masses = stations.masses().data();
-    Swept all;
-    linalg::in_lanes([&]() __attribute__((always_inline)) {
-        Swept some;
-        for (Eigen::Index i = 0; i < whole; i += linalg::lanes)
-            some.add(in_x + 2 * i, in_y + 2 * i, masses + i);
-        all = some;
-    });
-    for (Eigen::Index i = whole; i < x.size(); ++i) { // one and three without mass
-        const std::array<double, 2 * linalg::lanes> one_x{x(i).real(), x(i).imag()};
-        const std::array<double, 2 * linalg::lanes> one_y{y(i).real(), y(i).imag()};
-        const std::array<double, linalg::lanes> mass{masses[i]};
-        all.add(one_x.data(), one_y.data(), mass.data());
+    const Complex i(0, 1);
+    double positive = 0; // areas swept in the positive sense and against it, over pi
+    double negative = 0;
+    double size = 0;
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+        const double with = std::norm(x(k) + i * y(k));
+        const double against = std::norm(x(k) - i * y(k));
+        const double area = stations.masses()(k) * (with - against) / 4;
+        (area > 0 ? positive : negative) += std::abs(area);
+        // the square of the semi-major axis
+        size += stations.masses()(k) * (with + against + 2 * std::sqrt(with * against)) / 4;
     }
-    const bool positive = spin_speed >= 0;
-    const double forward = sum(positive ? all.forward : all.backward);
-    const double backward = sum(positive ? all.backward : all.forward);
-    const double size = sum(all.size);
-    const double swept = forward + backward;
+    const double forward = spin_speed >= 0 ? positive : negative;
+    const double swept = positive + negative;
     if (!(swept > straight * size))
         return {results::Whirl::mixed, 0.5};
     const double share = forward / swept;

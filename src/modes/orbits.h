@@ -46,13 +46,11 @@ class Stations {
     std::vector<std::size_t> _first{0}; ///< of each station in the next two
     std::vector<int> _unknowns;
     std::vector<double> _values;
-    std::vector<std::size_t> _fours{0}; ///< from each to the next: up to four of the same unknowns
     Eigen::VectorXd _masses;
     Eigen::MatrixXd _weights; ///< of products of two amplitudes of shapes; empty without shapes
 
     Stations() = default;
     void add(double z, const assembly::Combination &row);
-    [[nodiscard]] bool same_unknowns(std::size_t a, std::size_t b) const;
     void add(double z, const assembly::Combination &row, double mass, std::vector<double> &masses);
     void add_shaft(const assembly::Discretization &d, std::vector<double> &masses);
 };

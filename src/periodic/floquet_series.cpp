@@ -31,7 +31,7 @@ std::vector<MatrixXcd> over_period(const std::vector<FloquetMotion> &motions,
             motions[static_cast<std::size_t>(i)].shape.imag();
     std::vector<MatrixXcd> out(motions.size(), MatrixXcd(rows, std::ssize(along)));
     for (Eigen::Index step = 0; step < std::ssize(along); ++step) {
-        linalg::set_product(along[static_cast<std::size_t>(step)], start, now);
+        now.noalias() = along[static_cast<std::size_t>(step)] * start;
         for (Eigen::Index i = 0; i < count; ++i) {
             const Complex back = std::exp(-motions[static_cast<std::size_t>(i)].value *
                                           (length * static_cast<double>(step)));

@@ -1,10 +1,10 @@
 #include "periodic/step_maps.h"
 
 #include "linalg/check.h"
-#include "linalg/lanes/small_products.h"
 #include "periodic/collocation.h"
 
-#include <utility>
+#include <Eigen/LU>
+
 #include <vector>
 
 namespace whirl::periodic {
@@ -61,7 +61,6 @@ class StageSystem {
     /// sum_k B_ik of each i
     [[nodiscard]] Eigen::VectorXd start() const { return _B.rowwise().sum(); }
 
-    /// @param right  of as many columns as fill whole vectors of the machine
     [[nodiscard]] Blocks solve(const Blocks &right) const {
         Blocks out = transformed(right);
         // The transformation costs four digits: they come back.
@@ -72,25 +71,28 @@ class StageSystem {
     /// sum_k B_ik X_k
     [[nodiscard]] Blocks rates(const Blocks &X) const {
         Blocks out(X.rows(), X.columns());
-        linalg::set_product(_B, X.all(), out.all());
+        out.all().noalias() = _B * X.all();
         return out;
     }
 
   private:
     Rows _M, _D, _K; ///< all with a minus
     Rows _B;
-    Rows _left, _T;                          ///< of the pairs, real and imaginary parts
-    std::vector<linalg::RowSolver> _factors; ///< of one root of each pair
+    Rows _left, _T; ///< of the pairs, real and imaginary parts
+    std::vector<Eigen::PartialPivLU<Eigen::MatrixXcd>> _factors; ///< of one root of each pair
 
     /// The transformation makes one system of each root.
     [[nodiscard]] Blocks transformed(const Blocks &right) const {
         Blocks sums(right.rows(), right.columns()); // two parts of each pair
-        linalg::set_product(_left, right.all(), sums.all());
-        for (Eigen::Index pair = 0; pair < stages / 2; ++pair)
-            _factors[static_cast<std::size_t>(pair)].solve(sums.at(2 * pair),
-                                                           sums.at(2 * pair + 1));
+        sums.all().noalias() = _left * right.all();
+        for (Eigen::Index pair = 0; pair < stages / 2; ++pair) {
+            Eigen::MatrixXcd X = sums.at(2 * pair) + Complex(0, 1) * sums.at(2 * pair + 1);
+            X = linalg::solved(_factors[static_cast<std::size_t>(pair)], X);
+            sums.at(2 * pair) = X.real();
+            sums.at(2 * pair + 1) = X.imag();
+        }
         Blocks out(right.rows(), right.columns());
-        linalg::set_product(_T, sums.all(), out.all());
+        out.all().noalias() = _T * sums.all();
         return out;
     }
 
@@ -99,9 +101,9 @@ class StageSystem {
         const Blocks W = rates(V);
         Blocks out = right;
         for (Eigen::Index i = 0; i < stages; ++i) {
-            linalg::add_product(_M, W.at(i), out.at(i));
-            linalg::add_product(_D, V.at(i), out.at(i));
-            linalg::add_product(_K, U.at(i), out.at(i));
+            out.at(i).noalias() += _M * W.at(i);
+            out.at(i).noalias() += _D * V.at(i);
+            out.at(i).noalias() += _K * U.at(i);
         }
         return out;
     }
@@ -118,12 +120,14 @@ std::vector<Rows> forces(const System &system, double speed, double from, double
 }
 
 /// S A, S with these blocks on its diagonal.
-void set_product(const std::vector<Rows> &S, const Rows &A, linalg::RowsOut out) {
+Rows product(const std::vector<Rows> &S, const Rows &A) {
     const Eigen::Index m = S.front().rows();
     const Eigen::Index observed = S.front().cols();
+    Rows out(stages * m, A.cols());
     for (Eigen::Index i = 0; i < stages; ++i)
-        linalg::set_product(S[static_cast<std::size_t>(i)], A.middleRows(i * observed, observed),
-                            out.middleRows(i * m, m));
+        out.middleRows(i * m, m).noalias() =
+            S[static_cast<std::size_t>(i)] * A.middleRows(i * observed, observed);
+    return out;
 }
 
 } // namespace
@@ -137,7 +141,7 @@ StepMaps::StepMaps(const System &system, double speed, double length)
     const Eigen::Index m = P.cols();
     const Eigen::Index columns = 2 * n + stages * m;
     const Eigen::VectorXd start = equations.start();
-    Blocks right(n, linalg::whole_vectors(columns));
+    Blocks right(n, columns);
     for (Eigen::Index i = 0; i < stages; ++i) {
         auto here = right.at(i);
         here.leftCols(n) = -steady.K;
@@ -149,7 +153,7 @@ StepMaps::StepMaps(const System &system, double speed, double length)
     for (Eigen::Index i = 0; i < stages; ++i)
         q.at(i).leftCols(n).diagonal().array() += 1;
     Rows last(2 * n, columns);
-    last << q.at(stages - 1).leftCols(columns), v.at(stages - 1).leftCols(columns);
+    last << q.at(stages - 1), v.at(stages - 1);
     if (!last.allFinite())
         throw linalg::SolverError("a step in time meets a singular matrix");
     _R = last.leftCols(2 * n);
@@ -163,40 +167,32 @@ StepMaps::StepMaps(const System &system, double speed, double length)
     const Rows at_places = P.transpose();
     Rows observed(stages * rows, columns);
     for (Eigen::Index i = 0; i < stages; ++i) {
-        linalg::set_product(at_places, q.at(i).leftCols(columns), observed.middleRows(i * rows, m));
+        observed.middleRows(i * rows, m).noalias() = at_places * q.at(i);
         if (rows > m)
-            linalg::set_product(at_places, v.at(i).leftCols(columns),
-                                observed.middleRows(i * rows + m, m));
+            observed.middleRows(i * rows + m, m).noalias() = at_places * v.at(i);
     }
     _Y = observed.leftCols(2 * n);
     _away = -observed.rightCols(stages * m);
 }
 
-/// Equations of the support forces: the matrix of their own reaction, then the right sides.
-Rows StepMaps::forces_onto(double from, const linalg::RowsIn &observed) const {
-    const Eigen::Index at_once = _away.cols();
-    Rows acting(at_once, at_once + observed.cols());
+/// Forces at places and points by what is observed there without them.
+Rows StepMaps::forces_onto(double from, const Rows &observed) const {
     const std::vector<Rows> S = forces(_system, _speed, from, _length);
-    set_product(S, _away, acting.leftCols(at_once));
-    acting.leftCols(at_once).diagonal().array() += 1;
-    set_product(S, observed, acting.rightCols(observed.cols()));
-    linalg::solve_beside(acting);
-    return acting;
+    MatrixXd reaction = product(S, _away); // what they make of themselves
+    reaction.diagonal().array() += 1;
+    return linalg::solved(reaction.partialPivLu(), MatrixXd(product(S, observed)));
 }
 
-void StepMaps::set_map(double from, linalg::RowsOut out) const {
+void StepMaps::set_map(double from, Eigen::Ref<Rows> out) const {
     out = _R;
     if (_away.cols() > 0) // the supports are not the same from every direction
-        linalg::add_product(_L, forces_onto(from, _Y).rightCols(_Y.cols()), out);
+        out.noalias() += _L * forces_onto(from, _Y);
 }
 
 void StepMaps::set_end(double from, const Rows &states, Rows &out) const {
-    linalg::set_product(_R, states, out);
-    if (_away.cols() == 0)
-        return;
-    Rows observed(_Y.rows(), states.cols());
-    linalg::set_product(_Y, states, observed);
-    linalg::add_product(_L, forces_onto(from, observed).rightCols(states.cols()), out);
+    out.noalias() = _R * states;
+    if (_away.cols() > 0)
+        out.noalias() += _L * forces_onto(from, _Y * states);
 }
 
 } // namespace whirl::periodic

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "linalg/lanes/row_products.h"
+#include "linalg/dense/products.h"
 #include "periodic/system.h"
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@ class StepMaps {
     StepMaps(const System &system, double speed, double length);
 
     /// What a step that begins at a time makes of (q, q'), 2n x 2n.
-    void set_map(double from, linalg::RowsOut out) const;
+    void set_map(double from, Eigen::Ref<linalg::Rows> out) const;
     /// The ends of these states, a column each.
     void set_end(double from, const linalg::Rows &states, linalg::Rows &out) const;
 
@@ -31,7 +31,7 @@ class StepMaps {
     linalg::Rows _Y;    ///< 2sm x 2n, or sm x 2n
     linalg::Rows _away; ///< -Z, 2sm x sm, or sm x sm
 
-    [[nodiscard]] linalg::Rows forces_onto(double from, const linalg::RowsIn &observed) const;
+    [[nodiscard]] linalg::Rows forces_onto(double from, const linalg::Rows &observed) const;
 };
 
 /// The matrix of half a turn in many steps. The map of so many steps at once is a smooth periodic

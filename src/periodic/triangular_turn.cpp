@@ -4,7 +4,6 @@
 #include "linalg/dense/general_eigen.h"
 #include "linalg/dense/orthogonal_factors.h"
 #include "linalg/dense/products.h"
-#include "linalg/lanes/row_products.h"
 #include "periodic/fourier.h"
 #include "periodic/half_turn.h"
 
@@ -44,7 +43,7 @@ class TriangularTurn {
             _begins.push_back(g * parts.size() / groups);
             Rows map = parts[_begins.back()];
             for (std::size_t k = _begins.back() + 1; k < (g + 1) * parts.size() / groups; ++k) {
-                linalg::set_product(parts[k], map, next);
+                next.noalias() = parts[k] * map;
                 std::swap(map, next);
             }
             _maps.push_back(std::move(map));
@@ -111,7 +110,7 @@ class TriangularTurn {
         _left = Eigen::VectorXd::Zero(Q.cols());
         Rows image = Q;
         for (const Rows &map : _maps) {
-            linalg::set_product(map, Q, image);
+            image.noalias() = map * Q;
             auto [basis, R] = linalg::orthogonal_factors(image);
             _left.array() += R.diagonal().array().abs().max(1e-300).log();
             Q = basis;
@@ -269,14 +268,14 @@ std::vector<MatrixXcd> over_half_turn(const TriangularTurn &turn, const std::vec
     Rows states(parts.front().rows(), columns);
     Rows next = states;
     for (std::size_t group = 0; group < turn.groups(); ++group) {
-        linalg::set_product(turn.basis(group).leftCols(end), Rows(z[group]), states);
+        states.noalias() = turn.basis(group).leftCols(end) * Rows(z[group]);
         for (std::size_t part = turn.begin(group); part < turn.begin(group + 1); ++part) {
             for (std::size_t i = 0; i < motions.size(); ++i)
                 out[i].col(static_cast<Index>(part)) =
                     states.col(2 * static_cast<Index>(i)) +
                     Complex(0, 1) * states.col(2 * static_cast<Index>(i) + 1);
             if (part + 1 < turn.begin(group + 1)) {
-                linalg::set_product(parts[part], states, next);
+                next.noalias() = parts[part] * states;
                 undone(next, 1);
                 std::swap(states, next);
             }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "linalg/lanes/row_products.h"
+#include "linalg/dense/products.h"
 #include "periodic/monodromy.h"
 #include "periodic/system.h"
 

@@ -67,15 +67,6 @@ MatrixXd highest(Index places) {
     return out;
 }
 
-/// maps * weights, by rows of what is stored by columns.
-MatrixXd combined(const MatrixXd &maps, const MatrixXd &weights) {
-    MatrixXd out(maps.rows(), weights.cols());
-    linalg::set_product(Rows(weights.transpose()),
-                        Eigen::Map<const Rows>(maps.data(), maps.cols(), maps.rows()),
-                        Eigen::Map<Rows>(out.data(), out.cols(), out.rows()));
-    return out;
-}
-
 /// Maps of windows of equally many steps, of states with entries of one size: a column each for
 /// those that begin at even places, by rows.
 class Windows {
@@ -96,7 +87,7 @@ class Windows {
     [[nodiscard]] bool resolved() const {
         // Of the largest column: some ten units of rounding of the maps.
         constexpr double nothing = 3e-15;
-        return _maps.allFinite() && combined(_maps, highest(_maps.cols())).norm() <=
+        return _maps.allFinite() && linalg::times(_maps, highest(_maps.cols())).norm() <=
                                         nothing * _maps.colwise().norm().maxCoeff();
     }
 
@@ -108,7 +99,7 @@ class Windows {
             const MatrixXd before = _maps;
             double_them();
             if (!resolved()) {
-                _maps = combined(before, at_places(before.cols(), 2 * before.cols() + 1));
+                _maps = linalg::times(before, at_places(before.cols(), 2 * before.cols() + 1));
                 continue;
             }
             _left /= 2;
@@ -126,9 +117,9 @@ class Windows {
             }
             if (2 * before.cols() + 1 > _left / 2)
                 return std::nullopt;
-            _maps = combined(before, at_places(before.cols(), 2 * before.cols() + 1));
+            _maps = linalg::times(before, at_places(before.cols(), 2 * before.cols() + 1));
         }
-        _maps = combined(_maps, at_places(_maps.cols(), _left));
+        _maps = linalg::times(_maps, at_places(_maps.cols(), _left));
         std::vector<Rows> out;
         for (Index i = 0; i < _left; ++i)
             out.emplace_back(at(_maps, i));
@@ -136,11 +127,11 @@ class Windows {
     }
 
     [[nodiscard]] MatrixXd product() {
-        _maps = combined(_maps, at_places(_maps.cols(), _left));
+        _maps = linalg::times(_maps, at_places(_maps.cols(), _left));
         Rows out = at(_maps, 0);
         Rows next = out;
         for (Index i = 1; i < _left; ++i) {
-            linalg::set_product(at(_maps, i), out, next);
+            next.noalias() = at(_maps, i) * out;
             std::swap(out, next);
         }
         return _weights.cwiseInverse().asDiagonal() * out * _weights.asDiagonal();
@@ -159,10 +150,10 @@ class Windows {
     void double_them() {
         const Index places = _maps.cols();
         const double shift = static_cast<double>(places) / static_cast<double>(_left);
-        MatrixXd behind = combined(_maps, moved_on(places, shift));
+        MatrixXd behind = linalg::times(_maps, moved_on(places, shift));
         MatrixXd products(_maps.rows(), places);
         for (Index i = 0; i < places; ++i)
-            linalg::set_product(at(behind, i), at(_maps, i), at(products, i));
+            at(products, i).noalias() = at(behind, i) * at(_maps, i);
         std::swap(_maps, products);
     }
 };
@@ -190,7 +181,7 @@ std::vector<Rows> turn_in_parts(const System &system, double speed, int steps, i
         Rows product = Rows::Identity(size, size);
         for (int k = 0; k < each; ++k) {
             step.set_map((part * each + k) * length, map);
-            linalg::set_product(map, product, next);
+            next.noalias() = map * product;
             std::swap(product, next);
         }
         out.emplace_back(weights.asDiagonal() * product * weights.cwiseInverse().asDiagonal());

@@ -6,7 +6,6 @@
 #include "assembly/planes.h"
 #include "assembly/system.h"
 #include "balancers/linear_element.h"
-#include "linalg/lanes/complex4.h"
 #include "precompiled/case.h"
 
 #include <Eigen/Core>

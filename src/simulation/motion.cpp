@@ -1,7 +1,6 @@
 #include "simulation/motion.h"
 
 #include "linalg/dense/products.h"
-#include "linalg/lanes/directions.h"
 
 #include <Eigen/LU>
 
@@ -25,27 +24,26 @@ double turning(const ConstPair &a, const ConstPair &b) {
     return a.col(0).dot(b.col(1)) - a.col(1).dot(b.col(0));
 }
 
-template <int planes>
-void solve_planes(const Eigen::MatrixXd &products, const reduction::PlaneBlocks &coupling,
-                  Eigen::MatrixXd &y, int columns) {
-    linalg::in_lanes([&]() __attribute__((always_inline)) {
-        const reduction::PlaneSystem<planes> system(products, coupling);
-        for (int column = 0; column < columns; ++column)
-            system.solve(y.col(column).data());
-    });
-}
-
-void solve_many_planes(const Eigen::MatrixXd &products, const reduction::PlaneBlocks &coupling,
-                       Eigen::MatrixXd &y, int columns) {
+/// y of (1 + B Q) y = b in the place of b: B couples the planes by the shapes of the rotor, Q is of
+/// the masses in each plane.
+/// @tparam size  four unknowns a plane: known to the compiler, much faster
+/// @param products  2P x 2P: B is this, alike in both directions
+/// @param coupling  Q
+template <int size>
+void solve_planes(const Eigen::MatrixXd &products, const PlaneBlocks &coupling, Eigen::MatrixXd &y,
+                  int columns) {
     const Index entries = products.rows();
-    Eigen::MatrixXd A = Eigen::MatrixXd::Identity(2 * entries, 2 * entries);
+    using Square = Eigen::Matrix<double, size, size>;
+    Square A = Square::Identity(2 * entries, 2 * entries);
     for (Index i = 0; i < entries; ++i)
         for (Index k = 0; k < entries; ++k) {
             const Index block = 4 * (k / 2);
-            A.block<2, 4>(2 * i, block) +=
+            A.template block<2, 4>(2 * i, block) +=
                 products(i, k) * coupling.block<2, 4>(2 * (k % 2), block);
         }
-    y.leftCols(columns) = linalg::solved(A.partialPivLu(), y.leftCols(columns));
+    const Eigen::PartialPivLU<Square> lu(A);
+    for (int column = 0; column < columns; ++column)
+        y.col(column) = lu.solve(y.col(column).eval());
 }
 
 /// A matrix over the gyroscopic one in both directions: both on the real form of r unknowns.
@@ -80,12 +78,8 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     _stiffness = rotor.supports.front().stiffness;
     _stiffness.topLeftCorner(r, r) += rotor.elastic;
     _stiffness.bottomRightCorner(r, r) += rotor.elastic;
-    _of_place = linalg::RealProduct(above_turned(_stiffness, rotor.gyroscopic));
-    _of_velocity =
-        linalg::RealProduct(above_turned(rotor.supports.front().damping, rotor.gyroscopic));
-    Eigen::MatrixXd internal = Eigen::MatrixXd::Zero(2 * r, 2 * r);
-    internal.topLeftCorner(r, r) = internal.bottomRightCorner(r, r) = rotor.internal;
-    _of_slip = linalg::RealProduct(internal);
+    _of_place = above_turned(_stiffness, rotor.gyroscopic);
+    _of_velocity = above_turned(rotor.supports.front().damping, rotor.gyroscopic);
     if (rotor.mass_deviation.size() > 0) // no planes (motion_scene)
         _inverse_mass = (Eigen::MatrixXd::Identity(2 * r, 2 * r) + rotor.mass_deviation).inverse();
     _motions.resize(_parts.planes.size());
@@ -97,11 +91,11 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     _planes.setZero(4 * planes, 2);
     _loads.resize(4 * planes, 2);
     _coupling.resize(4, 4 * planes);
-    _by_place.resize(linalg::whole_vectors(4 * r));
-    _by_velocity.resize(linalg::whole_vectors(4 * r));
+    _by_place.resize(4 * r);
+    _by_velocity.resize(4 * r);
     _push.resize(2 * r);
     _slip.resize(r, 2);
-    _inner.setZero(linalg::whole_vectors(2 * r));
+    _inner.setZero(r, 2);
     _external.setZero(2 * r);
     for (const FreeParts &free : _parts.free)
         _plane_of.insert(_plane_of.end(), static_cast<std::size_t>(free.motion->size()),
@@ -167,8 +161,8 @@ void RotorMotion::rotor_forces(const Spin::At &spin, const double *p, const doub
     const Index r = rotor.size();
     Pair f(_forces.col(0).data(), r, 2);
     Pair per_spin(_forces.col(1).data(), r, 2);
-    _of_place(p, _by_place.data());
-    _of_velocity(v, _by_velocity.data());
+    _by_place.noalias() = _of_place * ConstMap(p, 2 * r);
+    _by_velocity.noalias() = _of_velocity * ConstMap(v, 2 * r);
     _push = _by_place.head(2 * r) + _by_velocity.head(2 * r);
     if (_tables) {
         const reduction::ReducedRotor::Supports at = rotor.supports_at(spin.speed);
@@ -187,8 +181,8 @@ void RotorMotion::rotor_forces(const Spin::At &spin, const double *p, const doub
         const ConstPair u(v, r, 2);
         _slip.col(0) = u.col(0) + spin.speed * x.col(1);
         _slip.col(1) = u.col(1) - spin.speed * x.col(0);
-        _of_slip(_slip.data(), _inner.data());
-        f -= ConstPair(_inner.data(), r, 2);
+        _inner.noalias() = rotor.internal * _slip;
+        f -= _inner;
     }
 }
 
@@ -209,7 +203,8 @@ void RotorMotion::mass_loads(const Spin::At &spin, const double *state) const {
     const double *angles = state + first_angle();
     const auto free = std::ssize(_free_equations);
     _turned = Eigen::Map<const Eigen::ArrayXd>(angles, free) + spin.angle;
-    linalg::set_directions(_turned.data(), static_cast<int>(free), _cosines.data(), _sines.data());
+    _cosines = _turned.cos();
+    _sines = _turned.sin();
     balancers::Directions towards{_cosines.data(), _sines.data()};
     balancers::MassEquation *equation = _free_equations.data();
     for (const FreeParts &parts : _parts.free) {
@@ -287,16 +282,16 @@ void RotorMotion::solve_accelerations(int columns) const {
         gather(column);
     switch (planes) { // sizes known to the compiler are much faster
     case 1:
-        solve_planes<1>(_products, _coupling, _planes, columns);
+        solve_planes<4>(_products, _coupling, _planes, columns);
         break;
     case 2:
-        solve_planes<2>(_products, _coupling, _planes, columns);
+        solve_planes<8>(_products, _coupling, _planes, columns);
         break;
     case 3:
-        solve_planes<3>(_products, _coupling, _planes, columns);
+        solve_planes<12>(_products, _coupling, _planes, columns);
         break;
     default:
-        solve_many_planes(_products, _coupling, _planes, columns);
+        solve_planes<Eigen::Dynamic>(_products, _coupling, _planes, columns);
     }
     for (Index column = 0; column < columns; ++column) {
         for (Index plane = 0; plane < planes; ++plane)

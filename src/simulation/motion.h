@@ -1,7 +1,5 @@
 #pragma once
 
-#include "linalg/lanes/small_products.h"
-#include "reduction/plane_system.h"
 #include "simulation/dry/dry_state.h"
 #include "simulation/moving_parts.h"
 
@@ -11,6 +9,9 @@
 #include <vector>
 
 namespace whirl::simulation {
+
+/// Blocks of 4 x 4, one a plane, side by side.
+using PlaneBlocks = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
 /// Right-hand side of the motion in time; docs/theory.md, "Motion in time".
 ///
@@ -82,9 +83,8 @@ class RotorMotion {
     Eigen::MatrixXd _products;                    ///< _rows^T _rows
     Eigen::MatrixXd _stiffness;                   ///< 2r x 2r with constant supports
     Eigen::MatrixXd _inverse_mass;                ///< where the rotor's is not one; else empty
-    linalg::RealProduct _of_place;                ///< p to K p, then the gyroscopic matrix times p
-    linalg::RealProduct _of_velocity;             ///< v to C v, then the same of v
-    linalg::RealProduct _of_slip;                 ///< the internal damping, on both directions
+    Eigen::MatrixXd _of_place;                    ///< p to K p, then the gyroscopic matrix times p
+    Eigen::MatrixXd _of_velocity;                 ///< v to C v, then the same of v
     bool _tables = false;                         ///< supports depend on speed
     bool _circulating = false;                    ///< the supports' stiffness is not symmetric
     bool _internal = false;
@@ -94,16 +94,16 @@ class RotorMotion {
     mutable Eigen::ArrayXd _turned, _cosines, _sines;     ///< of the free angles, fixed frame
     mutable std::vector<balancers::MassEquation> _free_equations;
     mutable std::vector<balancers::MassEquation> _fixed_equations;
-    mutable Eigen::MatrixXd _forces;          ///< 2r x 2: alone, per unit of spin acceleration
-    mutable Eigen::MatrixXd _planes;          ///< 4P x 2: accelerations of the planes
-    mutable Eigen::MatrixXd _loads;           ///< 4P x 2
-    mutable reduction::PlaneBlocks _coupling; ///< Q
-    mutable Eigen::VectorXd _by_place;        ///< of `_of_place`, with constant supports
-    mutable Eigen::VectorXd _by_velocity;     ///< of `_of_velocity`, likewise
-    mutable Eigen::VectorXd _push;            ///< 2r: K p + C v
-    mutable Eigen::MatrixXd _slip;            ///< r x 2: velocity as seen from the rotor
-    mutable Eigen::VectorXd _inner;           ///< of `_of_slip`: the internal damping times that
-    mutable Eigen::VectorXd _external;        ///< 2r: loads from outside
+    mutable Eigen::MatrixXd _forces;      ///< 2r x 2: alone, per unit of spin acceleration
+    mutable Eigen::MatrixXd _planes;      ///< 4P x 2: accelerations of the planes
+    mutable Eigen::MatrixXd _loads;       ///< 4P x 2
+    mutable PlaneBlocks _coupling;        ///< Q
+    mutable Eigen::VectorXd _by_place;    ///< of `_of_place`, with constant supports
+    mutable Eigen::VectorXd _by_velocity; ///< of `_of_velocity`, likewise
+    mutable Eigen::VectorXd _push;        ///< 2r: K p + C v
+    mutable Eigen::MatrixXd _slip;        ///< r x 2: velocity as seen from the rotor
+    mutable Eigen::MatrixXd _inner;       ///< r x 2: the internal damping times that
+    mutable Eigen::VectorXd _external;    ///< 2r: loads from outside
     mutable Eigen::Vector2d _base = Eigen::Vector2d::Zero(); ///< acceleration of the foundation
 
     void rotor_forces(const Spin::At &spin, const double *p, const double *v) const;

@@ -14,8 +14,8 @@ namespace orthogonal_factors_test {
 using namespace whirl;
 
 /// Columns of sizes from 1 down to `least`, mixed by a matrix without a pattern.
-linalg::Rows matrix(Eigen::Index rows, Eigen::Index columns, double least) {
-    linalg::Rows out(rows, columns);
+Eigen::MatrixXd matrix(Eigen::Index rows, Eigen::Index columns, double least) {
+    Eigen::MatrixXd out(rows, columns);
     for (Eigen::Index i = 0; i < rows; ++i)
         for (Eigen::Index j = 0; j < columns; ++j)
             out(i, j) = std::sin(1.7 * static_cast<double>(i * columns + j) +
@@ -27,7 +27,7 @@ linalg::Rows matrix(Eigen::Index rows, Eigen::Index columns, double least) {
 TEST(OrthogonalFactors, AreOrthonormalAndTriangularWhateverTheCondition) {
     for (const double least : {1.0, 1e-5, 1e-12, 1e-40})
         for (const Eigen::Index columns : {7, 20}) {
-            const linalg::Rows A = matrix(20, columns, least);
+            const Eigen::MatrixXd A = matrix(20, columns, least);
             const linalg::OrthogonalFactors found = linalg::orthogonal_factors(A);
             const Eigen::MatrixXd Q = found.Q;
             const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(columns, columns);
@@ -42,7 +42,7 @@ TEST(OrthogonalFactors, AreOrthonormalAndTriangularWhateverTheCondition) {
 }
 
 TEST(OrthogonalFactors, SayThatAnEntryIsNotFinite) {
-    linalg::Rows A = matrix(5, 5, 1);
+    Eigen::MatrixXd A = matrix(5, 5, 1);
     A(2, 3) = std::numeric_limits<double>::infinity();
     EXPECT_THROW((void)linalg::orthogonal_factors(A), linalg::SolverError);
 }

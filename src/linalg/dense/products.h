@@ -8,6 +8,9 @@
 
 namespace whirl::linalg {
 
+/// Stored by rows.
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// A B
 [[nodiscard]] Eigen::MatrixXd times(const Eigen::MatrixXd &A, const Eigen::MatrixXd &B);
 [[nodiscard]] Eigen::MatrixXcd times(const Eigen::MatrixXcd &A, const Eigen::MatrixXcd &B);
