@@ -67,7 +67,7 @@ TEST(QuadraticEigen, LeftVectorsSolveTheTransposedProblem) {
     const System s = rotor_like(n);
     const QuadraticResult found =
         solve(s, {.wanted = 6, .shift = 1, .method = QuadraticMethod::toar, .condition = true});
-    ASSERT_GE(found.pairs.size(), 6U); // more than the lanes of a machine
+    ASSERT_GE(found.pairs.size(), 6U);
     for (const ComplexPair &pair : found.pairs) {
         ASSERT_EQ(pair.left.size(), n);
         const std::complex<double> l = pair.value;
