@@ -17,8 +17,8 @@ using results::Sentence;
 namespace as = results::as;
 
 Sentence plane_text(const results::BalancePlane &plane, std::size_t index) {
-    const std::string name = plane.name.empty() ? fmt::format("plane {}", index + 1) : plane.name;
-    return Sentence("{} (z = {})", name, as::length(plane.z, 4));
+    return Sentence("{} (z = {})", model::name_or_number(plane.name, "plane", index),
+                    as::length(plane.z, 4));
 }
 
 bool rigid_says_on(const results::BalanceBands &bands, double speed) {
@@ -279,16 +279,30 @@ void needs(const results::BalanceResult &result, std::vector<results::Sentence> 
     for (std::size_t p = 0; p < supply.planes.size(); ++p) {
         const results::PlaneSupply &plane = supply.planes[p];
         double need = -1;
+        double least = 0;
         double speed = 0;
-        for (std::size_t k = 0; k < plane.needed.size(); ++k)
-            if (supply.works[k] && plane.needed[k] && std::abs(*plane.needed[k]) > need) {
-                need = std::abs(*plane.needed[k]);
+        int speeds = 0;
+        for (std::size_t k = 0; k < plane.needed.size(); ++k) {
+            if (!supply.works[k] || !plane.needed[k])
+                continue;
+            const double own = std::abs(*plane.needed[k]);
+            least = speeds++ == 0 ? own : std::min(least, own);
+            if (own > need) {
+                need = own;
                 speed = result.speeds[k];
             }
+        }
         if (need < 0)
             continue;
-        Sentence text("Where the criterion holds, {} needs at most {}, at {}",
-                      plane_text(result.planes[p], p), as::imbalance(need, 4), as::speed(speed));
+        // Of a rigid rotor it is: near a resonance its rounding grows to some 1e-10.
+        constexpr double constant = 1e-8;
+        const Sentence plane_here = plane_text(result.planes[p], p);
+        Sentence text = speeds > 1 && need - least <= constant * need
+                            ? Sentence("Where the criterion holds, {} needs {}, the same at all "
+                                       "these speeds",
+                                       plane_here, as::imbalance(need, 4))
+                            : Sentence("Where the criterion holds, {} needs at most {}, at {}",
+                                       plane_here, as::imbalance(need, 4), as::speed(speed));
         constexpr double just = 1e-12; // an input may ask for just the capacity
         if (plane.capacity && *plane.capacity > 0)
             text += need > *plane.capacity * (1 + just)

@@ -5,6 +5,7 @@
 #include "balancing/weights.h"
 #include "forced/imbalance_motions.h"
 #include "forced/response_places.h"
+#include "linalg/dense/singular_values.h"
 #include "model/variants.h"
 #include "process/parallel.h"
 #include "results/formulation.h"
@@ -40,25 +41,28 @@ constexpr double no_bound = std::numeric_limits<double>::infinity();
 constexpr double one_plane = 1e-9;
 /// What the best supply may leave of the motion of the planes and still count as nothing.
 constexpr double nothing_left = 1e-6;
-/// Of an eigenvalue that is zero over the largest, as in balancing/free_balancers.cpp.
-constexpr double zero_work = 1e-10;
 
-std::string named(const std::string &name, const char *kind, std::size_t i) {
-    return name.empty() ? fmt::format("{} {}", kind, i + 1) : name;
-}
-
-/// What the free balancers in one plane can make: any moment of mass between these.
+/// What the free balancers in one plane can make.
 struct Capacity {
     bool any = false;
     bool pendulums = false;
-    double largest = 0, least = 0; ///< kg m
+    double largest = 0; ///< kg m, all together
+    double longest = 0; ///< kg m, one mass alone
+
+    /// A polygon of these sides closes unless one is longer than all others together.
+    [[nodiscard]] double least() const { return std::max(0.0, 2 * longest - largest); }
+    void add(const Capacity &other) {
+        any = any || other.any;
+        pendulums = pendulums || other.pendulums;
+        largest += other.largest;
+        longest = std::max(longest, other.longest);
+    }
 };
 
 /// @returns of each plane; of several planes at one place each balancer there has its own
 std::vector<Capacity> capacities_of(const model::Rotor &rotor,
                                     const std::vector<model::CorrectionPlane> &planes) {
     std::vector<Capacity> out(planes.size());
-    std::vector<double> largest_mass(planes.size(), 0);
     for (const model::Balancer &balancer : rotor.balancers) {
         std::optional<std::size_t> own;
         for (std::size_t p = 0; p < planes.size(); ++p)
@@ -72,19 +76,44 @@ std::vector<Capacity> capacities_of(const model::Rotor &rotor,
         capacity.pendulums = capacity.pendulums || !kind->swung().empty();
         capacity.largest += kind->reach().imbalance;
         for (const balancers::CircledMass &mass : kind->circled())
-            largest_mass[*own] = std::max(largest_mass[*own], mass.moment);
+            capacity.longest = std::max(capacity.longest, mass.moment);
     }
-    // A polygon of these sides closes unless one is longer than all others together.
-    for (std::size_t p = 0; p < planes.size(); ++p)
-        out[p].least = std::max(0.0, 2 * largest_mass[p] - out[p].largest);
     return out;
 }
+
+/// Planes at one place, whose balancers see the same motion and do their work together.
+struct Place {
+    std::vector<Index> planes;
+    Capacity capacity; ///< of all their balancers
+};
+
+/// The places of planes that count: those with balancers; without any balancer all.
+std::vector<Place> places_of(const std::vector<model::CorrectionPlane> &planes,
+                             const std::vector<Capacity> &capacities) {
+    const bool any = std::ranges::any_of(capacities, &Capacity::any);
+    std::vector<Place> out;
+    for (std::size_t p = 0; p < planes.size(); ++p) {
+        if (any && !capacities[p].any)
+            continue;
+        auto at = std::ranges::find_if(out, [&](const Place &place) {
+            return planes[static_cast<std::size_t>(place.planes.front())].z == planes[p].z;
+        });
+        if (at == out.end())
+            at = out.insert(out.end(), Place{});
+        at->planes.push_back(static_cast<Index>(p));
+        at->capacity.add(capacities[p]);
+    }
+    return out;
+}
+
+/// The phases of [weights] count against the spin, and all others with them.
+bool phases_lag(const model::Case &scene) { return scene.weights && scene.weights->lag; }
 
 /// The rotor whose motion it is: without free balancers, with what is to be balanced.
 model::Rotor unbalanced_rotor(const model::Case &scene, const criterion::BalanceScene &s) {
     model::Rotor rotor = s.rotor;
     rotor.imbalances = model::with_balancer_imbalances(scene.rotor).imbalances;
-    const bool lag = scene.weights && scene.weights->lag; // of the weights' phases
+    const bool lag = phases_lag(scene);
     for (const model::CorrectionPlane &plane : rotor.planes)
         for (const Complex &weight : plane.fixed)
             rotor.imbalances.push_back(
@@ -107,14 +136,14 @@ class Places {
     Places(const criterion::BalanceScene &s, const assembly::Discretization &d) {
         const model::Rotor &rotor = s.rotor;
         for (std::size_t i = 0; i < s.planes.size(); ++i)
-            add(forced::Quantity{d.deflection_at(s.planes[i].z)}, "plane",
-                named(s.planes[i].name, "plane", i), s.planes[i].z);
+            add(forced::Quantity{d.deflection_at(s.planes[i].z)}, "plane", rotor.plane_name(i),
+                s.planes[i].z);
         for (std::size_t i = 0; i < rotor.probes.size(); ++i)
-            add(forced::quantity_of(d, rotor.probes[i]), "probe",
-                named(rotor.probes[i].name, "probe", i), rotor.probes[i].z);
+            add(forced::quantity_of(d, rotor.probes[i]), "probe", rotor.probe_name(i),
+                rotor.probes[i].z);
         for (std::size_t i = 0; i < rotor.supports().size(); ++i)
             add(forced::Quantity{d.deflection_at(rotor.bearings[i].z)}, "bearing",
-                named(rotor.bearings[i].name, "bearing", i), rotor.bearings[i].z);
+                model::name_or_number(rotor.bearings[i].name, "bearing", i), rotor.bearings[i].z);
         for (std::size_t i = 0; i < rotor.supports().size(); ++i)
             _quantities.emplace_back().bearing = static_cast<int>(i);
         _probes = !rotor.probes.empty();
@@ -136,7 +165,7 @@ class Places {
         return !_probes || _names[place].of == "probe";
     }
 
-    [[nodiscard]] std::vector<double> read(const forced::ImbalanceMotions &motions,
+    [[nodiscard]] std::vector<double> read(forced::ImbalanceMotions &motions,
                                            std::size_t sets) const {
         std::vector<double> row;
         for (std::size_t set = 0; set < sets; ++set)
@@ -255,30 +284,53 @@ class AtSpeed {
 };
 
 /// The criterion for some planes.
-bool works(const Eigen::MatrixXd &B) {
-    if (B.size() == 0)
-        return false;
-    const Eigen::MatrixXd mean = (B + B.transpose()) / 2;
-    const Eigen::VectorXd work = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(mean).eigenvalues();
-    return work(0) < 0 && work(work.size() - 1) <= zero_work * work.cwiseAbs().maxCoeff();
-}
+bool works(const Eigen::MatrixXd &B) { return balancing::works_everywhere(B.cast<Complex>()); }
 
-/// Moments in some planes that take their motion away; of several that do the smallest. None where
-/// nothing does.
-std::optional<Eigen::VectorXcd> taking_away(const Eigen::MatrixXd &B, const Eigen::VectorXcd &w) {
+/// Moments in some planes that take their motion away.
+struct TakingAway {
+    Eigen::VectorXcd u;
+    bool only = true; ///< no others do
+};
+
+/// Of several that do those of least sum |u_j|^2 / c_j: each balancer then has as large a part of
+/// the work as of what there is, where all can do the same. None where nothing does.
+/// @param capacity  c, kg m; infinite without balancers, where all planes count alike
+std::optional<TakingAway> taking_away(const Eigen::MatrixXd &B, const Eigen::VectorXcd &w,
+                                      const Eigen::VectorXd &capacity) {
     const Index n = w.size();
+    // Far from the rounding of planes that are one, or small balancers would be left out.
+    constexpr double smallest = 1e-6;
+    const double most = capacity.size() > 0 ? capacity.maxCoeff() : 0;
+    Eigen::VectorXd scale = Eigen::VectorXd::Ones(2 * n);
+    if (std::isfinite(most) && most > 0)
+        for (Index j = 0; j < n; ++j)
+            scale(j) = scale(n + j) = std::sqrt(std::max(capacity(j) / most, smallest));
     Eigen::VectorXd right(2 * n);
     right << w.real(), w.imag();
-    Eigen::JacobiSVD<Eigen::MatrixXd> svd(B, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    Eigen::JacobiSVD<Eigen::MatrixXd> svd(B * scale.asDiagonal(),
+                                          Eigen::ComputeThinU | Eigen::ComputeThinV);
     svd.setThreshold(one_plane);
-    const Eigen::VectorXd x = svd.solve(-right);
+    const Eigen::VectorXd x = scale.cwiseProduct(svd.solve(-right));
     const Eigen::VectorXd left = right + B * x;
     if (!x.allFinite() || left.norm() > nothing_left * right.norm())
         return std::nullopt;
-    Eigen::VectorXcd out(n);
-    out.real() = x.head(n);
-    out.imag() = x.tail(n);
+    TakingAway out{Eigen::VectorXcd(n), svd.rank() == 2 * n};
+    out.u.real() = x.head(n);
+    out.u.imag() = x.tail(n);
     return out;
+}
+
+/// Of all moments that do the same as u those whose largest |u_j|/c_j is least.
+Eigen::VectorXcd evenly(const Eigen::MatrixXcd &A, const Eigen::VectorXcd &u,
+                        const Eigen::VectorXd &capacity) {
+    const linalg::SingularValues svd = linalg::singular_values(A);
+    Index rank = 0;
+    while (rank < svd.s.size() && svd.s(rank) > one_plane * svd.s(0))
+        ++rank;
+    const Eigen::MatrixXcd idle = svd.V.rightCols(u.size() - rank);
+    const balancing::Solution best = balancing::minimax(
+        {idle, u, capacity.cwiseInverse(), Eigen::VectorXd::Constant(idle.cols(), no_bound)});
+    return u + idle * best.w;
 }
 
 class SupplyFinder {
@@ -288,9 +340,8 @@ class SupplyFinder {
         : _scene(scene), _s(s), _result(result), _rotor(unbalanced_rotor(scene, s)),
           _any_direction(!results::in_rotating_axes(s.formulation.form)),
           _motions(_rotor, s.order, s.formulation.form, sets()),
-          _places(s, _motions.discretization()), _capacities(capacities_of(scene.rotor, s.planes)) {
-        choose_active();
-    }
+          _places(s, _motions.discretization()), _capacities(capacities_of(scene.rotor, s.planes)),
+          _active(places_of(s.planes, _capacities)) {}
 
     void add() {
         std::vector<double> speeds = _s.speeds;
@@ -303,6 +354,8 @@ class SupplyFinder {
         for (std::size_t k = 0; k < _s.speeds.size(); ++k)
             add_speed(_s.speeds[k], all[k]);
         add_notes();
+        if (phases_lag(_scene))
+            turn_phases();
         _result.supply = std::move(_out);
     }
 
@@ -315,9 +368,9 @@ class SupplyFinder {
     forced::ImbalanceMotions _motions;
     Places _places;
     std::vector<Capacity> _capacities;
-    std::vector<Index> _active; ///< planes with balancers; without any balancer all
-    bool _pendulums = false;
-    Eigen::VectorXcd _weights; ///< empty: none are known
+    std::vector<Place> _active;
+    Eigen::VectorXcd _weights;               ///< empty: none are known
+    std::vector<double> _idle_weight_speeds; ///< asked for, but a resonance, rad/s
     results::BalanceSupply _out;
 
     [[nodiscard]] std::size_t set_count() const {
@@ -334,13 +387,18 @@ class SupplyFinder {
         return out;
     }
 
-    void choose_active() {
-        const bool any = std::ranges::any_of(_capacities, &Capacity::any);
-        for (std::size_t p = 0; p < _capacities.size(); ++p) {
-            if (_capacities[p].any || !any)
-                _active.push_back(static_cast<Index>(p));
-            _pendulums = _pendulums || _capacities[p].pendulums;
-        }
+    [[nodiscard]] bool any_balancer() const {
+        return std::ranges::any_of(_capacities, &Capacity::any);
+    }
+    [[nodiscard]] bool any_pendulum() const {
+        return std::ranges::any_of(_capacities, &Capacity::pendulums);
+    }
+    /// One plane of each place.
+    [[nodiscard]] std::vector<Index> first_planes() const {
+        std::vector<Index> out;
+        for (const Place &place : _active)
+            out.push_back(place.planes.front());
+        return out;
     }
 
     /// What [weights] asks for, else the operating speeds of the grid, else all.
@@ -382,7 +440,7 @@ class SupplyFinder {
             PlaneSupply plane;
             if (_capacities[p].any) {
                 plane.capacity = _capacities[p].largest;
-                plane.least = _capacities[p].least;
+                plane.least = _capacities[p].least();
             }
             _out.planes.push_back(std::move(plane));
         }
@@ -406,6 +464,8 @@ class SupplyFinder {
             if (all[k].known) {
                 known.push_back(k);
                 _out.weight_speeds.push_back(speeds[k]);
+            } else {
+                _idle_weight_speeds.push_back(speeds[k]);
             }
         if (known.empty())
             return;
@@ -427,8 +487,10 @@ class SupplyFinder {
         const bool minimax =
             _scene.weights && _scene.weights->method == model::WeightsMethod::minimax;
         _weights = (minimax ? balancing::minimax(balance) : balancing::least_squares(balance)).w;
-        for (Index p = 0; p < planes; ++p)
+        for (Index p = 0; p < planes; ++p) {
+            _weights(p) = balancing::without_rounding(_weights(p), imbalance_there());
             _out.planes[static_cast<std::size_t>(p)].weight = _weights(p);
+        }
     }
 
     [[nodiscard]] double factor_of(std::size_t place) const {
@@ -445,32 +507,33 @@ class SupplyFinder {
         std::optional<Eigen::VectorXcd> needed, supplied;
     };
 
-    [[nodiscard]] Eigen::VectorXcd in_all_planes(const Eigen::VectorXcd &of_active) const {
+    /// Planes at one place have each as large a part as of what there is.
+    [[nodiscard]] Eigen::VectorXcd in_all_planes(const Eigen::VectorXcd &of_places) const {
         Eigen::VectorXcd out = Eigen::VectorXcd::Zero(static_cast<Index>(_s.planes.size()));
-        for (std::size_t i = 0; i < _active.size(); ++i)
-            out(_active[i]) = of_active(static_cast<Index>(i));
+        for (std::size_t i = 0; i < _active.size(); ++i) {
+            const Place &place = _active[i];
+            const double all = place.capacity.largest;
+            for (const Index plane : place.planes)
+                out(plane) = of_places(static_cast<Index>(i)) *
+                             (all > 0 ? _capacities[static_cast<std::size_t>(plane)].largest / all
+                                      : 1 / static_cast<double>(place.planes.size()));
+        }
         return out;
     }
 
     [[nodiscard]] Found found(const AtSpeed &at, const Eigen::VectorXcd &weights) const {
         Found out;
         const auto n = static_cast<Index>(_active.size());
+        const std::vector<Index> planes = first_planes();
         const Eigen::VectorXcd everywhere = at.forward(weights);
         Eigen::VectorXcd w(n);
         Eigen::VectorXd capacity(n), least(n);
-        const bool any = std::ranges::any_of(_capacities, &Capacity::any);
         for (Index i = 0; i < n; ++i) {
-            const Index plane = _active[static_cast<std::size_t>(i)];
-            w(i) = everywhere(plane);
-            const Capacity &own = _capacities[static_cast<std::size_t>(plane)];
-            capacity(i) = any ? own.largest : no_bound;
-            least(i) = any ? own.least : 0;
+            const Place &place = _active[static_cast<std::size_t>(i)];
+            w(i) = everywhere(place.planes.front());
+            capacity(i) = any_balancer() ? place.capacity.largest : no_bound;
+            least(i) = any_balancer() ? place.capacity.least() : 0;
         }
-        const std::optional<Eigen::VectorXcd> needed = taking_away(at.real_matrix(_active), w);
-        if (needed)
-            out.needed = in_all_planes(*needed);
-        if (_pendulums)
-            return out;
         // An input may ask for just the capacity: more than its rounding is beyond.
         constexpr double just = 1e-12;
         const auto enough = [&](const Eigen::VectorXcd &u) {
@@ -479,7 +542,25 @@ class SupplyFinder {
         const auto fine = [&](const Eigen::VectorXcd &u) {
             return (u.cwiseAbs().array() >= least.array() * (1 - just)).all();
         };
-        if (!works(at.real_matrix(_active))) {
+        const Eigen::MatrixXd B = at.real_matrix(planes);
+        const std::optional<TakingAway> away = taking_away(B, w, capacity);
+        std::optional<Eigen::VectorXcd> needed;
+        if (away)
+            needed = away->u;
+        const bool shared = away && !away->only && (capacity.array() > 0).all();
+        if (shared && !enough(*needed) && _any_direction)
+            needed = evenly(at.complex_matrix(planes), *needed, capacity);
+        if (needed) {
+            const double size = imbalance_there() + weights.cwiseAbs().sum();
+            for (Complex &own : *needed)
+                own = balancing::without_rounding(own, size);
+            out.needed = in_all_planes(*needed);
+        }
+        if (any_pendulum())
+            return out;
+        if (shared && !enough(*needed) && !_any_direction)
+            return out; // other shares may do
+        if (!works(B)) {
             out.supply = !needed           ? Supply::out_of_reach
                          : enough(*needed) ? Supply::unkept
                                            : Supply::beyond;
@@ -496,17 +577,23 @@ class SupplyFinder {
         out.supply = needed ? Supply::beyond : Supply::out_of_reach;
         if (!_any_direction || (capacity.array() <= 0).any())
             return out;
-        const Eigen::MatrixXcd A = at.complex_matrix(_active);
-        const auto best = balancing::best_supply({A, w, capacity});
+        const auto best = balancing::best_supply({at.complex_matrix(planes), w, capacity});
         if (!best) { // there is one, but it was not found
             out.supply = Supply::unknown;
             return out;
         }
-        const bool all = (w + A * *best).norm() <= nothing_left * w.norm(); // shared out otherwise
-        out.supply = !fine(*best) ? Supply::coarse : all ? Supply::balanced : Supply::saturated;
+        out.supply = fine(*best) ? Supply::saturated : Supply::coarse;
         if (out.supply != Supply::coarse)
             out.supplied = in_all_planes(*best);
         return out;
+    }
+
+    /// The moments of all imbalances that are there, kg m.
+    [[nodiscard]] double imbalance_there() const {
+        double sum = 0;
+        for (const model::Imbalance &own : _rotor.imbalances)
+            sum += std::abs(own.mr);
+        return sum;
     }
 
     void add_left(const Motions &motions, const std::optional<Eigen::VectorXcd> &factors,
@@ -528,7 +615,9 @@ class SupplyFinder {
     void add_needed(const Found &found, PlaneSupply::Moments PlaneSupply::*of) {
         for (std::size_t p = 0; p < _out.planes.size(); ++p) {
             const auto plane = static_cast<Index>(p);
-            const bool counts = std::ranges::find(_active, plane) != _active.end();
+            const bool counts = std::ranges::any_of(_active, [plane](const Place &place) {
+                return std::ranges::find(place.planes, plane) != place.planes.end();
+            });
             (_out.planes[p].*of)
                 .push_back(counts && found.needed ? std::optional((*found.needed)(plane))
                                                   : std::nullopt);
@@ -565,7 +654,7 @@ class SupplyFinder {
             return supplied ? std::optional<Eigen::VectorXcd>(at.factors(*supplied + weights))
                             : std::nullopt;
         };
-        _out.works.push_back(works(at.real_matrix(_active)));
+        _out.works.push_back(works(at.real_matrix(first_planes())));
         const Found alone = found(at, none);
         add_needed(alone, &PlaneSupply::needed);
         _out.with_balancers.push_back(alone.supply);
@@ -594,13 +683,19 @@ class SupplyFinder {
                 }))
                 notes.emplace_back("{} stands in none of the planes: what it can supply is not "
                                    "counted",
-                                   named(balancer.name, "balancer", i));
+                                   model::name_or_number(balancer.name, "balancer", i));
         }
-        const bool any = std::ranges::any_of(_capacities, &Capacity::any);
-        if (any && _active.size() < _s.planes.size())
+        const auto with_balancer =
+            static_cast<std::size_t>(std::ranges::count_if(_capacities, &Capacity::any));
+        if (with_balancer > 0 && with_balancer < _s.planes.size())
             notes.emplace_back("what is needed is that of the planes with a balancer, {} of {}",
-                               _active.size(), _s.planes.size());
-        if (_pendulums)
+                               with_balancer, _s.planes.size());
+        if (std::ranges::any_of(_active,
+                                [](const Place &place) { return place.planes.size() > 1; }))
+            notes.emplace_back(
+                "balancers in one plane share what is needed there as their capacities are: where "
+                "none has more to do than it can while another could do more");
+        if (any_pendulum())
             notes.emplace_back("pendulums do not take away the motion of their plane: what they "
                                "leave is not among the residuals (see pendulum)");
         if (!_any_direction)
@@ -620,7 +715,7 @@ class SupplyFinder {
             notes.emplace_back("where balancers need more than their capacity and the criterion "
                                "does not hold, where they end is not known: null among the "
                                "residuals");
-        if (holds(Supply::unknown) && !_pendulums)
+        if (holds(Supply::unknown) && !any_pendulum())
             notes.emplace_back(
                 "at some speeds where balancers need more than their capacity, where "
                 "they end was not found: null among the residuals");
@@ -630,9 +725,32 @@ class SupplyFinder {
         if (holds(Supply::out_of_reach))
             notes.emplace_back("at some speeds no imbalances in the planes take away their motion: "
                                "out of reach");
-        if (holds(Supply::resonance))
-            notes.emplace_back("at a speed of the grid the rotor is at a resonance without "
-                               "damping: null there");
+        std::vector<double> resonances;
+        for (std::size_t k = 0; k < _s.speeds.size(); ++k)
+            if (_out.with_balancers[k] == Supply::resonance)
+                resonances.push_back(_s.speeds[k]);
+        if (!resonances.empty())
+            notes.emplace_back("at {} the rotor is at a resonance without damping: null there",
+                               as::speed.list(resonances));
+        if (!_idle_weight_speeds.empty())
+            notes.emplace_back(
+                model::Weight::warning,
+                "at {} the rotor is at a resonance without damping: the weights are {}",
+                as::speed.list(_idle_weight_speeds),
+                _out.weight_speeds.empty() ? "not known" : "those for the other speeds alone");
+    }
+
+    /// As the case has its phases: against the spin.
+    void turn_phases() {
+        _out.lag = true;
+        for (PlaneSupply &plane : _out.planes) {
+            for (PlaneSupply::Moments *moments : {&plane.needed, &plane.beside_weights})
+                for (std::optional<Complex> &own : *moments)
+                    if (own)
+                        own = std::conj(*own);
+            if (plane.weight)
+                plane.weight = std::conj(*plane.weight);
+        }
     }
 };
 

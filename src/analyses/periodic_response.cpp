@@ -535,6 +535,7 @@ void add_operating(const Scene &all, results::ResponseResult &result) {
     if (all.scene.response.gravity != 0)
         movers.push_back(std::make_unique<PeriodicMover>(all, all.scene.response.gravity));
     result.operating = operating_response(all.scene, all.d, movers, all.nodes);
+    note_operating_resonances(*result.operating, result.model.notes);
 }
 
 void add_gravity_response(const Scene &all, results::ResponseResult &result) {

@@ -2,6 +2,7 @@
 
 #include "analyses/simulate.h"
 #include "analyses/stability.h"
+#include "analyses/stability_ends.h"
 #include "balancers/arrangement.h"
 #include "model/errors.h"
 #include "model/variants.h"
@@ -80,10 +81,7 @@ results::BalancedPosition stable_speeds(const stability::StabilityModel &model,
             of_first = unstable.finder;
             out.bands = rest_of(bands, from, to);
             out.errors = errors_of(out.bands, unstable);
-            for (const auto &[a, b] : unstable.doubtful)
-                notes.emplace_back("from {} the motions about the balanced position could not be "
-                                   "followed: a narrow unstable band may be missing there",
-                                   as::speed.range(a, b, 10));
+            note_lost_motions(unstable.doubtful, "the motions about the balanced position", notes);
         }
         always_unstable = first ? bands : stability::common(always_unstable, bands);
         sometimes_unstable.insert(sometimes_unstable.end(), bands.begin(), bands.end());

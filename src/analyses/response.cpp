@@ -464,6 +464,7 @@ void add_operating(results::ResponseResult &result, const assembly::Discretizati
         add(form, weight);
     }
     result.operating = operating_response(scene, d, movers, nodes);
+    note_operating_resonances(*result.operating, result.model.notes);
     if (movers.size() > 1)
         result.model.notes.emplace_back(
             "operating speeds: the motions of {} frequencies are added up with their largest "

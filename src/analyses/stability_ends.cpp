@@ -76,6 +76,30 @@ void note_doubts(const ends::EndsFound &found, std::vector<Sentence> &notes) {
                            found.doubtful.size(), as::speed(found.doubtful.front().from, 10));
 }
 
+} // namespace
+
+void note_lost_motions(const std::vector<results::Interval> &doubtful, const char *motions,
+                       std::vector<Sentence> &notes) {
+    constexpr std::size_t few = 3; // named one by one: a longer list is not read
+    if (doubtful.empty())
+        return;
+    std::vector<Sentence> ranges;
+    for (const auto &[from, to] : doubtful)
+        ranges.emplace_back("{}", as::speed.range(from, to, 10));
+    const Sentence where =
+        doubtful.size() <= few
+            ? Sentence("from {}", joined(ranges, ", "))
+            : Sentence(
+                  "in {} short ranges of speed from {}", doubtful.size(),
+                  as::speed.range(std::ranges::min(doubtful, {}, &results::Interval::from).from,
+                                  std::ranges::max(doubtful, {}, &results::Interval::to).to));
+    notes.emplace_back("{} {} could not be followed: an unstable band narrower than that may be "
+                       "missing there",
+                       where, motions);
+}
+
+namespace {
+
 /// Bands and ends where the search for bands is needed beside that for ends: motions without
 /// damping, equations that stay periodic. Each completes the other; notes where they do not agree.
 /// @param motions  of the rotor; none: form hill
@@ -88,19 +112,21 @@ std::vector<ends::WholeMotion> add_bands_and_ends(stability::BandFinder &finder,
     auto &notes = result.model.notes;
     const stability::BandsFound bands = finder.find(grid);
     result.unstable = motions != nullptr ? those_that_grow(bands.bands, *motions) : bands.bands;
-    for (const auto &[from, to] : bands.doubtful)
-        notes.emplace_back("from {} the motions could not be followed: an unstable band narrower "
-                           "than that may be missing there",
-                           as::speed.range(from, to, 10));
+    note_lost_motions(bands.doubtful, "the motions", notes);
     const results::Interval range{grid.front(), grid.back()};
     ends::EndsFound found = motions != nullptr ? ends::find_ends(*motions, looks(result.unstable))
                                                : ends::multiplier_ends(at, grid, result.unstable);
     note_doubts(found, notes);
-    for (const double edge :
-         ends::reconcile(found, result.unstable, at, finder.model().form, range))
+    const std::vector<double> edges =
+        ends::reconcile(found, result.unstable, at, finder.model().form, range);
+    if (!edges.empty())
         notes.emplace_back(
-            "at {} an unstable band ends, but no change of the number of growing motions was found",
-            as::speed(edge, 10));
+            edges.size() == 1
+                ? "at {} an unstable band ends, but no change of the number of growing motions was "
+                  "found"
+                : "at {} unstable bands end, but no change of the number of growing motions was "
+                  "found",
+            as::speed.list(edges, 10));
     if (motions != nullptr) {
         const std::vector<results::Interval> all = result.unstable;
         result.unstable = those_that_grow(all, *motions);

@@ -32,6 +32,11 @@ struct BandsBetween {
 [[nodiscard]] BandsBetween bands_between_ends(stability::BandFinder &finder,
                                               const std::vector<double> &grid);
 
+/// Says where motions could not be followed through, in one note however many places there are.
+/// @param motions  "the motions about the balanced position"
+void note_lost_motions(const std::vector<results::Interval> &doubtful, const char *motions,
+                       std::vector<results::Sentence> &notes);
+
 /// Errors of the ends of unstable bands (stability::band_errors), by a root of a finer model where
 /// the end is one of `roots`.
 /// @param grid  over which they were looked for

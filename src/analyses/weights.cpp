@@ -1,6 +1,7 @@
 #include "analyses/weights.h"
 
 #include "analyses/weights/model_vibration.h"
+#include "analyses/weights/procedure.h"
 #include "balancing/identify.h"
 #include "balancing/split.h"
 #include "balancing/weights.h"
@@ -307,7 +308,11 @@ class Answer {
         const Solution best = solved(_balance, method);
         note_solution(best);
         _w = best.w;
-        const Eigen::VectorXcd after = _balance.residual(_w);
+        clear_rounding();
+        Eigen::VectorXcd after = _balance.residual(_w);
+        const Eigen::VectorXd terms = _balance.a.cwiseAbs() + _balance.H.cwiseAbs() * _w.cwiseAbs();
+        for (Eigen::Index i = 0; i < after.size(); ++i)
+            after(i) = balancing::without_rounding(after(i), terms(i));
         const double places = std::sqrt(static_cast<double>(after.size()));
         const bool squares = method == model::WeightsMethod::least_squares;
         _result.reached = squares ? best.value / places : best.value;
@@ -365,6 +370,18 @@ class Answer {
                     plane, results::as::number(share, 2));
             }
         }
+    }
+
+    /// A weight counts as nothing where it moves the probes by the rounding of all that moves them.
+    void clear_rounding() {
+        const Eigen::VectorXd moves = _balance.H.colwise().norm();
+        double size = _known.a.norm() + (_balance.H * _known.on).norm();
+        for (std::size_t p = 0; p < _rotor.planes.size(); ++p)
+            for (const Complex &fixed : _rotor.planes[p].fixed)
+                size += moves(index(p)) * std::abs(fixed);
+        for (Eigen::Index p = 0; p < _w.size(); ++p)
+            if (moves(p) > 0)
+                _w(p) = balancing::without_rounding(_w(p), size / moves(p));
     }
 
     void note_solution(const Solution &best) {
@@ -544,15 +561,8 @@ class Answer {
         std::vector<std::optional<double>> out(planes);
         if (!settings.grade)
             return out;
-        double speed = settings.grade_speed.value_or(0);
-        if (!settings.grade_speed) {
-            for (const ReadingPlace &place : settings.places)
-                speed = std::max(speed, place.speed.value_or(0));
-            for (const double own : settings.speeds)
-                speed = std::max(speed, own);
-            if (scene.operation)
-                speed = scene.operation->to;
-        }
+        const double speed =
+            settings.grade_speed ? *settings.grade_speed : service_speed(scene).value_or(0);
         if (!(speed > 0))
             refuse(scene,
                    "weights.grade_speed: missing, expected the speed at which the grade holds");
@@ -584,6 +594,22 @@ WeightsResult empty_result(const WeightsSettings &settings) {
     return result;
 }
 
+/// How such a rotor is balanced, where the case says how fast it runs.
+void add_procedure(const model::Case &scene, WeightsResult &result) {
+    const std::optional<double> speed = service_speed(scene);
+    if (!speed)
+        return;
+    try {
+        result.procedure = balancing_procedure(scene, *speed, result.model.order);
+    } catch (const model::AnalysisFailure &failure) {
+        result.model.notes.emplace_back("how the rotor is balanced by ISO 21940-12 is not said: {}",
+                                        failure.sentence());
+    } catch (const linalg::SolverError &error) {
+        result.model.notes.emplace_back("how the rotor is balanced by ISO 21940-12 is not said: {}",
+                                        error.sentence());
+    }
+}
+
 } // namespace
 
 WeightsResult correction_weights(const model::Case &scene) {
@@ -606,18 +632,26 @@ WeightsResult correction_weights(const model::Case &scene) {
     if (result.source != results::InfluenceSource::model) {
         result.model.none = true;
         result.model.formulation.why = "readings alone: no model of the rotor";
+        if (!settings.stations.empty() || settings.body || settings.removable)
+            result.model.notes.emplace_back(
+                "weights.stations, body and removable are for the model's influence: here it comes "
+                "from readings alone");
         (void)Answer(scene, known, result).add();
         return result;
     }
     ModelVibration model(scene, result.model);
     if (!result.measured)
         known.places = model.places();
-    known.H = model.influence(known.places);
+    ModelVibration::AtPlaces at = model.at(known.places);
+    known.H = std::move(at.influence);
     if (!result.measured)
-        known.a = model.vibration(known.places);
+        known.a = std::move(at.vibration);
     const Eigen::VectorXcd w = Answer(scene, known, result).add();
-    if (!result.measured && scene.speeds)
+    if (scene.speeds)
         model.add_curves(w, result);
+    else if (!settings.stations.empty())
+        result.model.notes.emplace_back("weights.stations: influence over speed needs [speeds]");
+    add_procedure(scene, result);
     return result;
 }
 

@@ -15,18 +15,8 @@ namespace {
 using Eigen::Index;
 using Complex = std::complex<double>;
 
-/// Rounding of an eigenvalue that is zero, over the largest: several planes of a rigid rotor.
-constexpr double zero_work = 1e-10;
 /// To which the conditions hold, over the terms they are sums of; Newton's steps end far below.
 constexpr double settled = 1e-9;
-
-bool works(const Eigen::MatrixXcd &A) {
-    const Eigen::MatrixXcd mean = (A + A.adjoint()) / 2;
-    const Eigen::VectorXd work =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(mean).eigenvalues();
-    return work.size() > 0 && work(0) < 0 &&
-           work(work.size() - 1) <= zero_work * work.cwiseAbs().maxCoeff();
-}
 
 /// What the balancer of one plane supplies where b is the motion without it: nothing is left, or it
 /// supplies all it has, c e, at the angle of the rest: b + a c e = l e with l > 0, so that
@@ -108,11 +98,21 @@ bool solves_all(const FreeBalancers &of, const Eigen::VectorXcd &u) {
 
 } // namespace
 
+bool works_everywhere(const Eigen::MatrixXcd &A) {
+    // Rounding of an eigenvalue that is zero, over the largest: several planes of a rigid rotor.
+    constexpr double zero_work = 1e-10;
+    const Eigen::MatrixXcd mean = (A + A.adjoint()) / 2;
+    const Eigen::VectorXd work =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(mean).eigenvalues();
+    return work.size() > 0 && work(0) < 0 &&
+           work(work.size() - 1) <= zero_work * work.cwiseAbs().maxCoeff();
+}
+
 std::optional<Eigen::VectorXcd> best_supply(const FreeBalancers &of) {
     Eigen::VectorXcd u = Eigen::VectorXcd::Zero(of.w.size());
     if (of.w.size() == 0 || of.w.isZero(0))
         return u;
-    if (!of.A.allFinite() || !works(of.A))
+    if (!of.A.allFinite() || !works_everywhere(of.A))
         return std::nullopt;
     // Few sweeps tell which planes are full; more where planes can nearly do each other's work.
     constexpr int rounds = 200;

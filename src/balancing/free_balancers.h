@@ -14,6 +14,10 @@ struct FreeBalancers {
     Eigen::VectorXd capacity; ///< the most that each can supply, kg m; above 0, may be infinite
 };
 
+/// The criterion: u^H (A + A^H) u is negative for some u and above zero for none, but for rounding
+/// where planes can do each other's work.
+[[nodiscard]] bool works_everywhere(const Eigen::MatrixXcd &A);
+
 /// What each supplies where all do their best: those within their capacity leave no motion of their
 /// plane, those beyond stand at one angle, that of the motion that is left there. None where the
 /// work of A is not negative for every u: then there may be several such positions, and none of

@@ -56,6 +56,12 @@ constexpr double far = 1e4;
 
 } // namespace
 
+std::complex<double> without_rounding(std::complex<double> sum, double size) {
+    constexpr double rounding = 1e-12; // of solved systems, some digits above that of numbers
+    const auto part = [size](double own) { return std::abs(own) <= rounding * size ? 0 : own; };
+    return {part(sum.real()), part(sum.imag())};
+}
+
 Balance Balance::of_planes(const std::vector<std::size_t> &planes) const {
     Balance out{Eigen::MatrixXcd(H.rows(), static_cast<Eigen::Index>(planes.size())), a, factors,
                 Eigen::VectorXd(static_cast<Eigen::Index>(planes.size()))};

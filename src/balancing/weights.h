@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <complex>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -20,6 +21,10 @@ struct Balance {
     /// With these planes alone.
     [[nodiscard]] Balance of_planes(const std::vector<std::size_t> &planes) const;
 };
+
+/// A sum of terms that together have this size, without what rounding leaves in it: neither nothing
+/// nor what lies along an axis has then a direction that rounding chose.
+[[nodiscard]] std::complex<double> without_rounding(std::complex<double> sum, double size);
 
 struct Solution {
     Eigen::VectorXcd w;

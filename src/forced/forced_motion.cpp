@@ -22,8 +22,13 @@ std::complex<double> reading(const Phasor &motion, double angle) {
 }
 
 Eigen::VectorXcd imbalance_loads(const assembly::Discretization &discretization) {
+    return imbalance_loads(discretization, discretization.rotor().imbalances);
+}
+
+Eigen::VectorXcd imbalance_loads(const assembly::Discretization &discretization,
+                                 const std::vector<model::Imbalance> &imbalances) {
     Eigen::VectorXcd out = Eigen::VectorXcd::Zero(discretization.planar_size());
-    for (const model::Imbalance &imbalance : discretization.rotor().imbalances)
+    for (const model::Imbalance &imbalance : imbalances)
         for (const auto &[unknown, value] : discretization.deflection_at(imbalance.z))
             out(unknown) += value * imbalance.mr * std::polar(1.0, imbalance.phase);
     return out;
@@ -175,14 +180,27 @@ void ForcedMotion::assemble(double spin) {
 
 int ForcedMotion::size() const { return (_planar ? 1 : 2) * _discretization.planar_size(); }
 
+Eigen::MatrixXcd ForcedMotion::forces(double speed) const {
+    if (_drive.sets.empty())
+        return forces_of(speed, _discretization.rotor().imbalances);
+    Eigen::MatrixXcd out;
+    for (const auto &set : _drive.sets) {
+        const Eigen::VectorXcd own = forces_of(speed, set);
+        out.conservativeResize(own.size(), out.cols() + 1);
+        out.rightCols(1) = own;
+    }
+    return out;
+}
+
 /// Imbalances: speed^2 on w, standing still in rotating axes. Weight: -i g on w, in rotating axes
 /// -i g exp(-i Omega t) on u: x = Re(conj(-i g) exp(i Omega t)), y 90° ahead.
-Eigen::VectorXcd ForcedMotion::forces(double speed) const {
+Eigen::VectorXcd ForcedMotion::forces_of(double speed,
+                                         const std::vector<model::Imbalance> &imbalances) const {
     if (_drive.weight()) {
         const Eigen::VectorXcd load = imaginary_unit * _drive.gravity * _weight;
         return assembly::in_pairs((_rotating ? 1 : 0) * load, imaginary_unit * load);
     }
-    const Eigen::VectorXcd w = (speed * speed) * imbalance_loads(_discretization);
+    const Eigen::VectorXcd w = (speed * speed) * imbalance_loads(_discretization, imbalances);
     if (!_drive.forces.empty()) {
         Eigen::VectorXcd load = force_loads(_discretization, _drive.forces);
         if (_drive.unbalanced)
@@ -201,17 +219,24 @@ void ForcedMotion::solve(double speed) {
     _speed = speed;
     if (speed == 0 && _drive.imbalances()) { // no force; a free rotor's matrix would be singular
         _displacements = Eigen::VectorXcd::Zero(size());
+        _solutions.resize(0, 0);
         _rounding = 0;
         return;
     }
     const double spin = _drive.sweep.spin_at(speed);
     if (!_solver || _at_rest != (spin == 0))
         assemble(spin);
-    _load = forces(speed);
-    _solution =
-        _solver->solve(spin, frequency(speed), _load, table_changes(spin, frequency(speed)));
+    _loads = forces(speed);
+    _solutions =
+        _solver->solve(spin, frequency(speed), _loads, table_changes(spin, frequency(speed)));
     _rounding.reset();
-    _displacements = _solution;
+    look_at(0);
+}
+
+void ForcedMotion::look_at(std::size_t set) {
+    if (_solutions.size() == 0) // at rest none moves
+        return;
+    _displacements = _solutions.col(static_cast<Eigen::Index>(set));
     if (_rotating && _drive.imbalances()) // (x, y) stand still: w = x + i y
         _displacements = (_displacements(Eigen::seq(0, Eigen::last, 2)) +
                           imaginary_unit * _displacements(Eigen::seq(1, Eigen::last, 2)))
@@ -219,9 +244,13 @@ void ForcedMotion::solve(double speed) {
 }
 
 double ForcedMotion::rounding() const {
-    if (!_rounding)
-        _rounding = _solver->rounding(_load, _solution);
-    return *_rounding;
+    if (_rounding)
+        return *_rounding;
+    double largest = 0;
+    for (Eigen::Index set = 0; set < _loads.cols(); ++set)
+        largest = std::max(largest, _solver->rounding(_loads.col(set), _solutions.col(set)));
+    _rounding = largest;
+    return largest;
 }
 
 Phasor ForcedMotion::pair(const assembly::Combination &combination) const {

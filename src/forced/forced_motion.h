@@ -85,6 +85,8 @@ struct Drive {
     std::vector<Push> forces{}; ///< in place of the imbalances, or with them
     Sweep sweep{};              ///< of forces; else over the spin speed
     bool unbalanced = false;    ///< the imbalances too, where forces turn with the spin speed
+    /// Several sets of imbalances, each alone, in place of those of the rotor; empty: those.
+    std::vector<std::vector<model::Imbalance>> sets{};
 
     [[nodiscard]] bool weight() const { return gravity != 0; }
     /// Nothing but the imbalances.
@@ -100,8 +102,10 @@ struct Drive {
 [[nodiscard]] Eigen::VectorXcd force_loads(const assembly::Discretization &discretization,
                                            const std::vector<Push> &forces);
 
-/// The imbalances of the rotor as forces on w = x + i y, over planar unknowns, by the spin speed
-/// squared: kg m.
+/// Imbalances as forces on w = x + i y, over planar unknowns, by the spin speed squared: kg m.
+[[nodiscard]] Eigen::VectorXcd imbalance_loads(const assembly::Discretization &discretization,
+                                               const std::vector<model::Imbalance> &imbalances);
+/// Those of the rotor.
 [[nodiscard]] Eigen::VectorXcd imbalance_loads(const assembly::Discretization &discretization);
 
 /// Mass of what turns (shaft and discs) as loads on the planar unknowns under a uniform
@@ -149,6 +153,8 @@ class ForcedMotion {
     /// @param speed  the spin speed; under forces the place along their sweep
     /// @throws linalg::SolverError where the rotor is at an undamped resonance.
     void solve(double speed);
+    /// Of several sets of imbalances the one whose motion is read: after a solution the first.
+    void look_at(std::size_t set);
 
     /// Deflection of a combination of planar unknowns in the last solution, m: at the spin speed,
     /// under the weight at twice the spin speed.
@@ -170,7 +176,7 @@ class ForcedMotion {
     /// Planar unknowns x and y of the last solution, a column each; one column where the orbits are
     /// circles, y = -i x. Under the weight in the axes that they are solved in.
     [[nodiscard]] Eigen::MatrixXcd planar_motion() const;
-    /// Relative error of the last solution by rounding.
+    /// Relative error of the last solution by rounding, of several sets the largest.
     [[nodiscard]] double rounding() const;
     /// Unknowns of the real linear system.
     [[nodiscard]] int unknowns() const { return 2 * size(); }
@@ -184,16 +190,18 @@ class ForcedMotion {
     std::unique_ptr<linalg::HarmonicSolver> _solver; ///< of the bearings at rest; none before use
     bool _at_rest = false;                           ///< it is of a rotor that does not turn
     double _speed = 0;                               ///< of the last solution, as given
-    Eigen::VectorXcd _load, _solution;
-    Eigen::VectorXcd _displacements;         ///< in the axes that they are read in
-    mutable std::optional<double> _rounding; ///< once asked for
+    Eigen::MatrixXcd _loads, _solutions;             ///< a column a set of imbalances
+    Eigen::VectorXcd _displacements;                 ///< in the axes that they are read in
+    mutable std::optional<double> _rounding;         ///< once asked for
 
     void assemble(double spin);
     void for_each_table(double spin, const assembly::AddCoupling &add) const;
     /// What the bearings with tables are at a speed beside what they are at rest.
     [[nodiscard]] linalg::HarmonicSolver::Entries table_changes(double spin,
                                                                 double frequency) const;
-    [[nodiscard]] Eigen::VectorXcd forces(double speed) const;
+    [[nodiscard]] Eigen::MatrixXcd forces(double speed) const;
+    [[nodiscard]] Eigen::VectorXcd forces_of(double speed,
+                                             const std::vector<model::Imbalance> &imbalances) const;
     /// Of the motion in the axes that it is solved in.
     [[nodiscard]] double frequency(double speed) const {
         if (!_drive.forces.empty())

@@ -2,28 +2,28 @@
 
 #include "forced/response_places.h"
 
-#include <algorithm>
-
 namespace whirl::forced {
 
-ImbalanceMotions::ImbalanceMotions(const model::Rotor &rotor, int order, results::Form form,
-                                   const std::vector<Imbalances> &sets) {
-    model::Rotor on_one_mesh = rotor;
-    for (const Imbalances &set : sets)
+namespace {
+
+/// The rotor with nodes where imbalances are.
+model::Rotor with_places(model::Rotor rotor,
+                         const std::vector<ImbalanceMotions::Imbalances> &sets) {
+    for (const ImbalanceMotions::Imbalances &set : sets)
         for (const model::Imbalance &imbalance : set)
-            on_one_mesh.stations.push_back({imbalance.z});
-    for (const Imbalances &set : sets) {
-        on_one_mesh.imbalances = set;
-        _discretizations.push_back(std::make_unique<assembly::Discretization>(on_one_mesh, order));
-    }
-    for (const auto &discretization : _discretizations)
-        _motions.emplace_back(*discretization, form);
+            rotor.stations.push_back({imbalance.z});
+    return rotor;
 }
 
+} // namespace
+
+ImbalanceMotions::ImbalanceMotions(const model::Rotor &rotor, int order, results::Form form,
+                                   const std::vector<Imbalances> &sets)
+    : _mesh(std::make_unique<assembly::Discretization>(with_places(rotor, sets), order)),
+      _motion(*_mesh, form, {.sets = sets}) {}
+
 bool ImbalanceMotions::solve(double speed) {
-    return std::ranges::all_of(_motions, [speed](ForcedMotion &motion) {
-        return solves(motion, speed) && motion.rounding() <= resonance_rounding;
-    });
+    return solves(_motion, speed) && _motion.rounding() <= resonance_rounding;
 }
 
 } // namespace whirl::forced

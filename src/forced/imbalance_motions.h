@@ -25,15 +25,16 @@ class ImbalanceMotions {
     /// False at a resonance without damping, where one of the motions has no limit.
     [[nodiscard]] bool solve(double speed);
 
-    /// Under one of the sets, at the speed solved last.
-    [[nodiscard]] const ForcedMotion &of(std::size_t set) const { return _motions[set]; }
-    [[nodiscard]] const assembly::Discretization &discretization() const {
-        return *_discretizations.front();
+    /// Under one of the sets, at the speed solved last; until another is asked for.
+    [[nodiscard]] const ForcedMotion &of(std::size_t set) {
+        _motion.look_at(set);
+        return _motion;
     }
+    [[nodiscard]] const assembly::Discretization &discretization() const { return *_mesh; }
 
   private:
-    std::vector<std::unique_ptr<assembly::Discretization>> _discretizations;
-    std::vector<ForcedMotion> _motions;
+    std::unique_ptr<assembly::Discretization> _mesh;
+    ForcedMotion _motion;
 };
 
 } // namespace whirl::forced

@@ -116,6 +116,14 @@ class WeightsReader {
         if (const Node *list = _table.find("speeds");
             list && list->is_list() && list->items.empty())
             _table.fail("speeds", "expected at least one speed, got none");
+        _settings.stations = _table.numbers("stations", Quantity::length);
+        if (_table.has("body"))
+            _settings.body = static_cast<model::RotorBody>(
+                _table.choice("body", {"discs", "sections", "roll", "integral"}, 0));
+        _settings.removable = _table.flag_or("removable", false);
+        for (const char *key : {"stations", "body", "removable"})
+            if (_table.has(key) && !_root.has("shaft"))
+                _table.fail(key, "expected it with a rotor, a section [shaft], got readings alone");
         _settings.scatter =
             _table.optional_number("scatter", Quantity::number, Range::inside(0, 1));
         _settings.stock = _table.numbers("stock", Quantity::mass, Range::positive());

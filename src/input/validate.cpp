@@ -119,6 +119,10 @@ void validate(model::Case &scene, const Check &check) {
         }
         check_positions(scene.simulate.imbalances, "simulate.imbalance", length, check);
         check_positions(scene.simulate.forces, "simulate.force", length, check);
+        if (scene.weights)
+            for (std::size_t i = 0; i < scene.weights->stations.size(); ++i)
+                check_position(scene.weights->stations[i], fmt::format("weights.stations[{}]", i),
+                               length, check);
         if (scene.level1)
             check_position(scene.level1->z, "level1.z", length, check);
     }

@@ -118,14 +118,16 @@ std::vector<double> Rotor::table_bends() const {
     return out;
 }
 
+std::string name_or_number(const std::string &name, const char *kind, std::size_t index) {
+    return name.empty() ? fmt::format("{} {}", kind, index + 1) : name;
+}
+
 std::string Rotor::probe_name(std::size_t probe) const {
-    const std::string &own = probes[probe].name;
-    return own.empty() ? fmt::format("probe {}", probe + 1) : own;
+    return name_or_number(probes[probe].name, "probe", probe);
 }
 
 std::string Rotor::plane_name(std::size_t plane) const {
-    const std::string &own = planes[plane].name;
-    return own.empty() ? fmt::format("plane {}", plane + 1) : own;
+    return name_or_number(planes[plane].name, "plane", plane);
 }
 
 } // namespace whirl::model

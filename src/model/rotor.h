@@ -25,6 +25,10 @@ struct HeldBalancer {
     bool unbalanced = false;    ///< one of the imbalances is what they leave of the balance
 };
 
+/// The name of a part, or "plane 2" of the second plane where it has none.
+[[nodiscard]] std::string name_or_number(const std::string &name, const char *kind,
+                                         std::size_t index);
+
 /// Everything physical in a scene. z runs along the shaft from 0 to shaft.length().
 struct Rotor {
     Shaft shaft;

@@ -12,6 +12,14 @@ namespace whirl::model {
 /// What correction weights make small: the sum of squares of the vibration, or its largest.
 enum class WeightsMethod { least_squares, minimax };
 
+/// What a flexible rotor is made of, as ISO 21940-12 tells rotors apart.
+enum class RotorBody {
+    discs,    ///< rigid discs on an elastic shaft without imbalance of its own
+    sections, ///< rigid sections on such a shaft
+    roll,     ///< mass, elasticity and imbalance all along, one body
+    integral  ///< the same in several parts that do not come off
+};
+
 /// A probe at one speed: one row of the influence matrix.
 struct ReadingPlace {
     std::string probe;
@@ -53,6 +61,9 @@ struct WeightsSettings {
     std::vector<GivenCoefficient> influence; ///< empty: from trial runs or the model
     std::vector<double> speeds;              ///< rad/s, of the model where nothing is measured
     std::vector<std::pair<std::string, double>> factors; ///< of probes by their names
+    std::vector<double> stations;                        ///< whose influence is asked for too, z, m
+    std::optional<RotorBody> body;                       ///< none: by the masses of discs and shaft
+    bool removable = false;            ///< its parts are balanced before they go on the shaft
     std::optional<double> scatter;     ///< of a reading, a share of it (standard deviation)
     std::vector<double> stock;         ///< masses of weights at hand, kg
     std::optional<double> grade;       ///< ISO 21940-11, mm/s

@@ -27,7 +27,7 @@ std::vector<std::optional<double>> sizes(const PlaneSupply::Moments &moments) {
 }
 
 std::optional<double> direction(const std::optional<std::complex<double>> &moment) {
-    return moment && *moment != 0.0 ? std::optional(std::arg(*moment)) : std::nullopt;
+    return moment ? phase_of(*moment) : std::nullopt;
 }
 
 std::vector<std::optional<double>> directions(const PlaneSupply::Moments &moments) {
@@ -132,12 +132,11 @@ std::vector<Need> needs_of(const BalanceResult &result, const std::vector<std::s
     std::vector<Need> out;
     for (std::size_t p = 0; p < result.planes.size(); ++p) {
         const PlaneSupply &plane = result.supply->planes[p];
-        const std::string &name = result.planes[p].name;
         for (const std::size_t k : speeds)
-            out.push_back({name.empty() ? fmt::format("plane {}", p + 1) : name, result.planes[p].z,
-                           result.speeds[k], plane.needed[k], plane.beside_weights[k],
-                           plane.capacity, share_of(plane, plane.needed[k]),
-                           result.supply->works[k]});
+            out.push_back({model::name_or_number(result.planes[p].name, "plane", p),
+                           result.planes[p].z, result.speeds[k], plane.needed[k],
+                           plane.beside_weights[k], plane.capacity,
+                           share_of(plane, plane.needed[k]), result.supply->works[k]});
     }
     return out;
 }
@@ -222,13 +221,12 @@ Json plane_supply_json(const BalanceResult &result, std::size_t plane, const Uni
 
 Json supply_json(const BalanceResult &result, const Units &units) {
     if (!result.supply)
-        return {{"residual", nullptr},
-                {"supply", nullptr},
-                {"supply_beside_weights", nullptr},
-                {"works", nullptr},
-                {"residual_weight_speeds", nullptr}};
+        return {{"phase", nullptr},  {"residual", nullptr},
+                {"supply", nullptr}, {"supply_beside_weights", nullptr},
+                {"works", nullptr},  {"residual_weight_speeds", nullptr}};
     const BalanceSupply &supply = *result.supply;
-    return {{"residual",
+    return {{"phase", phase_word(supply.lag)},
+            {"residual",
              json_list(supply.left,
                        [&units](const LeftAt &at) {
                            Json row{{"of", at.of},
@@ -250,6 +248,7 @@ std::string supply_text(const BalanceResult &result, const Units &units) {
         return "";
     return text_table(fmt::format("\n{}:\n", needs_heading), need_columns,
                       needs_of(result, chosen_speeds(result.speeds.size(), most_speeds)), units) +
+           phase_convention(result.supply->lag) + "\n" +
            text_table(fmt::format("\n{}:\n", left_heading), left_columns,
                       left_for_readers(result, most_places, most_speeds), units);
 }
@@ -260,7 +259,8 @@ std::vector<Section> supply_sections(const BalanceResult &result, const Units &u
     constexpr std::size_t on_page = 21; // speeds
     return {{needs_heading,
              page_table(need_columns,
-                        needs_of(result, chosen_speeds(result.speeds.size(), on_page)), units)},
+                        needs_of(result, chosen_speeds(result.speeds.size(), on_page)), units) +
+                 element("p", phase_convention(result.supply->lag))},
             {left_heading,
              page_table(left_columns, left_for_readers(result, most_places, on_page), units)}};
 }

@@ -290,8 +290,7 @@ std::vector<Section> sections_of(const ShowResult &result, const Units &units) {
                                            page_table(sag_columns, sag->stations, units)});
     for (std::size_t i = 0; i < result.balancers.size(); ++i) {
         const BalancerNumbers &balancer = result.balancers[i];
-        const std::string name =
-            balancer.name.empty() ? fmt::format("balancer {}", i + 1) : balancer.name;
+        const std::string name = model::name_or_number(balancer.name, "balancer", i);
         sections.push_back({"Composite rotor: " + name + (balancer.held ? " (held)" : ""),
                             page_properties(balancer_columns, balancer, units) +
                                 page_table(dimensionless_columns, std::vector{balancer}, units)});

@@ -12,14 +12,17 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <complex>
 
 namespace whirl::report {
 
+using results::BalancingProcedure;
 using results::CorrectionWeight;
 using results::DependentPlanes;
 using results::DoubtfulReading;
 using results::InfluenceCoefficient;
+using results::InfluenceCurve;
 using results::PlaneChoice;
 using results::WeightPiece;
 using results::WeightReading;
@@ -27,10 +30,6 @@ using results::WeightsResult;
 
 namespace {
 
-/// Nothing has a direction only where it is not zero.
-std::optional<double> phase_of(std::complex<double> value) {
-    return value == 0.0 ? std::nullopt : std::optional(std::arg(value));
-}
 std::optional<double> size_of(std::complex<double> value) {
     return value == 0.0 ? std::nullopt : std::optional(std::abs(value));
 }
@@ -42,7 +41,7 @@ const Columns<CorrectionWeight> weight_columns{
     {"mr", InCsv("mr"), ForReaders("Weight to add"), Quantity::imbalance,
      [](const CorrectionWeight &w) { return std::abs(w.weight); }},
     {"phase", InCsv("phase"), ForReaders("Phase", "{:.2f}"), Quantity::angle,
-     [](const CorrectionWeight &w) { return std::arg(w.weight); }},
+     [](const CorrectionWeight &w) { return phase_of(w.weight); }},
     {"scatter", InCsv("scatter"), ForReaders("± (95 %)", "{:.3g}"), Quantity::imbalance,
      &CorrectionWeight::scatter},
     {"max", Quantity::imbalance, &CorrectionWeight::largest},
@@ -55,7 +54,7 @@ const Columns<CorrectionWeight> weight_columns{
      }},
     {"total_phase", InCsv("total_phase"), OnPage("Phase", "{:.2f}"), Quantity::angle,
      [](const CorrectionWeight &w) {
-         return w.on == 0.0 ? std::nullopt : std::optional(std::arg(w.weight + w.on));
+         return w.on == 0.0 ? std::nullopt : phase_of(w.weight + w.on);
      }},
     {"fixed_mr", Quantity::imbalance, [](const CorrectionWeight &w) { return size_of(w.fixed); }},
     {"fixed_phase", Quantity::angle, [](const CorrectionWeight &w) { return phase_of(w.fixed); }},
@@ -70,11 +69,11 @@ const Columns<WeightReading> reading_columns{
     {"before_amplitude", InCsv("before_amplitude"), ForReaders("Before"), Quantity::amplitude,
      [](const WeightReading &r) { return std::abs(r.before); }},
     {"before_phase", InCsv("before_phase"), ForReaders("Phase", "{:.2f}"), Quantity::angle,
-     [](const WeightReading &r) { return std::arg(r.before); }},
+     [](const WeightReading &r) { return phase_of(r.before); }},
     {"amplitude", InCsv("amplitude"), ForReaders("After"), Quantity::amplitude,
      [](const WeightReading &r) { return std::abs(r.after); }},
     {"phase", InCsv("phase"), ForReaders("Phase", "{:.2f}"), Quantity::angle,
-     [](const WeightReading &r) { return std::arg(r.after); }},
+     [](const WeightReading &r) { return phase_of(r.after); }},
     {"scatter", InCsv("scatter"), ForReaders("± (95 %)", "{:.3g}"), Quantity::amplitude,
      &WeightReading::scatter},
     {"split_amplitude", InCsv("split_amplitude"), OnPage("After, weights as split"),
@@ -87,7 +86,34 @@ const Columns<InfluenceCoefficient> influence_columns{
     {"amplitude", InCsv("influence"), OnPage("Vibration over weight"), Quantity::influence,
      [](const InfluenceCoefficient &c) { return std::abs(c.value); }},
     {"phase", InCsv("phase"), OnPage("Phase", "{:.2f}"), Quantity::angle,
-     [](const InfluenceCoefficient &c) { return std::arg(c.value); }}};
+     [](const InfluenceCoefficient &c) { return phase_of(c.value); }}};
+
+/// A curve at one speed.
+struct InfluenceAt {
+    const InfluenceCurve *curve = nullptr;
+    double speed = 0;
+    std::optional<std::complex<double>> value;
+
+    [[nodiscard]] bool force() const { return curve->of == "force"; }
+    [[nodiscard]] std::optional<double> amplitude(bool of_force) const {
+        return value && force() == of_force ? std::optional(std::abs(*value)) : std::nullopt;
+    }
+    [[nodiscard]] std::optional<double> phase() const {
+        return value ? phase_of(*value) : std::nullopt;
+    }
+};
+
+const Columns<InfluenceAt> influence_curve_columns{
+    {InCsv("of"), [](const InfluenceAt &at) { return at.curve->of; }},
+    {InCsv("name"), [](const InfluenceAt &at) { return at.curve->name; }},
+    {InCsv("z"), Quantity::length, [](const InfluenceAt &at) { return at.curve->z; }},
+    {InCsv("angle"), Quantity::angle, [](const InfluenceAt &at) { return at.curve->angle; }},
+    {InCsv("plane"), [](const InfluenceAt &at) { return at.curve->plane; }},
+    {InCsv("speed"), Quantity::speed, &InfluenceAt::speed},
+    {InCsv("influence"), Quantity::influence,
+     [](const InfluenceAt &at) { return at.amplitude(false); }},
+    {InCsv("force"), Quantity::number, [](const InfluenceAt &at) { return at.amplitude(true); }},
+    {InCsv("phase"), Quantity::angle, [](const InfluenceAt &at) { return at.phase(); }}};
 
 const Columns<DependentPlanes> dependent_columns{
     {"planes", Quantity::number, [](const DependentPlanes &d) { return Json(d.planes); }},
@@ -132,6 +158,14 @@ std::vector<WeightPiece> all_pieces(const WeightsResult &result) {
     return all;
 }
 
+std::vector<InfluenceAt> influence_rows(const WeightsResult &result) {
+    std::vector<InfluenceAt> rows;
+    for (const InfluenceCurve &curve : result.influence_curves)
+        for (std::size_t k = 0; k < result.curve_speeds.size(); ++k)
+            rows.push_back({&curve, result.curve_speeds[k], curve.values[k]});
+    return rows;
+}
+
 const char *source_name(results::InfluenceSource source) {
     switch (source) {
     case results::InfluenceSource::trials:
@@ -165,12 +199,86 @@ Json curves_json(const WeightsResult &result, const Units &units) {
              })}};
 }
 
+Json influence_curves_json(const WeightsResult &result, const Units &units) {
+    if (result.influence_curves.empty())
+        return nullptr;
+    return {{"speeds", written(units, Quantity::speed, result.curve_speeds)},
+            {"places", json_list(result.influence_curves, [&units](const InfluenceCurve &curve) {
+                 std::vector<std::optional<double>> amplitudes, phases;
+                 for (const auto &value : curve.values) {
+                     amplitudes.push_back(value ? std::optional(std::abs(*value)) : std::nullopt);
+                     phases.push_back(value ? phase_of(*value) : std::nullopt);
+                 }
+                 const bool force = curve.of == "force";
+                 const Json none;
+                 return Json{
+                     {"of", curve.of},
+                     {"name", curve.name},
+                     {"z", written(units, Quantity::length, curve.z)},
+                     {"angle", written(units, Quantity::angle, curve.angle)},
+                     {"plane", curve.plane},
+                     {"amplitude", force ? none : written(units, Quantity::influence, amplitudes)},
+                     {"force", force ? written(units, Quantity::number, amplitudes) : none},
+                     {"phase", written(units, Quantity::angle, phases)}};
+             })}};
+}
+
+/// Names of the procedures of ISO 21940-12.
+const char *procedure_name(const std::string &letter) {
+    constexpr std::array names{"single-plane balancing",
+                               "two-plane balancing",
+                               "individual component balancing prior to assembly",
+                               "balancing subsequent to controlling initial unbalance",
+                               "balancing in stages during assembly",
+                               "balancing in optimum planes",
+                               "multiple speed balancing",
+                               "service speed balancing",
+                               "fixed speed balancing"};
+    return names.at(static_cast<std::size_t>(letter.at(0) - 'A'));
+}
+
+Json procedure_json(const WeightsResult &result, const Units &units) {
+    if (!result.procedure)
+        return nullptr;
+    const BalancingProcedure &of = *result.procedure;
+    return {{"flexible", of.flexible},
+            {"procedures", of.procedures},
+            {"body", of.body},
+            {"body_given", of.body_given},
+            {"removable", of.removable},
+            {"discs", of.discs},
+            {"service_speed", written(units, Quantity::speed, of.service_speed)},
+            {"critical_speeds_below", of.criticals},
+            {"bending_below", of.bending},
+            {"next_bending", written(units, Quantity::speed, of.next_bending)},
+            {"why", of.why.text()},
+            {"planes", of.planes.text()}};
+}
+
+/// In sentences, one a line of the terminal or a paragraph of the page.
+std::vector<std::string> procedure_lines(const WeightsResult &result, const Units &units) {
+    if (!result.procedure)
+        return {};
+    const BalancingProcedure &of = *result.procedure;
+    std::string procedures;
+    for (const std::string &letter : of.procedures)
+        procedures += fmt::format("{}{} ({})", procedures.empty() ? "" : " or ", letter,
+                                  procedure_name(letter));
+    return {fmt::format("{}: {}.",
+                        procedures.empty()
+                            ? "How it is balanced"
+                            : "ISO 21940-12, as commonly known, not by its text: procedure " +
+                                  procedures,
+                        units.text(of.why)),
+            fmt::format("How many planes: {}.", units.text(of.planes))};
+}
+
 Json json_of(const WeightsResult &result, const Units &units) {
     const auto amplitude = [&units](std::optional<double> value) {
         return written(units, Quantity::amplitude, value);
     };
     return {{"method", result.method},
-            {"phase", result.lag ? "lag" : "lead"},
+            {"phase", phase_word(result.lag)},
             {"vibration_from", result.measured ? "readings" : "model"},
             {"influence_from", source_name(result.source)},
             {"weights", json_rows(weight_columns, result.weights, units)},
@@ -182,6 +290,8 @@ Json json_of(const WeightsResult &result, const Units &units) {
             {"reached", amplitude(result.reached)},
             {"bound", amplitude(result.bound)},
             {"influence", json_rows(influence_columns, result.influence, units)},
+            {"influence_over_speed", influence_curves_json(result, units)},
+            {"procedure", procedure_json(result, units)},
             {"singular_values", written(units, Quantity::influence, result.singular_values)},
             {"condition", result.condition},
             {"dependent", json_rows(dependent_columns, result.dependent, units)},
@@ -230,24 +340,24 @@ std::string summary_of(const WeightsResult &result, const Units &units) {
     return text;
 }
 
-std::string convention(const WeightsResult &result) {
-    return result.lag ? "Phases count against the spin (lag)."
-                      : "Phases count with the spin (lead).";
-}
-
 std::vector<Section> sections_of(const WeightsResult &result, const Units &units) {
     std::vector<Section> sections{
-        {"Weights", element("p", summary_of(result, units)) +
-                        element("p", convention(result) + " Weights are to be added to what is on "
-                                                          "the rotor.") +
-                        page_table(weight_columns, result.weights, units)},
+        {"Weights",
+         element("p", summary_of(result, units)) +
+             element("p", phase_convention(result.lag) + " Weights are to be added to what is on "
+                                                         "the rotor.") +
+             page_table(weight_columns, result.weights, units)},
         {"Readings before and after", page_table(reading_columns, result.residual, units)}};
     if (!result.split.empty())
         sections.push_back(
             {"Weights as split", page_table(piece_columns, all_pieces(result), units)});
-    if (!result.choices.empty())
-        sections.push_back(
-            {"How many planes are needed", page_table(choice_columns, result.choices, units)});
+    if (!result.choices.empty()) {
+        std::string lines;
+        for (const std::string &line : procedure_lines(result, units))
+            lines += element("p", line);
+        sections.push_back({"How many planes are needed",
+                            page_table(choice_columns, result.choices, units) + lines});
+    }
     if (!result.dependent.empty())
         sections.push_back({"Planes that nearly do the same",
                             page_table(dependent_columns, result.dependent, units)});
@@ -263,9 +373,12 @@ std::string text_of(const model::Case &scene, const WeightsResult &result, const
     return heading(scene, "Correction weights") +
            text_table(weight_columns, result.weights, units) + "\n" +
            text_table(reading_columns, result.residual, units) + "\n" + summary_of(result, units) +
-           "\n" + convention(result) + "\n" +
+           "\n" + phase_convention(result.lag) + "\n" +
            text_table("\nWeights as split:\n", piece_columns, all_pieces(result), units) +
            text_table("\nHow many planes are needed:\n", choice_columns, result.choices, units) +
+           joined(procedure_lines(result, units), "\n",
+                  [](const std::string &line) { return line; }) +
+           (result.procedure ? "\n" : "") +
            text_table("\nPlanes that nearly do the same:\n", dependent_columns, result.dependent,
                       units) +
            text_table("\nDoubtful readings:\n", doubtful_columns, result.outliers, units) +
@@ -275,8 +388,22 @@ std::string text_of(const model::Case &scene, const WeightsResult &result, const
 } // namespace
 
 Report describe(const model::Case &scene, const WeightsResult &result) {
-    return report_of<WeightsResult>("weights", "Correction weights", scene, result,
-                                    {json_of, csv_of, sections_of, text_of, weights_figure});
+    Report report =
+        report_of<WeightsResult>("weights", "Correction weights", scene, result,
+                                 {json_of, csv_of, sections_of, text_of, weights_figure});
+    if (result.influence_curves.empty())
+        return report;
+    report.pictures = [&](const Units &units) {
+        return std::vector<Picture>{{"influence", influence_figure(scene, result, units), {}}};
+    };
+    report.pictures_heading = "Influence over speed";
+    report.tables = [&result] {
+        return std::vector<TableFile>{{"weights_influence", [&result](const Units &units) {
+                                           return csv_table(influence_curve_columns,
+                                                            influence_rows(result), units);
+                                       }}};
+    };
+    return report;
 }
 
 } // namespace whirl::report

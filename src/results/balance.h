@@ -140,8 +140,9 @@ struct PlaneSupply {
 
     std::optional<double> capacity; ///< kg m; none: no free balancer there
     double least = 0;               ///< what they make at least, kg m
-    Moments needed;                 ///< in the rotor: direction of the balls' own imbalance
-    Moments beside_weights;         ///< with the weights on
+    /// In the rotor, with the phases of the case: direction of the balls' own imbalance.
+    Moments needed;
+    Moments beside_weights;                     ///< with the weights on
     std::optional<std::complex<double>> weight; ///< the best one in this plane, kg m
 };
 
@@ -165,6 +166,7 @@ struct LeftAt {
 /// What balancers must supply against the imbalances of the rotor wherever these are, and what
 /// stays.
 struct BalanceSupply {
+    bool lag = false;                   ///< the phases of the case count against the spin
     std::vector<PlaneSupply> planes;    ///< as those of the result
     std::vector<Supply> with_balancers; ///< over the speeds
     std::vector<Supply> with_both;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "results/model_summary.h"
+#include "results/sentence.h"
 
 #include <complex>
 #include <optional>
@@ -40,6 +41,34 @@ struct InfluenceCoefficient {
     std::optional<double> speed; ///< rad/s
     std::string plane;
     std::complex<double> value; ///< m/(kg m)
+};
+
+/// What one place does for a unit weight in one plane, over the speeds of the case. Of a bearing
+/// the deflection of the shaft there, and the force: over the centrifugal force of the weight.
+struct InfluenceCurve {
+    std::string of; ///< "probe", "bearing", "force" or "station"
+    std::string name;
+    double z = 0;     ///< m
+    double angle = 0; ///< in which it is read, from x towards y, rad
+    std::string plane;
+    /// m/(kg m), of a force a number; none: a resonance without damping, of a force also at rest.
+    std::vector<std::optional<std::complex<double>>> values;
+};
+
+/// How a rotor with flexible behaviour is balanced, and in how many planes.
+struct BalancingProcedure {
+    bool flexible = true;    ///< else two planes at any low speed do, as of a rigid rotor
+    std::string body;        ///< "discs", "sections", "roll" or "integral"
+    bool body_given = false; ///< by the case; else by the masses of discs and shaft
+    bool removable = false;  ///< its parts are balanced before they go on the shaft
+    int discs = 0;
+    double service_speed = 0; ///< highest, rad/s
+    int criticals = 0;        ///< forward critical speeds below it
+    int bending = 0;          ///< N: those of them that owe most of their flexibility to the shaft
+    std::optional<double> next_bending;  ///< the first above it, rad/s
+    std::vector<std::string> procedures; ///< "A" .. "I" of ISO 21940-12, the first that fits first
+    Sentence why;
+    Sentence planes; ///< how many are needed, and whether there are as many
 };
 
 /// Planes whose weights nearly do the same.
@@ -101,15 +130,17 @@ struct WeightsResult {
     double rms_before = 0, max_before = 0; ///< m
     double reached = 0, bound = 0; ///< what the method makes small, and what it cannot go below, m
     std::vector<InfluenceCoefficient> influence;
-    std::vector<double> singular_values; ///< m/(kg m)
-    std::optional<double> condition;     ///< none: some plane is superfluous
+    std::vector<InfluenceCurve> influence_curves; ///< over curve_speeds; from the model
+    std::optional<BalancingProcedure> procedure;  ///< of a model whose service speed is known
+    std::vector<double> singular_values;          ///< m/(kg m)
+    std::optional<double> condition;              ///< none: some plane is superfluous
     std::vector<DependentPlanes> dependent;
     std::vector<PlaneChoice> choices; ///< of one plane, of two, ...
     std::vector<SplitPlane> split;
     std::optional<double> rms_split, max_split; ///< m
     std::vector<DoubtfulReading> outliers;
-    std::vector<double> curve_speeds; ///< rad/s
-    std::vector<VibrationCurve> curves;
+    std::vector<double> curve_speeds;   ///< of [speeds], rad/s; from the model
+    std::vector<VibrationCurve> curves; ///< of the imbalances of the case
 };
 
 } // namespace whirl::results

@@ -461,5 +461,174 @@ TEST(BalanceSupply, UndampedResonanceHasNoNumbers) {
     EXPECT_FALSE(place(result, "plane", 0.5).amplitude.nothing[0]);
 }
 
+/// Two balancers in the plane of the disc, of these numbers of balls.
+model::Case two_in_one_plane(const Planar &of, int first, int second) {
+    model::Case scene = of.scene(first);
+    model::Balancer other = of.scene(second).rotor.balancers[0];
+    scene.rotor.balancers.push_back(other);
+    return scene;
+}
+
+// Two balancers in one plane are one of all their balls: none has more to do than it can while the
+// other could do more, and together they reach as far as both.
+TEST(BalanceSupply, BalancersInOnePlaneShareByCapacity) {
+    Planar of;
+    of.U = 1.9e-3;
+    const BalanceResult result = answer(two_in_one_plane(of, 1, 3));
+    ASSERT_TRUE(result.supply);
+    ASSERT_EQ(result.supply->planes.size(), 2U);
+    EXPECT_EQ(result.supply->with_balancers[0], Supply::balanced);
+    Complex sum = 0;
+    for (const results::PlaneSupply &plane : result.supply->planes) {
+        ASSERT_TRUE(plane.needed[0]);
+        sum += *plane.needed[0];
+        EXPECT_NEAR(std::abs(*plane.needed[0]) / *plane.capacity, of.U / (4 * of.ball_moment),
+                    1e-12);
+    }
+    EXPECT_LT(std::abs(sum + std::polar(of.U, 0.3)), 1e-12);
+    // More than there is: all of it, at one angle.
+    of.U = 3e-3;
+    const BalanceResult beyond = answer(two_in_one_plane(of, 1, 3));
+    const BalanceResult one = answer(of.scene(4));
+    EXPECT_EQ(beyond.supply->with_balancers[0], Supply::saturated);
+    EXPECT_NEAR(*place(beyond, "bearing", 0).amplitude.balancers[0],
+                *place(one, "bearing", 0).amplitude.balancers[0], 1e-12);
+}
+
+// One ball always makes its whole; two of them, each a balancer, any sum up to both.
+TEST(BalanceSupply, TwoBallsInOnePlaneAreNotTooCoarse) {
+    Planar of;
+    of.U = 0.2e-3;
+    EXPECT_EQ(answer(two_in_one_plane(of, 1, 1)).supply->with_balancers[0], Supply::balanced);
+    EXPECT_EQ(answer(two_in_one_plane(of, 1, 3)).supply->with_balancers[0], Supply::balanced);
+    EXPECT_EQ(answer(of.scene(1)).supply->with_balancers[0], Supply::coarse);
+}
+
+// Why by capacity: equal balls of one plane see one motion, W = A (U + sum of them), and in the
+// film of their race go as angle' = Im(W exp(-i angle)). Nothing tells them apart but where they
+// start, so that over starts without a preference the mean of each is the same, and the sum of all
+// of them is what is needed every time.
+TEST(BalanceSupply, EqualBallsShareByCapacityInTheMean) {
+    constexpr int first = 2, all = 7; // balls of one balancer and of both
+    const Complex imbalance = std::polar(3.0, 0.7);
+    unsigned state = 12345; // of a linear congruential generator
+    const auto start = [&state] {
+        state = 1664525U * state + 1013904223U;
+        return 2 * pi * (state >> 8U) / double(1U << 24U);
+    };
+    constexpr int runs = 4000;
+    Complex mean = 0;
+    for (int run = 0; run < runs; ++run) {
+        std::vector<double> angles(all);
+        for (double &angle : angles)
+            angle = start();
+        Complex W = 1;
+        for (int step = 0; step < 4000 && std::abs(W) > 1e-7; ++step) {
+            W = -imbalance; // above resonance the plane moves against what is on it
+            for (const double angle : angles)
+                W -= std::polar(1.0, angle);
+            for (double &angle : angles)
+                angle += 0.05 * (W * std::polar(1.0, -angle)).imag();
+        }
+        for (int i = 0; i < first; ++i)
+            mean += std::polar(1.0, angles[static_cast<std::size_t>(i)]) / double(runs);
+    }
+    // A sum of two unit vectors scatters by less than two, its mean by that over the root of runs.
+    EXPECT_LT(std::abs(mean + imbalance * double(first) / double(all)), 4 * std::sqrt(2.0 / runs));
+}
+
+// Three planes of a rigid rotor, one with little: the others do more, as long as all can be done.
+TEST(BalanceSupply, PlanesThatDependSpareTheSmallOne) {
+    model::Case scene = rigid_rotor({});
+    for (const double z : {0.1, 0.4, 0.7}) {
+        scene.rotor.balancers.push_back(ball_balancer(z, 2, 1e-9, 1, 1e-6));
+        scene.rotor.balancers.back().tilt_inertia = false;
+    }
+    const auto capacities = [&](std::vector<double> each) {
+        for (std::size_t i = 0; i < 3; ++i)
+            row(scene.rotor.balancers[i]).radius = each[i] / 2e-9;
+        scene.speeds = model::SpeedRange{1200, 1200, 1};
+        return answer(scene);
+    };
+    // Two planes need some 1.2e-3 and 0.9e-3 kg m; the middle one cannot help much.
+    const BalanceResult small = capacities({1.6e-3, 1e-5, 1.6e-3});
+    ASSERT_TRUE(small.supply->works[0]);
+    EXPECT_EQ(small.supply->with_balancers[0], Supply::balanced);
+    for (const results::PlaneSupply &plane : small.supply->planes)
+        EXPECT_LE(std::abs(*plane.needed[0]), *plane.capacity * (1 + 1e-9));
+    // An end with too little for its half is helped by the middle.
+    const BalanceResult helped = capacities({1e-3, 2e-3, 1.6e-3});
+    EXPECT_EQ(helped.supply->with_balancers[0], Supply::balanced);
+    for (const results::PlaneSupply &plane : helped.supply->planes)
+        EXPECT_LE(std::abs(*plane.needed[0]), *plane.capacity * (1 + 1e-9));
+    const BalanceResult beyond = capacities({1e-4, 1e-4, 1e-4});
+    EXPECT_EQ(beyond.supply->with_balancers[0], Supply::saturated);
+}
+
+// Phases against the spin: the same answer, its moments turned the other way.
+TEST(BalanceSupply, PhasesLagWhereTheCaseSaysSo) {
+    model::Case scene = flexible();
+    scene.rotor.planes = {{"a", 0.2}, {"b", 0.8}};
+    scene.rotor.planes[0].fixed = {std::polar(1e-4, 1.0)};
+    scene.weights.emplace();
+    scene.weights->speeds = {600, 1000, 1700};
+    const BalanceResult lead = answer(scene);
+    scene.weights->lag = true;
+    scene.rotor.planes[0].fixed = {std::polar(1e-4, -1.0)};
+    const BalanceResult lag = answer(scene);
+    EXPECT_FALSE(lead.supply->lag);
+    EXPECT_TRUE(lag.supply->lag);
+    for (std::size_t p = 0; p < 2; ++p) {
+        const results::PlaneSupply &own = lag.supply->planes[p];
+        const results::PlaneSupply &other = lead.supply->planes[p];
+        EXPECT_EQ(*own.needed[0], std::conj(*other.needed[0]));
+        EXPECT_EQ(*own.beside_weights[0], std::conj(*other.beside_weights[0]));
+        EXPECT_EQ(*own.weight, std::conj(*other.weight));
+    }
+    EXPECT_EQ(*place(lag, "probe", 0.1).amplitude.both[0],
+              *place(lead, "probe", 0.1).amplitude.both[0]);
+    // As the command weights has them.
+    const results::WeightsResult weights = analyses::correction_weights(scene);
+    for (std::size_t p = 0; p < 2; ++p)
+        EXPECT_LT(std::abs(*lag.supply->planes[p].weight - weights.weights[p].weight),
+                  1e-9 * std::abs(weights.weights[p].weight));
+}
+
+// What rounding leaves is nothing, and has no direction; what lies along an axis lies on it.
+TEST(BalanceSupply, RoundingHasNoPhase) {
+    model::Case scene = rigid_rotor({0.35, 0.8});
+    scene.rotor.imbalances = {imbalance_at(0.35, 2e-3)};
+    scene.speeds = model::SpeedRange{1000, 1200, 3};
+    const BalanceResult result = answer(scene);
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_EQ(std::arg(*result.supply->planes[0].needed[k]), pi);
+        EXPECT_EQ(*result.supply->planes[1].needed[k], 0.0);
+    }
+    EXPECT_EQ(std::arg(*result.supply->planes[0].weight), pi);
+    EXPECT_EQ(*result.supply->planes[1].weight, 0.0);
+    // The same at all speeds: none of them is the one at which most is needed.
+    EXPECT_TRUE(std::ranges::any_of(result.findings, [](const results::Sentence &finding) {
+        return finding.find("the same at all these speeds") != std::string::npos;
+    }));
+    EXPECT_TRUE(std::ranges::none_of(result.findings, [](const results::Sentence &finding) {
+        return finding.find("needs at most") != std::string::npos;
+    }));
+}
+
+// A speed of the weights at which there is no motion is not left out without a word.
+TEST(BalanceSupply, WeightSpeedAtAResonanceIsNamed) {
+    Planar of;
+    of.rotor.c = 0;
+    model::Case scene = of.scene();
+    scene.weights.emplace();
+    scene.weights->speeds = {of.rotor.natural(), 500};
+    const BalanceResult result = answer(scene);
+    EXPECT_EQ(result.supply->weight_speeds, std::vector<double>{500});
+    EXPECT_TRUE(std::ranges::any_of(result.model.notes, [](const results::Sentence &note) {
+        return note.find("those for the other speeds alone") != std::string::npos &&
+               note.weight() == model::Weight::warning;
+    }));
+}
+
 } // namespace
 } // namespace whirl::tests::supply

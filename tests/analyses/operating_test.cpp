@@ -2,6 +2,7 @@
 
 #include "analyses/response.h"
 
+#include "support/rigid_jeffcott.h"
 #include "support/two_mass_machine.h"
 
 #include <gtest/gtest.h>
@@ -250,6 +251,33 @@ TEST(Operating, ResonanceWithoutDampingInTheRange) {
         EXPECT_TRUE(std::isinf(worst.value)) << worst.of;
         EXPECT_EQ(worst.pass, std::optional(false)) << worst.of;
     }
+}
+
+/// At an operating speed itself: no value and no error of it, and a warning, whatever the speeds of
+/// the response.
+TEST(Operating, ResonanceWithoutDampingAtAnOperatingSpeed) {
+    model::Case scene = tests::RigidJeffcott{.c = 0}.scene();
+    const double resonance = tests::RigidJeffcott{}.natural();
+    scene.rotor.imbalances = {tests::imbalance_at(0.5, 1e-4)};
+    scene.speeds = model::SpeedRange{10, 20, 2};
+    scene.operation = model::Operation{resonance, 2 * resonance};
+    const auto result = unbalance_response(scene);
+    ASSERT_TRUE(result.operating.has_value());
+    int at_resonance = 0;
+    for (const OperatingRow &row : result.operating->rows) {
+        if (row.speed == resonance) {
+            ++at_resonance;
+            EXPECT_TRUE(std::isinf(row.amplitude)) << row.of;
+            EXPECT_TRUE(std::isnan(row.error)) << row.of;
+        } else {
+            EXPECT_LT(row.error, 1e-6) << row.of;
+        }
+    }
+    EXPECT_GT(at_resonance, 0);
+    EXPECT_TRUE(std::ranges::any_of(result.model.notes, [](const model::Sentence &note) {
+        return note.find("no steady motion at the operating speed") != std::string::npos &&
+               note.weight() == model::Weight::warning;
+    }));
 }
 
 /// An asymmetric rotor on isotropic bearings solved as one on bearings that differ is the same.

@@ -113,6 +113,15 @@ inline std::vector<BrokenCase> broken_weights() {
          readings(both)},
         {"plane with one hole", 6, "plane[0].holes", "from 2 to", one + "holes = 1\n" + trial,
          readings(both)},
+        {"stations of readings alone", 3, "weights.stations", "got readings alone",
+         "format = 1\n[weights]\nstations = [0.1]\nreadings = \"r.csv\"\n"
+         "[[plane]]\nname = \"a\"\n" +
+             trial,
+         readings(both)},
+        {"station beside the shaft", 9, "weights.stations[1]", "expected a place on the shaft",
+         base + "[weights]\nstations = [0.1, 1.2]\n[[plane]]\nz = 0.5\n"},
+        {"rotor made of something else", 9, "weights.body", "expected",
+         base + "[weights]\nbody = \"blades\"\n[[plane]]\nz = 0.5\n"},
         {"runout at speeds of others", 4, "run", "expected runout of probe \"p\" at one speed",
          one + trial, readings(both + "20,p,runout,1,0\n30,p,runout,1,0\n"), "r.csv"},
     };

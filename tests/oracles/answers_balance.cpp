@@ -4,6 +4,7 @@
 #include "oracles/ball_motion.h"
 #include "oracles/balls.h"
 #include "oracles/criterion.h"
+#include "oracles/fixed_frame_balls.h"
 #include "oracles/influence.h"
 #include "oracles/pendulums.h"
 #include "oracles/receptance.h"
@@ -325,11 +326,61 @@ Answer answer_rigid_limit(const Request &request) {
     no_answer("rigid-limit: no oracle for " + path);
 }
 
+namespace {
+
+/// Balls on supports that differ between x and y, and what they leave there.
+Answer answer_at_rest(const Request &request) {
+    const CaseRotor &rotor = request.rotor;
+    const BallsAtRest end =
+        fixed_frame_balls(rotor, rotor.speed_from, rotor.ball_angles, rotor.time);
+    const std::string oracle = "Newton's equations in time, fixed axes";
+    constexpr double still = 0.05; // rad
+    if (request.path == "/outcome" && end.swing < still) {
+        CaseRotor without = rotor;
+        without.balancers.clear();
+        const std::vector<double> all =
+            fixed_frame_balls(without, rotor.speed_from, {}, rotor.time).amplitudes;
+        bool balanced = true;
+        for (std::size_t s = 0; s < all.size(); ++s)
+            balanced = balanced && end.amplitudes[s] < 0.1 * all[s];
+        return {oracle, {}, balanced ? "balanced" : "offset", {}};
+    }
+    if (request.path == "/balls/0" && end.swing < still) {
+        std::vector<Real> angles(end.angles.at(0).begin(), end.angles.at(0).end());
+        return {oracle, angles, {}, {}};
+    }
+    // Stations are the places of the case, ascending.
+    std::vector<double> places{0, rotor.length()};
+    const auto add = [&places](const auto &parts) {
+        for (const auto &part : parts)
+            places.push_back(part.z);
+    };
+    add(rotor.discs);
+    add(rotor.supports);
+    add(rotor.imbalances);
+    add(rotor.balancers);
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    const int station = index_after(request.path, "/stations/");
+    for (std::size_t s = 0; s < rotor.supports.size() && station >= 0; ++s)
+        if (rotor.supports[s].z == places.at(static_cast<std::size_t>(station)) &&
+            ends_with(request.path, "/amplitude"))
+            return {oracle, {static_cast<Real>(end.amplitudes[s])}, {}, {}};
+    no_answer("simulate: no oracle for " + request.path);
+}
+
+} // namespace
+
 Answer answer_simulate(const Request &request) {
     const CaseRotor &rotor = request.rotor;
     if (rotor.balancers.empty())
         return answer_transient(request);
     const Balancer &balancer = rotor.balancers.front();
+    const bool alike = std::all_of(rotor.supports.begin(), rotor.supports.end(), [](const auto &s) {
+        return s.k[0][0] == s.k[1][1] && s.c[0][0] == s.c[1][1];
+    });
+    if (rotor.rigid && !balancer.pendulums && !alike)
+        return answer_at_rest(request);
     if (request.path == "/balls/0" && !balancer.pendulums)
         return {"balanced position", symmetric_position(balancer.n, capacity(balancer)), {}, {}};
     if (request.path == "/outcome" && balancer.pendulums && rotor.rigid) {

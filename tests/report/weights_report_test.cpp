@@ -5,7 +5,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <complex>
+#include <filesystem>
 #include <limits>
+#include <optional>
+#include <vector>
 
 namespace whirl::report {
 
@@ -67,6 +72,49 @@ TEST_F(WeightsReport, IsWholeWithoutARotor) {
     const std::string text = to_text(describe(scene, result));
     EXPECT_EQ(text.find("nan"), std::string::npos) << text;
     EXPECT_NE(text.find("against the spin"), std::string::npos);
+}
+
+// Places of all kinds, one that does not move, and a speed without a motion.
+TEST_F(WeightsReport, HasTheInfluenceOverSpeed) {
+    model::Case scene;
+    scene.name = "modelled";
+    results::WeightsResult result = sample_weights();
+    result.curve_speeds = {0, 100, 200};
+    result.curves = {{"near", {0.0, 1e-6, std::nullopt}, {0.0, 1e-7, std::nullopt}}};
+    using Values = std::vector<std::optional<std::complex<double>>>;
+    const Values moving{0.0, std::polar(0.02, -2.0), std::nullopt};
+    result.influence_curves = {{"probe", "near, \"x\"", 0.1, 0.7, "aft", moving},
+                               {"bearing", "=1+1", 0, 0, "aft", moving},
+                               {"bearing", "=1+1", 0, 1.5, "aft", moving},
+                               {"force", "=1+1", 0, 0, "aft", {std::nullopt, 0.5, std::nullopt}},
+                               {"station", "", 0.4, 0, "aft", moving},
+                               {"probe", "near, \"x\"", 0.1, 0.7, "<b>", {0.0, 0.0, 0.0}}};
+    result.procedure.emplace();
+    result.procedure->procedures = {"B", "G"};
+    result.procedure->why = {"it bends at {}", model::as::speed(100)};
+    result.procedure->planes = {"three are needed"};
+    const auto json =
+        expect_whole_report(write_report(describe(scene, result), folder), folder, "weights");
+    const auto &over_speed = json.at("influence_over_speed");
+    EXPECT_EQ(over_speed.at("speeds").size(), 3U);
+    const auto &places = over_speed.at("places");
+    ASSERT_EQ(places.size(), 6U);
+    EXPECT_DOUBLE_EQ(places[0].at("amplitude")[1].get<double>(), 0.02);
+    EXPECT_DOUBLE_EQ(places[0].at("phase")[1].get<double>(), -2);
+    EXPECT_TRUE(places[0].at("phase")[0].is_null()) << "nothing has no phase";
+    EXPECT_TRUE(places[0].at("amplitude")[2].is_null());
+    EXPECT_TRUE(places[0].at("force").is_null());
+    EXPECT_DOUBLE_EQ(places[3].at("force")[1].get<double>(), 0.5);
+    EXPECT_TRUE(places[3].at("amplitude").is_null());
+    EXPECT_EQ(json.at("procedure").at("procedures").size(), 2U);
+    const std::string csv = content_of(folder / "weights_influence.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 3);
+    EXPECT_TRUE(std::filesystem::exists(folder / "influence.svg"));
+    const std::string text = to_text(describe(scene, result));
+    EXPECT_NE(text.find("procedure B (two-plane balancing) or G (multiple speed balancing): it "
+                        "bends at 954.93 rpm."),
+              std::string::npos)
+        << text;
 }
 
 } // namespace

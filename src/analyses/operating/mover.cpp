@@ -15,8 +15,10 @@ Moving &Moving::operator+=(const Moving &other) {
     const double sum = amplitude + other.amplitude;
     if (std::isfinite(sum) && sum > 0)
         error = (error * amplitude + other.error * other.amplitude) / sum;
-    else
+    else if (std::isfinite(sum))
         error = std::max(error, other.error);
+    else // without limit: nothing to be wrong about
+        error = forced::no_value;
     amplitude = sum;
     velocity += other.velocity;
     velocity_rms += other.velocity_rms;

@@ -500,4 +500,19 @@ OperatingResponse operating_response(const model::Case &scene, const assembly::D
     return out;
 }
 
+void note_operating_resonances(const results::OperatingResponse &operating,
+                               std::vector<results::Sentence> &notes) {
+    std::set<double> speeds;
+    for (const OperatingRow &row : operating.rows)
+        if (!std::isfinite(row.amplitude))
+            speeds.insert(row.speed);
+    if (!speeds.empty())
+        notes.emplace_back(model::Weight::warning,
+                           "no steady motion at the operating {} {}: the rotor is at a resonance "
+                           "without damping there, amplitudes have no limit, and nothing is known "
+                           "of their errors",
+                           speeds.size() == 1 ? "speed" : "speeds",
+                           as::speed.list({speeds.begin(), speeds.end()}));
+}
+
 } // namespace whirl::analyses

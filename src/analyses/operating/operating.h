@@ -30,4 +30,8 @@ operating_response(const model::Case &scene, const assembly::Discretization &d,
                    const std::vector<std::unique_ptr<Mover>> &movers,
                    const std::map<int, std::string> &nodes);
 
+/// Says at which operating speeds there is no steady motion.
+void note_operating_resonances(const results::OperatingResponse &operating,
+                               std::vector<results::Sentence> &notes);
+
 } // namespace whirl::analyses

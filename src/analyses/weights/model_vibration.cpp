@@ -1,5 +1,6 @@
 #include "analyses/weights/model_vibration.h"
 
+#include "balancing/weights.h"
 #include "forced/response_places.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
@@ -11,19 +12,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
+#include <numbers>
 #include <utility>
 
 namespace whirl::analyses {
 
-namespace {
-
 model::Case without_balancers(const model::Case &scene) {
-    model::Case bare = scene; // the response leaves balancers out
+    model::Case bare = scene;
     bare.rotor = model::with_balancer_imbalances(bare.rotor);
     bare.rotor.balancers.clear();
     return bare;
 }
+
+namespace {
 
 [[noreturn]] void refuse_places(const model::Case &scene, const std::string &problem) {
     throw model::BadInput(fmt::format("{}: {}", scene.file.string(), problem));
@@ -54,17 +56,44 @@ ModelVibration::ModelVibration(const model::Case &scene, results::ModelSummary &
             "has no influence coefficients");
     summary.formulation = forced::response_formulation(bare);
     summary.order = mesh_error::resolve_order_in_best_form(bare);
-    _form = summary.formulation.form;
-    _order = summary.order;
     _rotor = bare.rotor;
     for (const model::CorrectionPlane &plane : _rotor.planes)
         for (const std::complex<double> &weight : plane.fixed)
             _rotor.imbalances.push_back({"", plane.z, std::abs(weight), std::arg(turned(weight))});
-    const forced::ImbalanceMotions motions(_rotor, _order, _form, {_rotor.imbalances});
-    summary.elements = static_cast<int>(motions.discretization().shaft_mesh().spans.size());
-    summary.unknowns = motions.of(0).unknowns();
-    for (const model::Probe &probe : _rotor.probes)
-        _probes.push_back(forced::quantity_of(motions.discretization(), probe));
+    std::vector<forced::ImbalanceMotions::Imbalances> sets{_rotor.imbalances};
+    for (const model::CorrectionPlane &plane : _rotor.planes)
+        sets.push_back({{"", plane.z, 1.0, 0.0}});
+    for (const double z : _settings.stations)
+        _rotor.stations.push_back({z});
+    _motions.emplace(_rotor, summary.order, summary.formulation.form, sets);
+    summary.elements = static_cast<int>(_motions->discretization().shaft_mesh().spans.size());
+    summary.unknowns = _motions->of(0).unknowns();
+    add_reads(summary.formulation.form == results::Form::planar);
+}
+
+/// @param circles  all orbits are: y is x a quarter turn later
+void ModelVibration::add_reads(bool circles) {
+    const assembly::Discretization &d = _motions->discretization();
+    for (std::size_t i = 0; i < _rotor.probes.size(); ++i)
+        _reads.push_back({"probe", _rotor.probe_name(i), forced::quantity_of(d, _rotor.probes[i]),
+                          _rotor.probes[i].angle});
+    const auto add = [&](const char *of, const std::string &name, forced::Quantity quantity,
+                         double z) {
+        quantity.z = z;
+        for (const double angle : {0.0, std::numbers::pi / 2})
+            if (angle == 0 || !circles)
+                _reads.push_back({of, name, quantity, angle});
+    };
+    for (std::size_t i = 0; i < _rotor.supports().size(); ++i) {
+        const model::Bearing &bearing = _rotor.bearings[i];
+        const std::string name = model::name_or_number(bearing.name, "bearing", i);
+        add("bearing", name, {d.deflection_at(bearing.z)}, bearing.z);
+        forced::Quantity force;
+        force.bearing = static_cast<int>(i);
+        add("force", name, force, bearing.z);
+    }
+    for (const double z : _settings.stations)
+        add("station", "", {d.deflection_at(z)}, z);
 }
 
 std::vector<model::ReadingPlace> ModelVibration::places() const {
@@ -86,14 +115,16 @@ std::vector<model::ReadingPlace> ModelVibration::places() const {
     return places;
 }
 
-Eigen::MatrixXcd
-ModelVibration::readings(const std::vector<forced::ImbalanceMotions::Imbalances> &sets,
-                         const std::vector<model::ReadingPlace> &places) const {
-    const auto columns = static_cast<Eigen::Index>(sets.size());
-    Eigen::MatrixXcd out(static_cast<Eigen::Index>(places.size()), columns);
-    if (sets.empty())
-        return out;
-    forced::ImbalanceMotions motions(_rotor, _order, _form, sets);
+std::complex<double> ModelVibration::value(std::size_t set, const Read &read) {
+    const forced::Phasor motion = _motions->of(set).of(read.quantity);
+    return turned(read.of == "probe" ? motion.x : forced::reading(motion, read.angle));
+}
+
+ModelVibration::AtPlaces ModelVibration::at(const std::vector<model::ReadingPlace> &places) {
+    const std::size_t planes = _rotor.planes.size();
+    const auto rows = static_cast<Eigen::Index>(places.size());
+    AtPlaces out{Eigen::VectorXcd::Zero(rows),
+                 Eigen::MatrixXcd::Zero(rows, static_cast<Eigen::Index>(planes))};
     std::optional<double> speed;
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!places[i].speed)
@@ -101,58 +132,67 @@ ModelVibration::readings(const std::vector<forced::ImbalanceMotions::Imbalances>
                                   "which their table does not say");
         if (speed != places[i].speed) {
             speed = places[i].speed;
-            if (!motions.solve(*speed))
+            if (!_motions->solve(*speed))
                 refuse_resonance(*speed);
         }
-        for (std::size_t k = 0; k < _rotor.probes.size(); ++k)
-            if (_rotor.probe_name(k) == places[i].probe)
-                for (Eigen::Index set = 0; set < columns; ++set)
-                    out(static_cast<Eigen::Index>(i), set) =
-                        read(motions.of(static_cast<std::size_t>(set)), k);
+        const auto row = static_cast<Eigen::Index>(i);
+        for (std::size_t k = 0; k < _rotor.probes.size(); ++k) {
+            if (_reads[k].name != places[i].probe)
+                continue;
+            out.vibration(row) = value(0, _reads[k]);
+            for (std::size_t p = 0; p < planes; ++p)
+                out.influence(row, static_cast<Eigen::Index>(p)) = value(1 + p, _reads[k]);
+        }
     }
     return out;
 }
 
-std::complex<double> ModelVibration::read(const forced::ForcedMotion &motion,
-                                          std::size_t probe) const {
-    return turned(motion.of(_probes[probe]).x);
-}
-
-Eigen::MatrixXcd ModelVibration::influence(const std::vector<model::ReadingPlace> &places) const {
-    std::vector<forced::ImbalanceMotions::Imbalances> units;
-    for (const model::CorrectionPlane &plane : _rotor.planes)
-        units.push_back({{"", plane.z, 1.0, 0.0}});
-    return readings(units, places);
-}
-
-Eigen::VectorXcd ModelVibration::vibration(const std::vector<model::ReadingPlace> &places) const {
-    return readings({_rotor.imbalances}, places);
-}
-
-std::vector<model::Imbalance> ModelVibration::with_weights(const Eigen::VectorXcd &weights) const {
-    std::vector<model::Imbalance> all = _rotor.imbalances;
-    for (std::size_t p = 0; p < _rotor.planes.size(); ++p) {
-        const std::complex<double> own = turned(weights(static_cast<Eigen::Index>(p)));
-        all.push_back({"", _rotor.planes[p].z, std::abs(own), std::arg(own)});
-    }
-    return all;
-}
-
-void ModelVibration::add_curves(const Eigen::VectorXcd &weights,
-                                results::WeightsResult &result) const {
+void ModelVibration::add_curves(const Eigen::VectorXcd &weights, results::WeightsResult &result) {
     result.curve_speeds = _scene.speeds->values();
-    forced::ImbalanceMotions before(_rotor, _order, _form, {_rotor.imbalances});
-    forced::ImbalanceMotions after(_rotor, _order, _form, {with_weights(weights)});
-    for (std::size_t k = 0; k < _rotor.probes.size(); ++k)
-        result.curves.push_back({_rotor.probe_name(k), {}, {}});
+    const std::size_t planes = _rotor.planes.size();
+    for (std::size_t p = 0; p < planes; ++p)
+        for (const Read &read : _reads)
+            result.influence_curves.push_back(
+                {read.of,
+                 read.name,
+                 read.quantity.probe ? read.quantity.probe->z : read.quantity.z,
+                 read.angle,
+                 _rotor.plane_name(p),
+                 {}});
+    if (!result.measured)
+        for (std::size_t k = 0; k < _rotor.probes.size(); ++k)
+            result.curves.push_back({_rotor.probe_name(k), {}, {}});
     for (const double speed : result.curve_speeds) {
-        const bool known_before = before.solve(speed), known_after = after.solve(speed);
-        for (std::size_t k = 0; k < _rotor.probes.size(); ++k) {
-            const auto amplitude = [&](const forced::ImbalanceMotions &motions, bool known) {
-                return known ? std::optional(std::abs(read(motions.of(0), k))) : std::nullopt;
+        const bool known = _motions->solve(speed);
+        std::vector<std::complex<double>> before(_reads.size());
+        for (std::size_t k = 0; known && k < result.curves.size(); ++k)
+            before[k] = value(0, _reads[k]);
+        std::vector<std::complex<double>> after = before;
+        for (std::size_t p = 0; p < planes; ++p) {
+            std::vector<std::complex<double>> values(_reads.size());
+            std::map<std::string, double> largest; // of a kind of place
+            for (std::size_t k = 0; known && k < _reads.size(); ++k) {
+                values[k] = value(1 + p, _reads[k]);
+                after[k] += weights(static_cast<Eigen::Index>(p)) * values[k];
+                double &most = largest[_reads[k].of];
+                most = std::max(most, std::abs(values[k]));
+            }
+            for (std::size_t k = 0; k < _reads.size(); ++k) {
+                const bool force = _reads[k].of == "force";
+                auto &curve = result.influence_curves[p * _reads.size() + k].values;
+                curve.push_back(known && !(force && speed == 0)
+                                    ? std::optional(balancing::without_rounding(
+                                                        values[k], largest[_reads[k].of]) /
+                                                    (force ? speed * speed : 1))
+                                    : std::nullopt);
+            }
+        }
+        for (std::size_t k = 0; k < result.curves.size(); ++k) {
+            const auto amplitude = [known](std::complex<double> value) {
+                return known ? std::optional(std::abs(value)) : std::nullopt;
             };
-            result.curves[k].before.push_back(amplitude(before, known_before));
-            result.curves[k].after.push_back(amplitude(after, known_after));
+            result.curves[k].before.push_back(amplitude(before[k]));
+            result.curves[k].after.push_back(amplitude(after[k]));
         }
     }
 }

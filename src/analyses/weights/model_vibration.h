@@ -9,13 +9,17 @@
 #include <Eigen/Core>
 
 #include <complex>
-#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace whirl::analyses {
 
 /// z of the centre of mass of what turns, m.
 [[nodiscard]] double centre_of_mass(const model::Rotor &rotor);
+
+/// The case as its response is computed: without balancers, with the imbalances they are for.
+[[nodiscard]] model::Case without_balancers(const model::Case &scene);
 
 /// What the probes of a case read by its model, as complex numbers with the phases of [weights].
 class ModelVibration {
@@ -29,31 +33,35 @@ class ModelVibration {
     /// @throws model::BadInput where there is no speed
     [[nodiscard]] std::vector<model::ReadingPlace> places() const;
 
-    /// Coefficients of the planes: vibration under a unit imbalance in each of them.
-    [[nodiscard]] Eigen::MatrixXcd influence(const std::vector<model::ReadingPlace> &places) const;
+    struct AtPlaces {
+        /// Under the imbalances of the case, those its balancers are for and the weights that are
+        /// set, m.
+        Eigen::VectorXcd vibration;
+        Eigen::MatrixXcd influence; ///< under a unit imbalance in each plane, m/(kg m)
+    };
+    [[nodiscard]] AtPlaces at(const std::vector<model::ReadingPlace> &places);
 
-    /// Under the imbalances of the case, those its balancers are for and the weights that are set.
-    [[nodiscard]] Eigen::VectorXcd vibration(const std::vector<model::ReadingPlace> &places) const;
-
-    /// Adds amplitudes over the speeds of the case, without and with weights in the planes.
-    void add_curves(const Eigen::VectorXcd &weights, results::WeightsResult &result) const;
+    /// Adds over the speeds of the case what each place does for a unit weight in each plane, and,
+    /// without readings, amplitudes of the probes without and with weights in the planes.
+    void add_curves(const Eigen::VectorXcd &weights, results::WeightsResult &result);
 
   private:
+    /// What is read of a motion, in one direction.
+    struct Read {
+        std::string of, name;
+        forced::Quantity quantity;
+        double angle = 0; ///< rad; a probe's quantity has its direction in it
+    };
+
     const model::Case &_scene;
     const model::WeightsSettings &_settings;
-    results::Form _form = results::Form::general;
-    int _order = 1;
-    model::Rotor _rotor;                   ///< with the imbalances that are already there
-    std::vector<forced::Quantity> _probes; ///< what each reads
+    model::Rotor _rotor; ///< with the imbalances that are already there
+    std::optional<forced::ImbalanceMotions> _motions; ///< those, then a unit in each plane
+    std::vector<Read> _reads;                         ///< probes first
 
-    /// A column for each set of imbalances.
-    [[nodiscard]] Eigen::MatrixXcd
-    readings(const std::vector<forced::ImbalanceMotions::Imbalances> &sets,
-             const std::vector<model::ReadingPlace> &places) const;
-    /// What a probe reads of a motion.
-    [[nodiscard]] std::complex<double> read(const forced::ForcedMotion &motion,
-                                            std::size_t probe) const;
-    [[nodiscard]] std::vector<model::Imbalance> with_weights(const Eigen::VectorXcd &weights) const;
+    void add_reads(bool circles);
+    /// Under a set of imbalances, at the speed solved last.
+    [[nodiscard]] std::complex<double> value(std::size_t set, const Read &read);
     /// A number with the phase of [weights] as one that leads, and back.
     [[nodiscard]] std::complex<double> turned(std::complex<double> value) const {
         return _settings.lag ? std::conj(value) : value;

@@ -42,6 +42,10 @@ std::string joined(const std::vector<std::string> &texts, const std::string &bet
     return fmt::format("{}", fmt::join(texts, between));
 }
 
+std::string phase_convention(bool lag) {
+    return lag ? "Phases count against the spin (lag)." : "Phases count with the spin (lead).";
+}
+
 std::string title_of(const model::Case &scene) {
     return printable(scene.title.empty() ? scene.name : scene.title);
 }

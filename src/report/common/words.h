@@ -3,6 +3,7 @@
 #include "model/case.h"
 #include "report/common/units.h"
 
+#include <complex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,14 @@ template <class List, class Of>
     for (const auto &item : list)
         texts.push_back(of(item));
     return joined(texts, between);
+}
+
+/// "lag" or "lead"; in a sentence.
+[[nodiscard]] inline const char *phase_word(bool lag) { return lag ? "lag" : "lead"; }
+[[nodiscard]] std::string phase_convention(bool lag);
+/// Of a number that has a direction; none: nothing has none.
+[[nodiscard]] inline std::optional<double> phase_of(std::complex<double> value) {
+    return value == 0.0 ? std::nullopt : std::optional(std::arg(value));
 }
 
 /// The title of a case, or its name.

@@ -111,13 +111,11 @@ std::string need_panel(const model::Case &scene, const Units &units, const Balan
             if (need && supply.works[k])
                 largest = std::max(largest, unit * std::abs(*need));
         }
-        const std::string name =
-            result.planes[p].name.empty() ? fmt::format("plane {}", p + 1) : result.planes[p].name;
         drawn.add(points,
                   result.speeds.size() == 1
                       ? fmt::format("with points pt 7 lc rgb '{}'", series_style(p).colour)
                       : line_look(series_style(p), 2),
-                  plot_text(name));
+                  plot_text(model::name_or_number(result.planes[p].name, "plane", p)));
     }
     if (shares)
         drawn.add("1 with lines lw 1.4 dt (8,4) lc rgb '#B0305C' title 'all there is'");

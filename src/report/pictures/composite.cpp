@@ -128,8 +128,7 @@ std::string hodograph_panel(const BalancerNumbers &balancer) {
 Figure composite_figure(const model::Case &scene, const results::ShowResult &result,
                         std::size_t index, const Units &units) {
     const BalancerNumbers &balancer = result.balancers.at(index);
-    const std::string name =
-        balancer.name.empty() ? fmt::format("balancer {}", index + 1) : balancer.name;
+    const std::string name = model::name_or_number(balancer.name, "balancer", index);
     return figure_of(1180, 940, "Composite rotor: " + title_of(scene),
                      fmt::format("{} at z = {}, capacity E = {}; dashed upright line: the case",
                                  name, drawn_value(units, Quantity::length, balancer.z),

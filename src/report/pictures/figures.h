@@ -205,4 +205,9 @@ struct ModeCurves {
 [[nodiscard]] Figure weights_figure(const model::Case &scene, const results::WeightsResult &result,
                                     const Units &units);
 
+/// Response to a unit weight over speed, a pair of panels a plane: amplitudes (logarithmic) and
+/// phases of what moves. @param result  with the influence over speed
+[[nodiscard]] Figure influence_figure(const model::Case &scene,
+                                      const results::WeightsResult &result, const Units &units);
+
 } // namespace whirl::report
