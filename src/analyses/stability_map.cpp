@@ -1,5 +1,6 @@
 #include "analyses/stability_map.h"
 
+#include "analyses/placed_balls.h"
 #include "ends/all_motions.h"
 #include "model/case.h"
 #include "model/errors.h"
@@ -42,8 +43,19 @@ std::vector<double> growth_at(
     const stability::StabilityModel model = stability::stability_model(scene, speeds);
     if (model.conservative)
         return std::vector<double>(speeds.size(), 0.0);
-    const balancers::Arrangement arrangement = balancers::arrangement_at_balance(scene.rotor);
     std::vector<double> out;
+    std::vector<model::Sentence> ignored;
+    if (const auto placed = placed_by_all_imbalances(scene, model.order, speeds, ignored)) {
+        for (const double speed : speeds) {
+            const auto found = placed->at(speed);
+            if (!found && speed != 0 && speeds.size() == 1)
+                throw model::BadInput("no balanced position: the imbalances ask for more than the "
+                                      "balancers can supply");
+            out.push_back(found ? found->state.growth : std::numeric_limits<double>::quiet_NaN());
+        }
+        return out;
+    }
+    const balancers::Arrangement arrangement = balancers::arrangement_at_balance(scene.rotor);
     const assembly::Discretization d(model.rotor, model.order);
     if (const Shapes shapes =
             model.form == results::Form::hill ? nullptr : shapes_for(model, arrangement);
@@ -165,7 +177,12 @@ process::Outcome piece_of(const std::vector<std::string> &entries, const std::ve
                 return row.empty() ? common.for_point(model)
                                    : common.for_row(model, arrangement, speeds);
             });
-        return {row.empty() ? std::vector{std::ranges::max(growth)} : growth, {}};
+        if (!row.empty())
+            return {growth, {}};
+        double most = std::numeric_limits<double>::quiet_NaN();
+        for (const double value : growth)
+            most = std::fmax(most, value); // of the speeds at which it is known
+        return {{most}, {}};
     } catch (const model::BadInput &problem) {
         const std::size_t count = std::max<std::size_t>(row.size(), 1);
         return {std::vector<double>(count, std::numeric_limits<double>::quiet_NaN()),

@@ -218,7 +218,9 @@ Json rigid_json(const results::RigidEquivalent &of, const Units &units) {
 }
 
 Json position_json(const BalancedPosition &of, const Units &units) {
-    return {{"bands", written(units, Quantity::speed, of.bands)},
+    return {{"against", of.all_imbalances ? "all imbalances" : "own imbalance"},
+            {"missing", written(units, Quantity::speed, of.missing)},
+            {"bands", written(units, Quantity::speed, of.bands)},
             {"band_errors", written(units, Quantity::speed, of.errors)},
             {"arrangements", of.arrangements},
             {"with_every", written(units, Quantity::speed, of.with_every)},

@@ -233,6 +233,10 @@ Json json_of(const StabilityResult &result, const Units &units) {
             {"additional_speeds", speeds(result.additional_speeds)},
             {"additional_speeds_damped", speeds(result.additional_speeds_damped)},
             {"permissible", json_rows(permissible_columns, result.permissible, units)},
+            {"balanced_against", !result.all_imbalances   ? Json()
+                                 : *result.all_imbalances ? Json("all imbalances")
+                                                          : Json("own imbalance")},
+            {"no_balanced_position", speeds(result.no_position)},
             {"neutral_pairs", result.neutral_pairs},
             {"harmonics", result.harmonics},
             {"family", result.family ? family_json(*result.family, units) : Json()},
