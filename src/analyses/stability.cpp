@@ -358,6 +358,13 @@ UnstableBands unstable_bands_of(const model::Case &scene, bool with_errors) {
                              with_errors);
 }
 
+UnstableBands unstable_bands_of(const model::Case &scene, const balancers::Arrangement &arrangement,
+                                bool with_errors) {
+    const auto grid = stability::search_speeds(model::required_speeds(scene));
+    return unstable_bands_of(stability::stability_model(scene, grid), grid, arrangement,
+                             with_errors);
+}
+
 results::StabilityResult stability(const model::Case &scene, const CaseWith &with) {
     results::StabilityResult result;
     result.speeds = model::required_speeds(scene).values();

@@ -32,8 +32,11 @@ struct UnstableBands {
 };
 /// By the same rules as stability(): of the balanced position that all imbalances ask for.
 [[nodiscard]] UnstableBands unstable_bands_of(const model::Case &scene, bool with_errors);
-/// Of one arrangement at all speeds, with form and order chosen before, at speeds that
-/// search_speeds() gives. Speeds that a Hill series does not describe count as unstable.
+/// Of one arrangement at all speeds. Speeds that a Hill series does not describe count as unstable.
+[[nodiscard]] UnstableBands unstable_bands_of(const model::Case &scene,
+                                              const balancers::Arrangement &arrangement,
+                                              bool with_errors);
+/// The same with form and order chosen before, at speeds that search_speeds() gives.
 /// @param like  of another arrangement in the same model at the same speeds, to begin with
 [[nodiscard]] UnstableBands unstable_bands_of(stability::StabilityModel model,
                                               const std::vector<double> &grid,

@@ -48,8 +48,7 @@ struct ArrangementFamily {
 
 /// Growth over two entries of the case.
 struct StabilityMap {
-    model::MapAxis x, y;
-    std::vector<double> x_values, y_values;
+    model::SweepAxis x, y;
     std::vector<std::vector<double>> growth; ///< [y][x], 1/s; NaN: no such rotor
     std::string why;                         ///< of one such point, what was wrong with it
 };
