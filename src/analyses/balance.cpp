@@ -1,6 +1,7 @@
 #include "analyses/balance.h"
 
 #include "analyses/steady_states.h"
+#include "balancers/balanced_position.h"
 #include "criterion/bands.h"
 #include "criterion/pendulum.h"
 #include "criterion/placement.h"
@@ -87,10 +88,13 @@ void fill_bands(const criterion::BalanceScene &s, const criterion::BalanceBreakp
     }
 }
 
-void fill_rigid(const criterion::BalanceScene &s, criterion::BalanceForm &form,
-                results::BalanceResult &result) {
+void fill_rigid(const model::Case &scene, const criterion::BalanceScene &s,
+                criterion::BalanceForm &form, results::BalanceResult &result) {
+    double mass = 0; // kg
+    for (const model::Balancer &balancer : scene.rotor.balancers)
+        mass += balancers::mass_of(balancer);
     if (s.formulation.form != results::Form::hill)
-        result.rigid = criterion::rigid_equivalent(s.body, s.anisotropy);
+        result.rigid = criterion::rigid_equivalent(s.body, s.anisotropy, mass);
     if (result.rigid && s.has_range()) {
         for (results::BalancePlane &plane : result.planes)
             plane.bands.rigid_bands =
@@ -210,7 +214,7 @@ results::BalanceResult empirical_criterion(const model::Case &scene,
     if (s.has_range())
         criterion::judge_band_ends(s, form, result);
     process::report_progress(0.9);
-    fill_rigid(s, form, result);
+    fill_rigid(scene, s, form, result);
     fill_signature(s, form, result);
     fill_notes(scene, s, result);
     return result;

@@ -157,17 +157,13 @@ double common_width(const std::vector<results::Interval> &a,
 }
 
 /// The criterion (balancers without mass) against the real ones at their balanced position.
-/// @param elsewhere  imbalances make the balls stand elsewhere than against those of their
-/// balancers
-void real_balancers(const results::BalanceResult &result, bool damped, bool elsewhere,
+void real_balancers(const results::BalanceResult &result, bool damped,
                     std::vector<results::Sentence> &out) {
     if (!result.balanced_position)
         return;
-    if (elsewhere)
-        out.emplace_back(
-            "What follows on the balanced position is for balls that stand against the "
-            "imbalance of their own balancer; [[imbalance]] entries make them stand "
-            "elsewhere, where [states] says whether they stay.");
+    if (result.balanced_position->all_imbalances)
+        out.emplace_back("The balanced position is the one that all imbalances together ask for, "
+                         "elsewhere at every speed.");
     const std::vector<results::Interval> &criterion = result.joint.bands.bands;
     const std::vector<results::Interval> &real = result.balanced_position->bands;
     if (real.empty() && !damped) {
@@ -329,7 +325,7 @@ std::vector<results::Sentence> balance_findings(const results::BalanceResult &re
     excess_planes(result, scene.rotor.shaft.rigid, out);
     plane_ends(result, out);
     directions(result, out);
-    real_balancers(result, scene.rotor.damped(), !scene.rotor.imbalances.empty(), out);
+    real_balancers(result, scene.rotor.damped(), out);
     needs(result, out);
     motions_in_time(result, scene.simulate.time, out);
     pendulums(result, out);

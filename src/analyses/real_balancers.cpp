@@ -1,5 +1,6 @@
 #include "analyses/balance.h"
 
+#include "analyses/placed_balls.h"
 #include "analyses/simulate.h"
 #include "analyses/stability.h"
 #include "analyses/stability_ends.h"
@@ -92,21 +93,66 @@ results::BalancedPosition stable_speeds(const stability::StabilityModel &model,
     return out;
 }
 
+/// The same where all imbalances together say where the balls stand.
+results::BalancedPosition stable_speeds_of_placed(const model::Case &scene, int order,
+                                                  const states::BalancedOverSpeed &position,
+                                                  const std::vector<double> &grid) {
+    const double from = grid.front();
+    const double to = grid.back();
+    results::BalancedPosition out;
+    out.all_imbalances = true;
+    out.arrangements = position.arrangements(arrangements);
+    std::vector<results::Interval> sometimes;
+    std::vector<results::Interval> always;
+    for (int k = 0; k < out.arrangements; ++k) {
+        const bool first = k == 0;
+        const PlacedBands found = placed_bands(scene, order, position, grid, k, first);
+        UnstableBands other; // where it grows or there is none
+        other.bands = found.range.grows;
+        other.errors = found.errors;
+        other.bands.insert(other.bands.end(), found.range.missing.begin(),
+                           found.range.missing.end());
+        other.errors.insert(other.errors.end(), found.missing_errors.begin(),
+                            found.missing_errors.end());
+        const std::vector<results::Interval> bands = stability::joined(other.bands);
+        if (first) {
+            out.bands = rest_of(bands, from, to);
+            out.errors = errors_of(out.bands, other);
+            out.missing = found.range.missing;
+        }
+        always = first ? bands : stability::common(always, bands);
+        sometimes.insert(sometimes.end(), bands.begin(), bands.end());
+    }
+    out.with_every = rest_of(stability::joined(sometimes), from, to);
+    out.with_some = rest_of(always, from, to);
+    return out;
+}
+
 /// What the eigenvalues say of the balanced position, with the real balancers in all their planes.
 struct JudgedPosition {
     /// By what it is judged, for motions in time too; none without such a position.
     std::optional<stability::StabilityModel> model;
+    /// Where all imbalances together say where the balls stand: instead.
+    std::unique_ptr<states::BalancedOverSpeed> placed;
     /// Where every motion about it dies out: what unstable_bands.h leaves of the range. None where
     /// balance.balanced_position does not ask for it.
     std::optional<results::BalancedPosition> stable;
 };
 
 /// Form and order are chosen once for all arrangements. Notes say what there is not, and why.
-JudgedPosition judged_position(const model::Case &scene, std::vector<results::Sentence> &notes) {
+JudgedPosition judged_position(const model::Case &scene, int order,
+                               std::vector<results::Sentence> &notes) {
     JudgedPosition out;
     try {
         const model::SpeedRange &range = model::required_speeds(scene);
-        out.model = stability::stability_model(scene, stability::search_speeds(range));
+        const std::vector<double> grid = stability::search_speeds(range);
+        out.placed = placed_by_all_imbalances(scene, order, grid, notes);
+        if (out.placed) {
+            if (scene.balance.balanced_position)
+                out.stable = stable_speeds_of_placed(scene, order, *out.placed, grid);
+            return out;
+        }
+        out.model = stability::stability_model(scene, grid);
         if (scene.balance.balanced_position)
             out.stable = stable_speeds(*out.model, range, notes);
     } catch (const model::BadInput &error) {
@@ -119,13 +165,16 @@ JudgedPosition judged_position(const model::Case &scene, std::vector<results::Se
 
 /// What the eigenvalues of the balanced position say at a speed; nothing where there is no such
 /// position or no spectrum.
-std::optional<double> growth_at(const std::optional<stability::StabilityModel> &position,
-                                double speed) {
-    if (!position || std::abs(speed) < position->from)
-        return std::nullopt;
+std::optional<double> growth_at(const JudgedPosition &position, double speed) {
     try {
-        const stability::MotionSolver solver(*position,
-                                             balancers::arrangement_at_balance(position->rotor));
+        if (position.placed) {
+            const auto found = position.placed->at(speed);
+            return found ? std::optional(found->state.growth) : std::nullopt;
+        }
+        if (!position.model || std::abs(speed) < position.model->from)
+            return std::nullopt;
+        const stability::MotionSolver solver(
+            *position.model, balancers::arrangement_at_balance(position.model->rotor));
         return stability::growth_of(solver.at(speed));
     } catch (const model::BadInput &) {
         return std::nullopt;
@@ -138,9 +187,9 @@ std::optional<double> growth_at(const std::optional<stability::StabilityModel> &
 /// balance.simulated speeds inside the range; [simulate] says how long. Runs that fail are named
 /// in a note. Process 0 only.
 /// @param position  by what the growth beside them is judged
-std::vector<results::SimulatedSpeed>
-simulated_speeds(const model::Case &scene, const std::optional<stability::StabilityModel> &position,
-                 std::vector<results::Sentence> &notes) {
+std::vector<results::SimulatedSpeed> simulated_speeds(const model::Case &scene,
+                                                      const JudgedPosition &position,
+                                                      std::vector<results::Sentence> &notes) {
     std::vector<results::SimulatedSpeed> out;
     const int count = scene.balance.simulated;
     if (count == 0 || process::process_rank() != 0)
@@ -180,12 +229,12 @@ void judge_real_balancers(const model::Case &scene, int order, results::BalanceR
     real.formulation = model::FormChoice::automatic;
     std::optional<process::Stage> stage(std::in_place, "linear stability with real balancers", 0.4,
                                         0.7);
-    JudgedPosition position = judged_position(real, notes);
+    JudgedPosition position = judged_position(real, order, notes);
     result.balanced_position = std::move(position.stable);
     if (result.balanced_position)
-        add_note_of_placed_balls(scene.rotor, notes);
+        note_missing(result.balanced_position->missing, notes);
     stage.emplace("motions in time", 0.7, 1.0);
-    result.simulated = simulated_speeds(real, position.model, notes);
+    result.simulated = simulated_speeds(real, position, notes);
 }
 
 } // namespace whirl::analyses

@@ -362,6 +362,9 @@ results::RigidLimitResult rigid_limit(const model::Case &given) {
     model.elements = static_cast<int>(d.shaft_mesh().spans.size());
     model.unknowns = (scene.rotor.rotating_anisotropy() ? 2 : 1) * d.planar_size();
     result.bearing_stiffness = forms.bearing_stiffness;
+    result.omega_0 = forms.omega_0;
+    result.partial_frequencies = forms.partial_frequencies;
+    result.z_max = forms.z_max;
     std::optional<process::Stage> stage(std::in_place, "stiffer and stiffer shafts", 0.0, 0.9);
     if (scene.rotor.shaft.rigid)
         compare_rigid(result, scene.rotor, forms);

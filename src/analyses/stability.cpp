@@ -2,6 +2,7 @@
 
 #include "analyses/names/mode_naming.h"
 #include "analyses/notes/driven_motions.h"
+#include "analyses/placed_balls.h"
 #include "analyses/stability_ends.h"
 #include "analyses/stability_map.h"
 #include "analyses/steady_states.h"
@@ -237,6 +238,7 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
 /// Growth, bands and what hangs on them.
 void answer(const model::Case &scene, const std::vector<double> &grid,
             stability::StabilityModel &model, results::StabilityResult &result) {
+    result.neutral_pairs = neutral_pairs(scene.rotor);
     if (!model.conservative) {
         search(grid, model, result);
         add_neutral_balls(scene.rotor, result);
@@ -292,7 +294,13 @@ void add_notes(const model::Case &scene, const stability::StabilityModel &model,
     if (result.family && result.family->incomplete)
         notes.emplace_back("for some arrangements critical or additional speeds could not be "
                            "resolved: their intervals may be too narrow");
-    add_note_of_placed_balls(scene.rotor, notes);
+    if (result.all_imbalances == true)
+        notes.emplace_back(
+            model::Weight::information,
+            "the balls stand where all imbalances of the rotor ask for, elsewhere at every speed; "
+            "critical and additional speeds and permissible anisotropies, which are those of balls "
+            "at one place, are not listed");
+    note_missing(result.no_position, notes);
     if (result.neutral_pairs > 0)
         notes.emplace_back(model::Weight::information,
                            "balls beyond two, and on one diameter beyond one, can move without "
@@ -301,14 +309,6 @@ void add_notes(const model::Case &scene, const stability::StabilityModel &model,
 }
 
 } // namespace
-
-void add_note_of_placed_balls(const model::Rotor &rotor, std::vector<Sentence> &notes) {
-    if (!rotor.imbalances.empty() && !rotor.balancers.empty())
-        notes.emplace_back(model::Weight::warning,
-                           "stability is that of balls placed against the imbalance of their own "
-                           "balancer; where [[imbalance]] entries make them stand elsewhere, "
-                           "elsewhere at every speed, [states] judges them");
-}
 
 UnstableBands unstable_bands_of(stability::StabilityModel model, const std::vector<double> &grid,
                                 const balancers::Arrangement &arrangement, bool with_errors,
@@ -341,6 +341,23 @@ UnstableBands unstable_bands_of(stability::StabilityModel model, const std::vect
     return out;
 }
 
+UnstableBands unstable_bands_of(const model::Case &scene, bool with_errors) {
+    const auto grid = stability::search_speeds(model::required_speeds(scene));
+    const stability::StabilityModel model = stability::stability_model(scene, grid);
+    std::vector<Sentence> ignored;
+    if (const auto placed = placed_by_all_imbalances(scene, model.order, grid, ignored)) {
+        UnstableBands out;
+        if (grid.size() > 1) {
+            PlacedBands found = placed_bands(scene, model.order, *placed, grid, 0, with_errors);
+            out.bands = std::move(found.range.grows);
+            out.errors = std::move(found.errors);
+        }
+        return out;
+    }
+    return unstable_bands_of(model, grid, balancers::arrangement_at_balance(scene.rotor),
+                             with_errors);
+}
+
 UnstableBands unstable_bands_of(const model::Case &scene, const balancers::Arrangement &arrangement,
                                 bool with_errors) {
     const auto grid = stability::search_speeds(model::required_speeds(scene));
@@ -355,9 +372,14 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
     stability::StabilityModel model = stability::stability_model(scene, grid);
     result.model.formulation = model.formulation;
     result.model.order = model.order;
-    result.neutral_pairs = neutral_pairs(scene.rotor);
+    const auto placed = placed_by_all_imbalances(scene, model.order, grid, result.model.notes);
+    if (!scene.rotor.balancers.empty())
+        result.all_imbalances = placed != nullptr;
     const auto all_but_map = [&] {
-        answer(scene, grid, model, result);
+        if (placed)
+            answer_for_placed_balls(scene, model.order, *placed, grid, result);
+        else
+            answer(scene, grid, model, result);
         name_modes(result.ends, scene, model.form_of_lines, model.order);
         add_level1(scene, model, result);
         result.states = steady_states_of(scene, result.model.notes);
@@ -369,7 +391,8 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
     if (result.map && !result.map->why.empty())
         result.model.notes.emplace_back("some points of the map are empty: {}", result.map->why);
     add_notes(scene, model, result);
-    note_drives(model, result);
+    if (!placed)
+        note_drives(model, result);
     return result;
 }
 

@@ -23,17 +23,16 @@ namespace whirl::analyses {
 /// eigenvalues are not found or a Hill series does not settle.
 [[nodiscard]] results::StabilityResult stability(const model::Case &scene, const CaseWith &with);
 
-/// Says that the balls stand elsewhere where the rotor has imbalances that no balancer is for.
-void add_note_of_placed_balls(const model::Rotor &rotor, std::vector<results::Sentence> &notes);
-
 /// Unstable bands for one arrangement of the balls.
 struct UnstableBands {
     std::vector<results::Interval> bands;
     std::vector<results::EndErrors> errors;        ///< rad/s; none where not asked for
     std::vector<results::Interval> doubtful;       ///< motions could not be followed through
-    std::shared_ptr<stability::BandFinder> finder; ///< by which they were found
+    std::shared_ptr<stability::BandFinder> finder; ///< by which they were found, if by one
 };
-/// By the same rules as stability(). Speeds that a Hill series does not describe count as unstable.
+/// By the same rules as stability(): of the balanced position that all imbalances ask for.
+[[nodiscard]] UnstableBands unstable_bands_of(const model::Case &scene, bool with_errors);
+/// Of one arrangement at all speeds. Speeds that a Hill series does not describe count as unstable.
 [[nodiscard]] UnstableBands unstable_bands_of(const model::Case &scene,
                                               const balancers::Arrangement &arrangement,
                                               bool with_errors);

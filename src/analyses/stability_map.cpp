@@ -1,5 +1,6 @@
 #include "analyses/stability_map.h"
 
+#include "analyses/placed_balls.h"
 #include "ends/all_motions.h"
 #include "model/case.h"
 #include "model/errors.h"
@@ -21,15 +22,14 @@ namespace whirl::analyses {
 
 namespace {
 
-std::vector<double> values_of(const model::MapAxis &axis) {
-    return model::SpeedRange{axis.from, axis.to, axis.count}.values();
-}
+using Overrides = std::vector<std::string>;
 
-std::string entry(const model::MapAxis &axis, double value) {
-    return fmt::format("{}={}", axis.path, value);
+/// What a rotor of the map has of its own.
+Overrides overrides(const model::SweepAxis &axis, double value, Overrides others = {}) {
+    for (const model::SweptEntry &entry : axis.entries)
+        others.push_back(fmt::format("{}={}", entry.path, axis.at(entry, value)));
+    return others;
 }
-
-bool is_speed(const model::MapAxis &axis) { return axis.path == "speed"; }
 
 using Shapes = std::shared_ptr<const Eigen::MatrixXd>;
 
@@ -42,8 +42,19 @@ std::vector<double> growth_at(
     const stability::StabilityModel model = stability::stability_model(scene, speeds);
     if (model.conservative)
         return std::vector<double>(speeds.size(), 0.0);
-    const balancers::Arrangement arrangement = balancers::arrangement_at_balance(scene.rotor);
     std::vector<double> out;
+    std::vector<model::Sentence> ignored;
+    if (const auto placed = placed_by_all_imbalances(scene, model.order, speeds, ignored)) {
+        for (const double speed : speeds) {
+            const auto found = placed->at(speed);
+            if (!found && speed != 0 && speeds.size() == 1)
+                throw model::BadInput("no balanced position: the imbalances ask for more than the "
+                                      "balancers can supply");
+            out.push_back(found ? found->state.growth : std::numeric_limits<double>::quiet_NaN());
+        }
+        return out;
+    }
+    const balancers::Arrangement arrangement = balancers::arrangement_at_balance(scene.rotor);
     const assembly::Discretization d(model.rotor, model.order);
     if (const Shapes shapes =
             model.form == results::Form::hill ? nullptr : shapes_for(model, arrangement);
@@ -69,8 +80,8 @@ class CommonShapes {
     /// full, or finds its own.
     static CommonShapes of_rows(const model::MapSettings &map, const CaseWith &with) {
         return made([&] {
-            const std::vector<double> ys = values_of(map.y);
-            return CommonShapes(with({entry(map.y, ys[ys.size() / 2])}), values_of(map.x));
+            const std::vector<double> &ys = map.y.values;
+            return CommonShapes(with(overrides(map.y, ys[ys.size() / 2])), map.x.values);
         });
     }
 
@@ -79,10 +90,12 @@ class CommonShapes {
     static CommonShapes of_points(const model::MapSettings &map, const CaseWith &with) {
         return made([&] {
             const auto at = [&](double x, double y) {
-                return with({entry(map.x, x), entry(map.y, y)});
+                return with(overrides(map.y, y, overrides(map.x, x)));
             };
-            const auto places = [](const model::MapAxis &axis) {
-                return std::array{(axis.from + axis.to) / 2, axis.from, axis.to};
+            const auto places = [](const model::SweepAxis &axis) {
+                const double from = axis.values.front();
+                const double to = axis.values.back();
+                return std::array{(from + to) / 2, from, to};
             };
             const model::Case middle = at(places(map.x)[0], places(map.y)[0]);
             const std::vector<double> speeds = model::required_speeds(middle).values();
@@ -154,7 +167,7 @@ class CommonShapes {
 /// the speeds of the case. NaN where there is no such rotor, an inertia out of bounds, a capacity
 /// below 1; with the reason.
 /// @param row  spin speeds, none at a point
-process::Outcome piece_of(const std::vector<std::string> &entries, const std::vector<double> &row,
+process::Outcome piece_of(const Overrides &entries, const std::vector<double> &row,
                           const CaseWith &with, const CommonShapes &common) {
     try {
         const model::Case scene = with(entries);
@@ -165,7 +178,12 @@ process::Outcome piece_of(const std::vector<std::string> &entries, const std::ve
                 return row.empty() ? common.for_point(model)
                                    : common.for_row(model, arrangement, speeds);
             });
-        return {row.empty() ? std::vector{std::ranges::max(growth)} : growth, {}};
+        if (!row.empty())
+            return {growth, {}};
+        double most = std::numeric_limits<double>::quiet_NaN();
+        for (const double value : growth)
+            most = std::fmax(most, value); // of the speeds at which it is known
+        return {{most}, {}};
     } catch (const model::BadInput &problem) {
         const std::size_t count = std::max<std::size_t>(row.size(), 1);
         return {std::vector<double>(count, std::numeric_limits<double>::quiet_NaN()),
@@ -177,29 +195,28 @@ process::Outcome piece_of(const std::vector<std::string> &entries, const std::ve
 
 results::StabilityMap stability_map(const model::MapSettings &settings, const CaseWith &with,
                                     const std::function<void()> &first) {
-    results::StabilityMap map{settings.x, settings.y, values_of(settings.x), values_of(settings.y),
-                              {},         {}};
-    if (!is_speed(settings.x) && is_speed(settings.y)) {
+    results::StabilityMap map{settings.x, settings.y, {}, {}};
+    if (!settings.x.is_speed() && settings.y.is_speed()) {
         // A case is read once for each column: turn the map, and turn it back.
         const results::StabilityMap turned = stability_map({settings.y, settings.x}, with, first);
         map.why = turned.why;
-        map.growth.assign(turned.growth.empty() ? 0 : map.y_values.size(),
-                          std::vector<double>(map.x_values.size()));
+        map.growth.assign(turned.growth.empty() ? 0 : map.y.values.size(),
+                          std::vector<double>(map.x.values.size()));
         for (std::size_t i = 0; i < turned.growth.size(); ++i)
             for (std::size_t j = 0; j < turned.growth[i].size(); ++j)
                 map.growth[j][i] = turned.growth[i][j];
         return map;
     }
-    const bool rows = is_speed(settings.x);
-    const std::size_t columns = map.x_values.size();
-    const std::size_t pieces = map.y_values.size() * (rows ? 1 : columns);
+    const bool rows = settings.x.is_speed();
+    const std::size_t columns = map.x.values.size();
+    const std::size_t pieces = map.y.values.size() * (rows ? 1 : columns);
     const CommonShapes common =
         rows ? CommonShapes::of_rows(settings, with) : CommonShapes::of_points(settings, with);
     const auto piece = [&](std::size_t i) {
         if (rows)
-            return piece_of({entry(settings.y, map.y_values[i])}, map.x_values, with, common);
-        return piece_of({entry(settings.x, map.x_values[i % columns]),
-                         entry(settings.y, map.y_values[i / columns])},
+            return piece_of(overrides(map.y, map.y.values[i]), map.x.values, with, common);
+        return piece_of(overrides(map.y, map.y.values[i / columns],
+                                  overrides(map.x, map.x.values[i % columns])),
                         {}, with, common);
     };
     const auto outcomes = process::deal(pieces, "map", piece, first);

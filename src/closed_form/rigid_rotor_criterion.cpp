@@ -102,6 +102,21 @@ std::vector<double> resonances(const TwoSupportRotor &rotor) {
     return all;
 }
 
+std::vector<double> partial_frequencies(const TwoSupportRotor &rotor) {
+    std::vector<double> out{std::sqrt(rotor.k11 / rotor.mass)};
+    for (const TwoSupportRotor &plane : principal_planes(rotor))
+        if (type_of(plane) == RotorType::long_rotor)
+            out.push_back(std::sqrt(plane.k33 / (plane.diametral_inertia - plane.polar_inertia)));
+    return out;
+}
+
+std::optional<double> farthest_plane(const TwoSupportRotor &rotor) {
+    const TwoSupportRotor plane = principal_planes(rotor).back(); // of the larger inertia
+    if (type_of(plane) == RotorType::long_rotor)
+        return std::nullopt;
+    return std::sqrt(std::max(0.0, plane.polar_inertia - plane.diametral_inertia) / plane.mass);
+}
+
 std::optional<double> additional_speed(const TwoSupportRotor &rotor, double z) {
     const double inertia = rotor.diametral_inertia + rotor.mass * z * z - rotor.polar_inertia;
     if (inertia <= equal_within * rotor.diametral_inertia)

@@ -30,7 +30,7 @@ std::vector<results::Interval> cut(const std::vector<closed_form::Band> &bands, 
 } // namespace
 
 std::optional<results::RigidEquivalent> rigid_equivalent(const rigid::RigidRotor &body,
-                                                         double anisotropy) {
+                                                         double anisotropy, double balancers) {
     results::RigidEquivalent out;
     out.anisotropy = anisotropy;
     out.mass = body.mass;
@@ -48,7 +48,11 @@ std::optional<results::RigidEquivalent> rigid_equivalent(const rigid::RigidRotor
     const double determinant = out.k11 * out.k33 - out.k14 * out.k14;
     if (!(out.k11 > 0) || !(determinant > 1e-12 * out.k11 * out.k33))
         return std::nullopt;
-    out.critical_speeds = closed_form::resonances(closed_form_rotor(out));
+    const closed_form::TwoSupportRotor rotor = closed_form_rotor(out);
+    out.critical_speeds = closed_form::resonances(rotor);
+    out.partial_frequencies = closed_form::partial_frequencies(rotor);
+    out.z_max = closed_form::farthest_plane(rotor);
+    out.omega_0 = std::sqrt(out.k11 / (out.mass + balancers));
     return out;
 }
 

@@ -11,9 +11,10 @@ namespace whirl::criterion {
 
 /// The rotor as a rigid body on its supports, and its critical speeds.
 /// @param anisotropy  half the difference of its diametral inertias, kg m2
+/// @param balancers   mass of the balancers, which are not in the body, kg
 /// @returns none where the supports do not hold it.
 [[nodiscard]] std::optional<results::RigidEquivalent>
-rigid_equivalent(const rigid::RigidRotor &body, double anisotropy);
+rigid_equivalent(const rigid::RigidRotor &body, double anisotropy, double balancers);
 
 /// Closed-form bands of one plane at z (m), cut to [from, to]; theory: rigid_rotor_criterion.h.
 [[nodiscard]] std::vector<results::Interval>

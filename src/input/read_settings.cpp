@@ -11,36 +11,6 @@
 namespace whirl::input {
 namespace {
 
-model::MapAxis read_axis(CheckedTable &map, const std::string &key) {
-    model::MapAxis axis;
-    auto table = map.table(key);
-    if (!table) {
-        if (!map.has(key))
-            map.fail(key, "missing, expected a table {path, from, to, count}");
-        return axis;
-    }
-    const auto path = table->text("path");
-    if (!table->has("path"))
-        table->fail("path", "missing, expected \"speed\" or a numeric entry of the case");
-    std::optional<Quantity> quantity;
-    if (path && *path == "speed")
-        quantity = Quantity::speed;
-    else if (path)
-        if (const auto entries = numeric_entries(*table, *path, "speed"))
-            quantity = entries->quantity;
-    if (!quantity)
-        return axis;
-    axis.path = *path;
-    axis.quantity = *quantity;
-    axis.from = table->number("from", *quantity);
-    axis.to = table->number("to", *quantity);
-    if (axis.to <= axis.from)
-        table->fail("to", fmt::format("expected more than from = {}, got {}", axis.from, axis.to));
-    axis.count = table->whole("count", 2, largest_count);
-    table->refuse_unknown();
-    return axis;
-}
-
 /// What of results may be written in other units, and its units in each preset.
 struct Written {
     Quantity quantity;
@@ -230,10 +200,15 @@ void read_states(CheckedTable &table, model::Case &scene) {
 
 void read_map(CheckedTable &table, model::Case &scene) {
     model::MapSettings map;
-    map.x = read_axis(table, "x");
-    map.y = read_axis(table, "y");
-    if (map.x.path == "speed" && map.y.path == "speed")
-        table.fail("y", "expected another entry than x, got " + in_quotes(map.y.path) + " twice");
+    for (const auto &[key, axis] : {std::pair("x", &map.x), std::pair("y", &map.y)}) {
+        if (auto own = table.table(key))
+            *axis = read_map_axis(*own);
+        else if (!table.has(key))
+            table.fail(key, "missing, expected a table {path, from, to, count}");
+    }
+    if (map.x.label == "speed" && map.y.label == "speed")
+        table.fail("y", "expected another entry than x, got " + in_quotes(map.y.label) + " twice");
+    refuse_twice(table, {map.x, map.y});
     scene.map = map;
 }
 

@@ -16,11 +16,13 @@ namespace {
 constexpr double most_rotors = 1e6;
 
 /// The texts of `path`: one, or those of a list.
-std::vector<std::string> paths_of(CheckedTable &table) {
+/// @param besides  a word that may stand for one: "speed", or empty
+std::vector<std::string> paths_of(CheckedTable &table, const std::string &besides) {
     const auto entry = table.entry("path");
     if (!entry) {
-        table.fail("path", "missing, expected a numeric entry of the case, or a list of them that "
-                           "change together");
+        table.fail("path", fmt::format("missing, expected {}a numeric entry of the case, or a list "
+                                       "of them that change together",
+                                       besides.empty() ? "" : in_quotes(besides) + ", "));
         return {};
     }
     if (!entry->node.is_list()) {
@@ -39,15 +41,17 @@ std::vector<std::string> paths_of(CheckedTable &table) {
 }
 
 /// All entries that the axis changes; a mistake leaves them out.
+/// @param besides   a word that may stand for one: "speed", or empty
 /// @param quantity  gets that of the entries
-void read_entries(CheckedTable &table, model::SweepAxis &axis, std::optional<Quantity> &quantity) {
+void read_entries(CheckedTable &table, const std::string &besides, model::SweepAxis &axis,
+                  std::optional<Quantity> &quantity) {
     const bool relative = axis.change != model::SweepChange::value;
-    for (const std::string &path : paths_of(table)) {
+    for (const std::string &path : paths_of(table, besides)) {
         if (path.empty()) {
             table.fail("path", "expected a numeric entry of the case, got \"\"");
             continue;
         }
-        const auto found = numeric_entries(table, path, "");
+        const auto found = numeric_entries(table, path, besides);
         if (!found)
             continue;
         // Factors may change stiffness and damping together; values and shifts are of one kind.
@@ -76,7 +80,6 @@ void read_entries(CheckedTable &table, model::SweepAxis &axis, std::optional<Qua
 }
 
 void read_range(CheckedTable &table, Quantity quantity, model::SweepAxis &axis) {
-    axis.logarithmic = table.choice("spacing", {"linear", "log"}, 0) == 1;
     const Range range = axis.logarithmic ? Range::positive() : Range{};
     const double from = table.number("from", quantity, range);
     const double to = table.number("to", quantity, range);
@@ -101,24 +104,57 @@ void read_values(CheckedTable &table, Quantity quantity, model::SweepAxis &axis)
             table.fail(other, "expected either `values` or `from`, `to` and `count`, got both");
 }
 
-model::SweepAxis read_sweep_axis(CheckedTable &table) {
-    model::SweepAxis axis;
+/// What changes, without its values; no quantity with a mistake.
+/// @param besides  as of read_entries
+std::optional<Quantity> read_change(CheckedTable &table, const std::string &besides,
+                                    model::SweepAxis &axis) {
     axis.change =
         static_cast<model::SweepChange>(table.choice("change", {"value", "factor", "shift"}, 0));
     std::optional<Quantity> of_entries;
-    read_entries(table, axis, of_entries);
-    if (!of_entries)
+    read_entries(table, besides, axis, of_entries);
+    if (of_entries)
+        axis.quantity = axis.change == model::SweepChange::factor ? Quantity::number : *of_entries;
+    return of_entries;
+}
+
+model::SweepAxis read_sweep_axis(CheckedTable &table) {
+    model::SweepAxis axis;
+    if (!read_change(table, "", axis))
         return axis;
-    axis.quantity = axis.change == model::SweepChange::factor ? Quantity::number : *of_entries;
-    if (table.has("values"))
+    if (table.has("values")) {
         read_values(table, axis.quantity, axis);
-    else
+    } else {
+        axis.logarithmic = table.choice("spacing", {"linear", "log"}, 0) == 1;
         read_range(table, axis.quantity, axis);
+    }
     table.refuse_unknown();
     return axis;
 }
 
 } // namespace
+
+model::SweepAxis read_map_axis(CheckedTable &table) {
+    model::SweepAxis axis;
+    if (const Node *path = table.find("path");
+        path != nullptr && path->kind == Node::Kind::text && path->text == "speed") {
+        axis.label = "speed";
+        axis.quantity = Quantity::speed;
+        (void)table.text("path"); // known
+    } else if (!read_change(table, "speed", axis)) {
+        return axis;
+    }
+    read_range(table, axis.quantity, axis);
+    table.refuse_unknown();
+    return axis;
+}
+
+void refuse_twice(CheckedTable &table, const std::vector<model::SweepAxis> &axes) {
+    std::set<std::string> changed;
+    for (const model::SweepAxis &axis : axes)
+        for (const model::SweptEntry &entry : axis.entries)
+            if (!changed.insert(entry.path).second)
+                table.fail("expected each entry once, got " + in_quotes(entry.path) + " twice");
+}
 
 void read_sweep(CheckedTable &table, model::Case &scene) {
     model::SweepSettings sweep;
@@ -132,11 +168,7 @@ void read_sweep(CheckedTable &table, model::Case &scene) {
             table.fail(key, "missing, expected a table {path, from, to, count}");
         }
     }
-    std::set<std::string> changed;
-    for (const model::SweepAxis &axis : sweep.axes)
-        for (const model::SweptEntry &entry : axis.entries)
-            if (!changed.insert(entry.path).second)
-                table.fail("expected each entry once, got " + in_quotes(entry.path) + " twice");
+    refuse_twice(table, sweep.axes);
     if (points > most_rotors)
         table.fail(fmt::format("expected at most {:.0f} rotors, got {:.0f}", most_rotors, points));
     scene.sweep = std::move(sweep);

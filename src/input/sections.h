@@ -88,6 +88,12 @@ struct NumericEntries {
 [[nodiscard]] std::optional<NumericEntries>
 numeric_entries(CheckedTable &table, const std::string &path, const std::string &besides);
 
+/// An axis of [map]: entries that change together as those of [sweep], or the spin speed, over
+/// evenly spaced values.
+[[nodiscard]] model::SweepAxis read_map_axis(CheckedTable &table);
+/// A mistake where axes change the same entry.
+void refuse_twice(CheckedTable &table, const std::vector<model::SweepAxis> &axes);
+
 /// The value that the case gives all of the entries. NaN where one is no number, which is told
 /// where it stands; none where one is not given, or they differ.
 [[nodiscard]] std::optional<double> value_in_case(const NumericEntries &entries, const Node &tree);

@@ -12,6 +12,10 @@
 namespace whirl::input {
 namespace {
 
+double points_of(const model::MapSettings &map) {
+    return static_cast<double>(map.x.values.size()) * static_cast<double>(map.y.values.size());
+}
+
 constexpr double kilobyte = 1e3;
 constexpr double gigabyte = 1e9;
 
@@ -87,8 +91,9 @@ Answers answers_of(const model::Case &scene, const std::string &command) {
                 fmt::format("{:.0f} speeds at {:.0f} stations each", speeds, stations)};
     }
     if (command == "stability" && scene.map)
-        return {static_cast<double>(scene.map->x.count) * scene.map->y.count, "map",
-                fmt::format("{} times {} points", scene.map->x.count, scene.map->y.count)};
+        return {points_of(*scene.map), "map",
+                fmt::format("{} times {} points", scene.map->x.values.size(),
+                            scene.map->y.values.size())};
     if (command == "samples" && scene.samples)
         return {static_cast<double>(scene.samples->count) *
                     (static_cast<double>(scene.samples->vary.size()) + 1),
@@ -139,11 +144,12 @@ void check_counts(const model::Case &scene, const Check &check) {
         }
     if (!scene.map)
         return;
-    const double points = static_cast<double>(scene.map->x.count) * scene.map->y.count;
+    const double points = points_of(*scene.map);
     if (points > most_points)
         check.fail("map", fmt::format("expected up to {:.0f} points, which take a day at a "
                                       "millisecond each, got {} times {} = {:.0f}",
-                                      most_points, scene.map->x.count, scene.map->y.count, points));
+                                      most_points, scene.map->x.values.size(),
+                                      scene.map->y.values.size(), points));
 }
 
 double least_memory(const model::Case &scene, const std::string &command) {

@@ -110,18 +110,10 @@ struct BalanceSettings {
     std::vector<double> external_damping; ///< H for which it is drawn; empty: that of the case
 };
 
-/// One axis of a map: a numeric entry of the case, or "speed".
-struct MapAxis {
-    std::string path;
-    double from = 0;
-    double to = 0;
-    int count = 1;
-    Quantity quantity = Quantity::number; ///< of the entry
-};
-
+/// Entries of [map]: values evenly spaced; without entries the spin speed (`label` "speed").
 struct MapSettings {
-    MapAxis x;
-    MapAxis y;
+    SweepAxis x;
+    SweepAxis y;
 };
 
 /// Entries of [states]: the steady motions in which everything turns with the rotor.

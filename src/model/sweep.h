@@ -30,6 +30,8 @@ struct SweepAxis {
     std::vector<double> values;           ///< SI, in the order in which they are given
     bool logarithmic = false;             ///< evenly spaced in their logarithm
 
+    /// The spin speed itself, where that is not an entry: of maps alone.
+    [[nodiscard]] bool is_speed() const { return entries.empty(); }
     /// What an entry is at a value.
     [[nodiscard]] double at(const SweptEntry &entry, double value) const {
         switch (change) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "model/sweep.h"
 #include "report/common/units.h"
 #include "results/samples.h"
 
@@ -16,11 +15,6 @@ namespace whirl::report {
 /// Why a rotor (from 0) has no answer; empty: it has.
 [[nodiscard]] std::string failure_of(const std::vector<results::SampleFailure> &failures,
                                      int rotor);
-
-/// "value", "factor" or "shift", as in a case.
-[[nodiscard]] const char *change_name(model::SweepChange change);
-/// What an axis is called: the entry, or the first of those that change together.
-[[nodiscard]] std::string axis_name(const model::SweepAxis &axis);
 
 /// Of `count` places at most so many, evenly spread, with the first and the last.
 /// @param most  2 or more

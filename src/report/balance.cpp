@@ -204,7 +204,11 @@ const Columns<SimulatedSpeed> simulated_columns{
     {"residual_ratio", Quantity::number, &SimulatedSpeed::residual_ratio},
     {"growth", Quantity::rate, &SimulatedSpeed::growth}};
 
-Json rigid_json(const results::RigidEquivalent &of, const Units &units) {
+Json rigid_json(const results::RigidEquivalent &of, const std::vector<double> &speeds,
+                const Units &units) {
+    std::vector<double> over_omega_0;
+    for (const double speed : speeds)
+        over_omega_0.push_back(speed / of.omega_0);
     return {{"mass", written(units, Quantity::mass, of.mass)},
             {"center_of_mass", written(units, Quantity::length, of.center)},
             {"Id", written(units, Quantity::inertia, of.diametral)},
@@ -214,11 +218,17 @@ Json rigid_json(const results::RigidEquivalent &of, const Units &units) {
             {"k14", written(units, Quantity::coupling_stiffness, of.k14)},
             {"k33", written(units, Quantity::tilt_stiffness, of.k33)},
             {"type", of.type},
-            {"critical_speeds", written(units, Quantity::speed, of.critical_speeds)}};
+            {"critical_speeds", written(units, Quantity::speed, of.critical_speeds)},
+            {"partial_frequencies", written(units, Quantity::frequency, of.partial_frequencies)},
+            {"z_max", written(units, Quantity::length, of.z_max)},
+            {"omega_0", written(units, Quantity::frequency, of.omega_0)},
+            {"over_omega_0", over_omega_0}};
 }
 
 Json position_json(const BalancedPosition &of, const Units &units) {
-    return {{"bands", written(units, Quantity::speed, of.bands)},
+    return {{"against", of.all_imbalances ? "all imbalances" : "own imbalance"},
+            {"missing", written(units, Quantity::speed, of.missing)},
+            {"bands", written(units, Quantity::speed, of.bands)},
             {"band_errors", written(units, Quantity::speed, of.errors)},
             {"arrangements", of.arrangements},
             {"with_every", written(units, Quantity::speed, of.with_every)},
@@ -295,7 +305,7 @@ Json json_of(const BalanceResult &result, const Units &units) {
                  return entry;
              })},
         {"joint", joint},
-        {"rigid", result.rigid ? rigid_json(*result.rigid, units) : Json()},
+        {"rigid", result.rigid ? rigid_json(*result.rigid, result.speeds, units) : Json()},
         {"simulated", json_rows(simulated_columns, result.simulated, units)},
         {"balanced_position",
          result.balanced_position ? position_json(*result.balanced_position, units) : Json()},

@@ -155,18 +155,25 @@ Json shaft_json(const std::optional<results::RigidShaft> &shaft, const Units &un
 
 Json json_of(const RigidLimitResult &result, const Units &units) {
     const auto stiffness = [&units](double of) { return written(units, Quantity::stiffness, of); };
-    return {{"sentence", units.text(result.sentence)},
-            {"stiffness_definition", "48 EI/L^3: EI the mean over the length L of the shaft"},
-            {"shaft_stiffness", stiffness(result.stiffness)},
-            {"bearing_stiffness", stiffness(result.bearing_stiffness)},
-            {"as_is", shaft_json(result.as_is, units)},
-            {"one_percent", shaft_json(result.one_percent, units)},
-            {"one_percent_stiffness",
-             result.one_percent ? stiffness(result.one_percent->stiffness) : Json()},
-            {"mesh_stiffness_factor", result.mesh_factor},
-            {"rows", json_list(result.rows, [&units](const RigidLimitRow &row) {
-                 return json_row(of_mesh(row) ? mesh_columns : stiffness_columns, row, units);
-             })}};
+    return {
+        {"sentence", units.text(result.sentence)},
+        {"stiffness_definition", "48 EI/L^3: EI the mean over the length L of the shaft"},
+        {"shaft_stiffness", stiffness(result.stiffness)},
+        {"bearing_stiffness", stiffness(result.bearing_stiffness)},
+        {"as_is", shaft_json(result.as_is, units)},
+        {"one_percent", shaft_json(result.one_percent, units)},
+        {"one_percent_stiffness",
+         result.one_percent ? stiffness(result.one_percent->stiffness) : Json()},
+        {"mesh_stiffness_factor", result.mesh_factor},
+        {"omega_0", written(units, Quantity::frequency, result.omega_0)},
+        {"partial_frequencies", written(units, Quantity::frequency, result.partial_frequencies)},
+        {"z_max", written(units, Quantity::length, result.z_max)},
+        {"rows", json_list(result.rows, [&](const RigidLimitRow &row) {
+             Json json = json_row(of_mesh(row) ? mesh_columns : stiffness_columns, row, units);
+             json["over_omega_0"] =
+                 row.of == Quantity::speed ? Json(row.closed_form / result.omega_0) : Json();
+             return json;
+         })}};
 }
 
 /// Relative differences of the speeds at every stiffness.

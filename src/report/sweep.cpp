@@ -18,27 +18,6 @@
 
 namespace whirl::report {
 
-const char *change_name(model::SweepChange change) {
-    switch (change) {
-    case model::SweepChange::factor:
-        return "factor";
-    case model::SweepChange::shift:
-        return "shift";
-    case model::SweepChange::value:
-        break;
-    }
-    return "value";
-}
-
-std::string axis_name(const model::SweepAxis &axis) {
-    const std::string name =
-        axis.entries.size() > 1 ? fmt::format("{} and {} more", axis.label, axis.entries.size() - 1)
-                                : axis.label;
-    return axis.change == model::SweepChange::value
-               ? name
-               : fmt::format("{} of {}", change_name(axis.change), name);
-}
-
 std::vector<std::size_t> spread_over(std::size_t count, std::size_t most) {
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < std::min(count, most); ++i)
@@ -53,17 +32,10 @@ using results::SweepResult;
 
 namespace {
 
-std::vector<std::string> paths_of(const SweepAxis &axis) {
-    std::vector<std::string> paths;
-    for (const model::SweptEntry &entry : axis.entries)
-        paths.push_back(entry.path);
-    return paths;
-}
-
 const Columns<SweepAxis> axis_columns{
-    {"entries", paths_of},
+    {"entries", entries_of},
     {OnPage("Entries"),
-     [](const SweepAxis &axis) { return fmt::format("{}", fmt::join(paths_of(axis), ", ")); }},
+     [](const SweepAxis &axis) { return fmt::format("{}", fmt::join(entries_of(axis), ", ")); }},
     {"change", OnPage("change"), [](const SweepAxis &axis) { return change_name(axis.change); }},
     {"unit", OnPage("unit"),
      [](const SweepAxis &axis, const Units &units) { return units.name(axis.quantity); }},

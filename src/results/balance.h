@@ -76,6 +76,12 @@ struct RigidEquivalent {
     std::string
         type; ///< "long", "spherical", "short" or "long about one axis, short about the other"
     std::vector<double> critical_speeds; ///< rad/s
+    /// Of translation alone, then of tilt alone where the rotor is long, rad/s.
+    std::vector<double> partial_frequencies;
+    /// Planes no farther from the centre of mass balance a short rotor at all speeds above its
+    /// critical one, m; none of a long rotor.
+    std::optional<double> z_max;
+    double omega_0 = 0; ///< sqrt(k11/M), M with the masses of the balancers, rad/s
 };
 
 /// A place for one auto-balancer, or places for two, over the whole range of speeds.
@@ -108,6 +114,10 @@ struct SimulatedSpeed {
 
 /// Where every motion about the balanced position with the real balancers dies out.
 struct BalancedPosition {
+    /// It is the one that all imbalances ask for, elsewhere at every speed; else that of each
+    /// balancer against its own.
+    bool all_imbalances = false;
+    std::vector<Interval> missing;    ///< rad/s, where they ask for one that there is not
     std::vector<Interval> bands;      ///< with the arrangement of the case, or the symmetric one
     std::vector<EndErrors> errors;    ///< rad/s
     int arrangements = 0;             ///< looked at; more than one where the balls have a choice

@@ -43,6 +43,10 @@ struct RigidLimitResult {
     double bearing_stiffness = 0; ///< sum over the bearings, N/m
     double mesh_factor = 1;       ///< of E and G in the mesh sweep
     std::vector<RigidLimitRow> rows;
+    // Of the rigid rotor with its balancers (RigidEquivalent).
+    double omega_0 = 0; ///< rad/s
+    std::vector<double> partial_frequencies;
+    std::optional<double> z_max;           ///< m, from the centre of mass
     std::optional<RigidShaft> as_is;       ///< none where a compared speed does not exist
     std::optional<RigidShaft> one_percent; ///< stiffer shafts err less; none: rigid, or never more
     Sentence sentence;                     ///< the answer for a user

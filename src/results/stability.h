@@ -48,8 +48,7 @@ struct ArrangementFamily {
 
 /// Growth over two entries of the case.
 struct StabilityMap {
-    model::MapAxis x, y;
-    std::vector<double> x_values, y_values;
+    model::SweepAxis x, y;
     std::vector<std::vector<double>> growth; ///< [y][x], 1/s; NaN: no such rotor
     std::string why;                         ///< of one such point, what was wrong with it
 };
@@ -123,6 +122,10 @@ struct StabilityResult {
     std::vector<PermissibleAnisotropy> permissible;
     int neutral_pairs = 0; ///< pairs 0, -h of balls that move without changing the balance
     int harmonics = 0;     ///< of the Hill series
+    /// Of a rotor with free balancers: the balanced position is that of all imbalances, elsewhere
+    /// at every speed, not that of each balancer against its own.
+    std::optional<bool> all_imbalances;
+    std::vector<Interval> no_position; ///< rad/s, where they ask for one that there is not
     std::optional<ArrangementFamily> family;
     std::optional<StabilityMap> map;
     std::optional<Level1> level1;       ///< where the case asks for it

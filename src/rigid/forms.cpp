@@ -220,6 +220,11 @@ RigidForms rigid_forms(const model::Case &scene) {
         throw model::AnalysisFailure(
             "the rigid rotor has no critical speeds to compare with: the bearings leave it free to "
             "move or to tilt");
+    closed_form::TwoSupportRotor whole = two_supports(c);
+    whole.anisotropy = std::abs(c.anisotropy);
+    forms.omega_0 = std::sqrt(whole.k11 / whole.mass);
+    forms.partial_frequencies = closed_form::partial_frequencies(whole);
+    forms.z_max = closed_form::farthest_plane(whole);
     RigidTarget critical;
     critical.quantity =
         rotor.balancers.empty() ? "forward critical speed" : "critical speed with balancers held";

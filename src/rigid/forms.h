@@ -33,8 +33,11 @@ struct RigidTarget {
 };
 
 struct RigidForms {
-    Inertia inertia;              ///< balancers at their balanced position
-    double bearing_stiffness = 0; ///< sum, N/m
+    Inertia inertia;                         ///< balancers at their balanced position
+    double bearing_stiffness = 0;            ///< sum, N/m
+    double omega_0 = 0;                      ///< sqrt of that over the mass, rad/s
+    std::vector<double> partial_frequencies; ///< rad/s, as in closed_form::TwoSupportRotor
+    std::optional<double> z_max;             ///< m, likewise
     std::vector<RigidTarget> targets;
     std::vector<results::Sentence> notes;
 };

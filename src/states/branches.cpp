@@ -16,9 +16,8 @@ using results::SteadyBorder;
 using Kind = results::SteadyState::Kind;
 using std::numbers::pi;
 
-/// Borders are known to this of the speed: next to a fold angles differ by its root, and two are
-/// told apart to 1e-6.
-constexpr double known = 1e-10;
+/// Next to a fold angles differ by the root of this, and two are told apart to 1e-6.
+constexpr double known = known_to;
 /// Angles that differ by more between neighbouring speeds are not taken for the same state, rad.
 constexpr double farthest = 1.5;
 
@@ -89,7 +88,12 @@ class Joining {
         for (const auto &[i, k] : pairs_of(low.states, high.states)) {
             goes_on[i] = true;
             high.states[k].state.branch = low.states[i].state.branch;
-            find_crossings(low.states[i], high.states[k], 0);
+            find_crossings(
+                low.states[i], high.states[k],
+                [this](const Found &a, const Found &b, double speed) {
+                    return at_middle(a, b, speed);
+                },
+                _out.borders);
         }
         std::vector<const Found *> ending;
         for (std::size_t i = 0; i < goes_on.size(); ++i)
@@ -190,40 +194,45 @@ class Joining {
             out.reset();
         return out;
     }
-
-    /// Roots that cross the imaginary axis between two states of one branch.
-    void find_crossings(const Found &low, const Found &high, int depth) {
-        if (low.state.growing == high.state.growing || low.state.growing < 0 ||
-            high.state.growing < 0) // the eigensolver failed
-            return;
-        const double from = low.state.speed;
-        const double to = high.state.speed;
-        if (to - from > known * std::max(std::abs(from), std::abs(to)) && depth < 60) {
-            const double speed = (from + to) / 2;
-            std::optional<Found> middle = at_middle(low, high, speed);
-            if (middle) {
-                find_crossings(low, *middle, depth + 1);
-                find_crossings(*middle, high, depth + 1);
-                return;
-            }
-        }
-        SteadyBorder border;
-        border.speed = (from + to) / 2;
-        border.branch = low.state.branch > 0 ? low.state.branch : high.state.branch;
-        border.growing_below = low.state.growing;
-        border.growing_above = high.state.growing;
-        border.residual = high.state.residual;
-        const double swing = std::abs(low.next_to_axis.imag());
-        // Of a real root nothing is left but rounding.
-        const bool pair = swing > 1e-7 * std::abs(border.speed);
-        border.kind = pair ? SteadyBorder::Kind::pair : SteadyBorder::Kind::zero;
-        if (pair)
-            border.frequency = swing;
-        _out.borders.push_back(border);
-    }
 };
 
+/// @param depth  halvings so far
+void halve(const Found &low, const Found &high, const Between &between, int depth,
+           std::vector<SteadyBorder> &out) {
+    if (low.state.growing == high.state.growing || low.state.growing < 0 ||
+        high.state.growing < 0) // the eigensolver failed
+        return;
+    const double from = low.state.speed;
+    const double to = high.state.speed;
+    if (to - from > known_to * std::max(std::abs(from), std::abs(to)) && depth < 60) {
+        const double speed = (from + to) / 2;
+        if (const std::optional<Found> middle = between(low, high, speed)) {
+            halve(low, *middle, between, depth + 1, out);
+            halve(*middle, high, between, depth + 1, out);
+            return;
+        }
+    }
+    SteadyBorder border;
+    border.speed = (from + to) / 2;
+    border.branch = low.state.branch > 0 ? low.state.branch : high.state.branch;
+    border.growing_below = low.state.growing;
+    border.growing_above = high.state.growing;
+    border.residual = high.state.residual;
+    const double swing = std::abs(low.next_to_axis.imag());
+    // Of a real root nothing is left but rounding.
+    const bool pair = swing > 1e-7 * std::abs(border.speed);
+    border.kind = pair ? SteadyBorder::Kind::pair : SteadyBorder::Kind::zero;
+    if (pair)
+        border.frequency = swing;
+    out.push_back(border);
+}
+
 } // namespace
+
+void find_crossings(const Found &low, const Found &high, const Between &between,
+                    std::vector<SteadyBorder> &out) {
+    halve(low, high, between, 0, out);
+}
 
 void join_branches(const StateSearch &search, std::vector<AtSpeed> &all,
                    results::SteadyStates &out) {

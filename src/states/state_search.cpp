@@ -1,6 +1,7 @@
 #include "states/state_search.h"
 
 #include "balancers/balance_family.h"
+#include "balancers/balanced_position.h"
 #include "balancers/kind.h"
 #include "linalg/check.h"
 #include "linalg/dense/products.h"
@@ -291,9 +292,10 @@ void StateSearch::collect(const model::Case &scene) {
         for (Plane &plane : _planes)
             if (plane.index == index)
                 return plane;
-        _planes.push_back({index, {}, 0});
+        _planes.push_back({index, {}, 0, {}});
         return _planes.back();
     };
+    _balancers = scene.rotor.balancers;
     Index first = 0;
     int alike = 0;
     for (std::size_t i = 0; i < scene.rotor.balancers.size(); ++i) {
@@ -303,6 +305,8 @@ void StateSearch::collect(const model::Case &scene) {
         _first_of.push_back(first);
         _angles_of.push_back(kind->start_angles());
         int kinds = 0;
+        if (!kind->circled().empty())
+            plane_at(free.plane).balancers.push_back(i);
         for (Index at = first; const balancers::CircledMass &mass : kind->circled()) {
             Plane &plane = plane_at(free.plane);
             const double tilt = b.tilt_inertia ? mass.inertia : 0;
@@ -369,6 +373,25 @@ std::vector<StateSearch::Way> StateSearch::all_ways() const {
     return out;
 }
 
+std::vector<double> StateSearch::balanced_angles(const Plane &plane, double imbalance,
+                                                 int member) const {
+    if (plane.balancers.size() == 1 && plane.masses.size() > 2 && member == 0) {
+        model::Balancer alone = _balancers[plane.balancers.front()];
+        alone.imbalance = imbalance;
+        alone.position.clear();
+        return balancers::angles_at_balance(alone, "balancer");
+    }
+    std::vector<balancers::CircledMass> masses;
+    for (const Mass &mass : plane.masses)
+        masses.push_back({mass.moment, 0, 0});
+    const bool pair = masses.size() == 2;
+    std::vector<double> out = balancers::position_of_family(masses, imbalance, pair ? 0 : member);
+    if (pair && (member & 1) != 0) // the other way round
+        for (double &angle : out)
+            angle = -angle;
+    return out;
+}
+
 bool StateSearch::place(const Way &way, const Lines &lines, const Eigen::VectorXd &root, int member,
                         Eigen::VectorXd &angles) const {
     angles = Eigen::VectorXd::Zero(_equations.parts().free_angles());
@@ -389,12 +412,9 @@ bool StateSearch::place(const Way &way, const Lines &lines, const Eigen::VectorX
             masses.push_back({mass.moment, 0, 0});
         if (!balancers::balance_exists(masses, std::abs(needed)))
             return false;
-        const bool pair = masses.size() == 2;
-        const std::vector<double> from_opposite =
-            balancers::position_of_family(masses, std::abs(needed), pair ? 0 : member);
-        const double mirror = pair && (member & 1) != 0 ? -1 : 1;
+        const std::vector<double> from_opposite = balanced_angles(plane, std::abs(needed), member);
         for (std::size_t k = 0; k < masses.size(); ++k)
-            angles(plane.masses[k].coordinate) = std::arg(needed) + pi + mirror * from_opposite[k];
+            angles(plane.masses[k].coordinate) = std::arg(needed) + pi + from_opposite[k];
     }
     return true;
 }
@@ -494,7 +514,9 @@ void StateSearch::describe(Found &found, double speed) const {
     Index next = 0;
     parts.cwiseAbs().minCoeff(&next);
     found.next_to_axis = moving(next);
-    state.growth = state.least_growth = parts.maxCoeff();
+    Index fastest = 0;
+    state.growth = state.least_growth = parts.maxCoeff(&fastest);
+    found.fastest = moving(fastest);
     state.growing = static_cast<int>((parts.array() > nothing).count());
     if (std::abs(state.growth) > nothing)
         state.stable = state.growth < 0;
@@ -584,6 +606,45 @@ std::vector<StateSearch::Found> StateSearch::at(double speed, bool &undecided) c
 std::vector<StateSearch::Found> StateSearch::of_way(int way, double speed, bool &undecided) const {
     std::vector<Found> out;
     add_states(way, speed, size_of_deflections(speed), out, undecided);
+    return out;
+}
+
+bool StateSearch::can_balance() const {
+    return _swung.empty() && !_planes.empty() &&
+           std::ranges::all_of(_planes, [](const Plane &plane) { return plane.masses.size() > 1; });
+}
+
+int StateSearch::free_motions() const {
+    int motions = 0;
+    for (const Plane &plane : _planes) {
+        const auto masses = static_cast<int>(plane.masses.size());
+        int coordinates = 0;
+        for (const std::size_t balancer : plane.balancers)
+            coordinates += _equations.parts().free[balancer].motion->size();
+        if (masses > 2)
+            motions += (masses - 2) * coordinates / masses;
+    }
+    return motions;
+}
+
+std::optional<StateSearch::Found> StateSearch::balanced(double speed, int member) const {
+    const auto way = std::ranges::find_if(_ways, [](const Way &one) {
+        return std::ranges::all_of(one.sides, [](const Sides &sides) { return sides.empty(); });
+    });
+    const Lines lines(*this, *way, speed);
+    Found out;
+    Eigen::VectorXd angles;
+    if (!place(*way, lines, Eigen::VectorXd(0), member, angles))
+        return std::nullopt;
+    out.way = static_cast<int>(way - _ways.begin());
+    out.x = _equations.with_angles(angles, speed);
+    out.state.defect = _equations.refine(out.x, speed, size_of_deflections(speed));
+    out.along = along_family(*way, out.x.tail(angles.size()));
+    out.state.family = out.along > 0;
+    out.state.kind = SteadyState::Kind::balanced;
+    if (out.state.defect > (out.state.family ? second_order : refined))
+        return std::nullopt;
+    describe(out, speed);
     return out;
 }
 

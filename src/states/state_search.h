@@ -31,6 +31,7 @@ class StateSearch {
         int way = 0;   ///< in which the masses stand
         /// The root that is next to the imaginary axis, 1/s.
         std::complex<double> next_to_axis;
+        std::complex<double> fastest; ///< the root of largest real part, 1/s
     };
     /// At a speed other than 0.
     /// @param undecided  set where two states are too close to be told apart
@@ -39,6 +40,18 @@ class StateSearch {
 
     /// Those of one way to stand.
     [[nodiscard]] std::vector<Found> of_way(int way, double speed, bool &undecided) const;
+
+    /// There can be states in which no plane with balancers is deflected: balls or rings alone, two
+    /// or more in each plane.
+    [[nodiscard]] bool can_balance() const;
+    /// The state in which no plane with balancers is deflected. None where the masses cannot make
+    /// what that needs.
+    /// @param member  of the family that three masses or more have: first the usual arrangement
+    /// @throws linalg::SolverError
+    [[nodiscard]] std::optional<Found> balanced(double speed, int member) const;
+    /// Motions of masses beyond two in each plane, each of a ring with its own turning: they change
+    /// nothing.
+    [[nodiscard]] int free_motions() const;
 
     [[nodiscard]] const SteadyEquations &equations() const { return _equations; }
     /// The same state at another speed near by, from a guess of its unknowns; none: not reached.
@@ -57,7 +70,8 @@ class StateSearch {
     struct Plane {
         Eigen::Index index; ///< among those of the equations
         std::vector<Mass> masses;
-        double tilt = 0; ///< of all masses, kg m2
+        double tilt = 0;                    ///< of all masses, kg m2
+        std::vector<std::size_t> balancers; ///< whose masses they are
     };
     struct Swung {
         Eigen::Index plane;
@@ -74,6 +88,7 @@ class StateSearch {
 
     SteadyEquations _equations;
     std::vector<Plane> _planes;
+    std::vector<model::Balancer> _balancers;
     std::vector<Swung> _swung;
     std::vector<Way> _ways;
     std::vector<std::size_t> _angles_of; ///< angles that each balancer shows
@@ -85,6 +100,9 @@ class StateSearch {
     [[nodiscard]] double size_of_deflections(double speed) const;
     void add_states(int index, double speed, double deflection, std::vector<Found> &out,
                     bool &undecided) const;
+    /// Angles of the masses of a plane from the imbalance that they balance, kg m.
+    [[nodiscard]] std::vector<double> balanced_angles(const Plane &plane, double imbalance,
+                                                      int member) const;
     [[nodiscard]] bool place(const Way &way, const Lines &lines, const Eigen::VectorXd &root,
                              int member, Eigen::VectorXd &angles) const;
     [[nodiscard]] int along_family(const Way &way, const Eigen::VectorXd &angles) const;

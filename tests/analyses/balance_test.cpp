@@ -4,7 +4,7 @@
 #include "analyses/balance.h"
 #include "model/errors.h"
 #include "oracles/criterion.h"
-#include "support/balancer_parts.h"
+#include "support/balancer_scenes.h"
 #include "support/scenes.h"
 
 #include <gtest/gtest.h>
@@ -83,6 +83,22 @@ TEST(Balance, LongRigidRotorHasTheBandsOfTheClosedForm) {
                   point.speed == 0 ? 4 : 2);
 }
 
+TEST(Balance, FrequenciesOfThePapers) {
+    model::Case scene = two_support_scene(3, 1, {0.2});
+    scene.rotor.balancers = {tests::ball_balancer(0.2, 3, 0.5, 0.1, 0.1, 0.05)};
+    scene.rotor.balancers[0].imbalance_radius = 0.1; // a point mass of 0.5 kg
+    scene.balance.balanced_position = false;
+    const BalanceResult result = analyses::balance(scene);
+    ASSERT_TRUE(result.rigid);
+    // M = 60 kg, k11 = 5e6 N/m, k33 = 1.07e6 N m, A - C = 2 kg m2; with balls and mass 62 kg. A
+    // mass of 1e-12 of the rotor's is left in the shaft.
+    ASSERT_EQ(result.rigid->partial_frequencies.size(), 2U);
+    EXPECT_NEAR(result.rigid->partial_frequencies[0], std::sqrt(5e6 / 60), 1e-7);
+    EXPECT_NEAR(result.rigid->partial_frequencies[1], std::sqrt(1.07e6 / 2), 1e-7);
+    EXPECT_NEAR(result.rigid->omega_0, std::sqrt(5e6 / 62), 1e-7);
+    EXPECT_FALSE(result.rigid->z_max);
+}
+
 TEST(Balance, SphericalAndShortRigidRotors) {
     const TwoSupport spherical{2, 2};
     const BalanceResult sphere = analyses::balance(two_support_scene(2, 2, {0, 0.25}));
@@ -95,6 +111,8 @@ TEST(Balance, SphericalAndShortRigidRotors) {
 
     const TwoSupport rotor{1, 1.9}; // sqrt((C - A)/M) = 0.1225 m
     const BalanceResult flat = analyses::balance(two_support_scene(1, 1.9, {0.12, 0.2, -0.3}));
+    ASSERT_TRUE(flat.rigid->z_max);
+    EXPECT_NEAR(*flat.rigid->z_max, std::sqrt(0.9 / 60), 1e-9);
     expect_bands(flat.planes[0].bands.bands, {{rotor.resonance(1), 3000}}, 1e-9);
     for (const std::size_t i : {1U, 2U})
         expect_bands(flat.planes[i].bands.bands,

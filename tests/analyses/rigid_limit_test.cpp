@@ -1,5 +1,6 @@
 #include "analyses/rigid_limit.h"
 #include "model/errors.h"
+#include "support/balancer_parts.h"
 #include "support/rigid_rotors.h"
 
 #include <gtest/gtest.h>
@@ -108,6 +109,28 @@ TEST(RigidLimit, TwoSupportRotorConvergesToItsResonances) {
     // 48 EI/L^3 by hand.
     EXPECT_NEAR(result.stiffness / (48 * 2e11 * M_PI * std::pow(0.06, 4) / 64 / std::pow(0.9, 3)),
                 1, 1e-13);
+}
+
+TEST(RigidLimit, FrequenciesOfThePapersAreThoseOfTheRotorWithItsBalancers) {
+    model::Case scene = two_support_case();
+    const double mass = 60;
+    model::Balancer balls;
+    balls.z = 0.4; // at the centre of mass: z = l1
+    tests::row(balls).n = 2;
+    tests::row(balls).mass = 0.5;
+    tests::row(balls).radius = 0.1;
+    scene.rotor.balancers = {balls};
+    const results::RigidLimitResult result = rigid_limit(scene);
+    EXPECT_NEAR(result.omega_0, std::sqrt(5e6 / (mass + 1)), 1e-6);
+    // Two balls against each other: A, C grow by m R^2 and 2 m R^2, about two axes by +-m R^2; of
+    // the slopes' moments (A - C -+ a).
+    const double own = 0.5 * 0.1 * 0.1;
+    const double k33 = 2e6 * 0.16 + 3e6 * 0.25;
+    ASSERT_EQ(result.partial_frequencies.size(), 3U);
+    EXPECT_NEAR(result.partial_frequencies[0], result.omega_0, 1e-9);
+    EXPECT_NEAR(result.partial_frequencies[1], std::sqrt(k33 / (2 - own - own)), 1e-6);
+    EXPECT_NEAR(result.partial_frequencies[2], std::sqrt(k33 / (2 - own + own)), 1e-6);
+    EXPECT_FALSE(result.z_max);
 }
 
 TEST(RigidLimit, AdditionalSpeedsOfPlanesConverge) {

@@ -11,6 +11,7 @@
 #include "support/balancer_parts.h"
 #include "support/balancer_scenes.h"
 #include "support/rigid_rotors.h"
+#include "support/written_case.h"
 
 #include <gtest/gtest.h>
 
@@ -259,12 +260,61 @@ TEST(UnstableBands, WindowUnderADipOfTheGrowthIsFound) {
     EXPECT_NEAR(bands[1].from, 1.02, 1e-9);
 }
 
+// Masses, springs and dampers of everything times one factor: no motion changes its rate. Of balls
+// with the imbalance of their own balancer, and with that of an [[imbalance]].
+TEST(StabilityMap, EntriesThatScaleTogetherLeaveMotionsAsTheyAre) {
+    const std::string rotor = "[shaft]\nrigid = true\n"
+                              "segments = [{length = 1, outer = 0.01, material = \"light\"}]\n"
+                              "[material.light]\nE = 2e11\nnu = 0.3\nrho = 1e-8\n"
+                              "[[disc]]\nz = 0.45\nmass = 10\nId = 0.3\nIp = 0.2\n"
+                              "[[bearing]]\nz = 0\nk = 5e5\nc = 300\n"
+                              "[[bearing]]\nz = 1\nk = 6e5\nc = 300\n";
+    const std::string map =
+        "[speeds]\nfrom = 400\nto = 900\ncount = 3\n[map]\n"
+        "x = {path = \"speed\", from = 400, to = 900, count = 3}\n"
+        "y = {path = [\"disc[0].mass\", \"disc[0].Id\", \"disc[0].Ip\", \"bearing[*].k\", "
+        "\"bearing[*].c\", \"balancer[0].mass\", \"balancer[0].damping\", ";
+    const std::string ball = "[[balancer]]\nz = 0.5\nn = 2\nmass = 0.05\nradius = 0.1\n"
+                             "damping = 0.5\n";
+    struct Imbalance {
+        const char *where, *entry;
+    };
+    for (const auto &[where, entry] :
+         {Imbalance{"imbalance = 0.004\n", "balancer[0].imbalance"},
+          Imbalance{"[[imbalance]]\nz = 0.5\nmr = 0.004\n", "imbalance[0].mr"}}) {
+        const model::Case scene =
+            tests::written_case(rotor + ball + where + map + "\"" + entry +
+                                "\"], change = \"factor\", from = 0.5, to = 2, count = 4}\n");
+        const auto result = stability(scene, [&](const std::vector<std::string> &entries) {
+            return input::load_case(scene.file, entries);
+        });
+        ASSERT_TRUE(result.map);
+        EXPECT_EQ(result.map->y.values, (std::vector<double>{0.5, 1, 1.5, 2}));
+        const auto &growth = result.map->growth;
+        ASSERT_EQ(growth.size(), 4U);
+        for (const std::vector<double> &row : growth)
+            for (std::size_t i = 0; i < row.size(); ++i) {
+                EXPECT_NE(row[i], 0);
+                EXPECT_NEAR(row[i], growth[1][i], 1e-9 * 900) << entry; // of the fastest motions
+            }
+        // The second row is the case as it is.
+        EXPECT_NEAR(growth[1][0], result.growth[0], 1e-7);
+        EXPECT_NEAR(growth[1][2], result.growth[2], 1e-7);
+    }
+}
+
 // Where a map asks for what cannot be, that point alone is empty.
 TEST(StabilityMap, ImpossibleRotorsAreEmptyPoints) {
     model::Case scene = tests::anisotropic_case();
     scene.rotor.shaft.rigid = true;
     scene.speeds = model::SpeedRange{2, 4, 3};
-    scene.map = model::MapSettings{{"speed", 2, 4, 3}, {"anisotropy[0].dI", 0, 1, 3}};
+    scene.map = model::MapSettings{
+        {"speed", {}, model::SweepChange::value, model::Quantity::speed, {2, 3, 4}},
+        {"anisotropy[0].dI",
+         {{"anisotropy[0].dI", 0}},
+         model::SweepChange::value,
+         model::Quantity::inertia,
+         {0, 0.5, 1}}};
     const CaseWith with = [&](const std::vector<std::string> &entries) {
         model::Case varied = scene;
         varied.rotor.anisotropies[0].dI = std::stod(entries.at(0).substr(17));

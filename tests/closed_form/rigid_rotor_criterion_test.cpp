@@ -47,6 +47,43 @@ TEST(RigidRotorCriterion, NumbersOfTheLongRotor) {
     EXPECT_NEAR(additional_speed(rotor, 0.45).value(), 320.390663, printed);
 }
 
+TEST(RigidRotorCriterion, PartialFrequenciesLieBetweenTheResonances) {
+    const auto rotor = rotor_with(3.0, 1.0);
+    const auto partial = partial_frequencies(rotor);
+    const auto speeds = resonances(rotor);
+    ASSERT_EQ(partial.size(), 2U);
+    EXPECT_NEAR(partial[0], std::sqrt(5e6 / 60), 1e-11);
+    EXPECT_NEAR(partial[1], std::sqrt((2e6 * 0.16 + 3e6 * 0.25) / 2), 1e-10);
+    // w1 < wp1 < wp2 < w2, eq. (17) of the source.
+    EXPECT_LT(speeds[0], partial[0]);
+    EXPECT_LT(partial[0], partial[1]);
+    EXPECT_LT(partial[1], speeds[1]);
+    // The second one is the additional speed of the plane of the centre of mass.
+    EXPECT_NEAR(partial[1], additional_speed(rotor, 0).value(), 1e-10);
+    EXPECT_EQ(partial_frequencies(rotor_with(1.0, 1.9)).size(), 1U);
+    EXPECT_FALSE(farthest_plane(rotor));
+    TwoSupportRotor unequal = rotor_with(3.0, 1.0);
+    unequal.anisotropy = 0.5; // A = 2.5 and 3.5
+    ASSERT_EQ(partial_frequencies(unequal).size(), 3U);
+    EXPECT_NEAR(partial_frequencies(unequal)[1], std::sqrt(1.07e6 / 1.5), 1e-10);
+    EXPECT_NEAR(partial_frequencies(unequal)[2], std::sqrt(1.07e6 / 2.5), 1e-10);
+}
+
+TEST(RigidRotorCriterion, WithinTheFarthestPlaneAShortRotorIsBalancedForGood) {
+    for (const double anisotropy : {0.0, 0.2}) {
+        TwoSupportRotor rotor = rotor_with(1.0, 1.9);
+        rotor.anisotropy = anisotropy;
+        const auto z_max = farthest_plane(rotor);
+        ASSERT_TRUE(z_max);
+        EXPECT_NEAR(*z_max, std::sqrt((0.9 - anisotropy) / 60), 1e-15);
+        for (const double side : {-1.0, 1.0}) {
+            EXPECT_FALSE(static_balancing_bands(rotor, side * 0.999 * *z_max).back().to);
+            EXPECT_TRUE(static_balancing_bands(rotor, side * 1.001 * *z_max).back().to);
+        }
+    }
+    EXPECT_EQ(farthest_plane(rotor_with(2.0, 2.0)), std::optional(0.0));
+}
+
 TEST(RigidRotorCriterion, LongRotorBands) {
     const auto rotor = rotor_with(3.0, 1.0);
     const auto bands = static_balancing_bands(rotor, 0.2);

@@ -142,6 +142,17 @@ inline std::vector<BrokenCase> broken_settings() {
          map + "y = {path = \"map.x.from\", from = 0, to = 1, count = 2}\n"},
         {"map of one column", 10, "map.y.count", "whole number from 2",
          map + "y = {path = \"shaft.segments[0].outer\", from = 0.01, to = 1, count = 1}\n"},
+        {"a map over one entry twice", 8, "map", "expected each entry once",
+         base + "[map]\nx = {path = \"shaft.segments[0].outer\", from = 0.01, to = 1, count = 2}\n"
+                "y = {path = [\"material.steel.rho\", \"shaft.segments[0].outer\"], change = "
+                "\"factor\", from = 1, to = 2, count = 2}\n"},
+        {"a map of a factor of a default", 10, "map.y.path", "is left at its default",
+         map + "y = {path = \"shaft.internal_damping\", change = \"factor\", from = 1, to = 2, "
+               "count = 2}\n"},
+        {"a map of a speed and more", 10, "map.y.path", "or a numeric entry of the case",
+         map + "y = {path = [\"speed\", \"material.steel.rho\"], from = 1, to = 2, count = 2}\n"},
+        {"a map with a list of values", 10, "map.y.values", "unknown key",
+         map + "y = {path = \"material.steel.rho\", from = 1, to = 2, count = 2, values = [1]}\n"},
         {"half a map", 8, "map.y", "missing", map},
         {"a map of speed over speed", 10, "map.y", "expected another entry than x, got \"speed\"",
          map + "y = {path = \"speed\", from = 0, to = 1, count = 3}\n"},

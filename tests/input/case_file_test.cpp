@@ -256,11 +256,13 @@ TEST_F(FullCase, Settings) {
     EXPECT_DOUBLE_EQ(scene().simulate.run_up[1].second, 20 * pi);
     EXPECT_EQ(scene().simulate.ball_angles.at(0), (std::vector<double>{1.5, -1.5}));
     ASSERT_TRUE(scene().map);
-    EXPECT_EQ(scene().map->x.path, "speed");
-    EXPECT_DOUBLE_EQ(scene().map->x.to, 300 * pi);
-    EXPECT_EQ(scene().map->x.count, 100);
-    EXPECT_EQ(scene().map->y.path, "bearing[0].k");
-    EXPECT_EQ(scene().map->y.to, 1e6); // in the unit of what is varied
+    EXPECT_EQ(scene().map->x.label, "speed");
+    EXPECT_TRUE(scene().map->x.is_speed());
+    EXPECT_DOUBLE_EQ(scene().map->x.values.back(), 300 * pi);
+    EXPECT_EQ(scene().map->x.values.size(), 100);
+    ASSERT_EQ(scene().map->y.entries.size(), 1);
+    EXPECT_EQ(scene().map->y.entries[0].path, "bearing[0].k");
+    EXPECT_EQ(scene().map->y.values.back(), 1e6); // in the unit of what is varied
 }
 
 TEST(CaseDefaults, AreThoseOfTheReference) {

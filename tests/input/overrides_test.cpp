@@ -95,8 +95,8 @@ TEST(EntryPaths, OfMapsAndSamplesAreThoseOfOverrides) {
     for (const auto &[path, to, value] : entries) {
         const model::Case scene = load_text(with(path, to));
         ASSERT_TRUE(scene.map && scene.samples) << path;
-        EXPECT_EQ(scene.map->y.path, path);
-        EXPECT_EQ(scene.map->y.to, value) << path;
+        EXPECT_EQ(scene.map->y.label, path);
+        EXPECT_EQ(scene.map->y.values.back(), value) << path;
         EXPECT_EQ(scene.samples->vary.at(0).to, value) << path;
         // and an override sets it
         EXPECT_NO_THROW((void)load_text(with(path, to), {std::string(path) + "=1e-3"})) << path;

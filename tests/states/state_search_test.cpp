@@ -1,7 +1,5 @@
-// All steady states of rotors with balancers, against closed forms, and against where motions in
-// time end.
+// All steady states of rotors with balancers, against closed forms and other eigenvalues.
 
-#include "analyses/simulate.h"
 #include "analyses/steady_states.h"
 #include "balancers/arrangement.h"
 #include "input/case_file.h"
@@ -11,7 +9,6 @@
 #include "states/state_search.h"
 #include "support/balancer_scenes.h"
 #include "support/rigid_jeffcott.h"
-#include "support/ring_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -214,70 +211,6 @@ TEST(StateSearch, MoreStatesThanNewtonFromRandomStarts) {
                 << std::abs(w[1]);
         }
         EXPECT_GT(found_again, 100);
-    }
-}
-
-/// What becomes of motions from random starts.
-struct Ends {
-    int at_rest = 0; ///< in a state that was found
-    int cycles = 0;  ///< named so by simulate
-    int others = 0;  ///< undecided
-};
-
-Ends ends_of(model::Case scene, double speed, int starts, unsigned seed) {
-    scene.speeds = model::SpeedRange{speed, speed, 1};
-    const auto states = all_at(scene, speed);
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> angle(-pi, pi);
-    Ends out;
-    for (int run = 0; run < starts; ++run) {
-        scene.simulate.ball_angles.clear();
-        for (const std::vector<double> &balancer : states.front().state.angles) {
-            scene.simulate.ball_angles.emplace_back(balancer.size());
-            for (double &one : scene.simulate.ball_angles.back())
-                one = angle(random);
-        }
-        const results::SimulateResult motion = analyses::simulate(scene);
-        using results::Outcome;
-        if (motion.outcome == Outcome::lagging || motion.outcome == Outcome::whirling ||
-            motion.outcome == Outcome::growing) {
-            ++out.cycles;
-            continue;
-        }
-        const bool found = std::ranges::any_of(states, [&](const StateSearch::Found &state) {
-            if (state.state.family)
-                return motion.outcome == Outcome::balanced;
-            for (std::size_t b = 0; b < state.state.angles.size(); ++b) {
-                std::vector<double> left = state.state.angles[b];
-                for (std::size_t k = 0; k < left.size(); ++k) {
-                    const double is = motion.balancers[b].angles[k];
-                    const auto near = std::ranges::find_if(left, [is](double at) {
-                        return std::abs(std::remainder(at - is, 2 * pi)) < 0.02;
-                    });
-                    if (near == left.end())
-                        return false;
-                    *near = 1e9; // taken
-                }
-            }
-            return true;
-        });
-        ++(found ? out.at_rest : out.others);
-        if (!found && motion.outcome != Outcome::undecided)
-            ADD_FAILURE() << "no such state: " << results::outcome_name(motion.outcome) << " "
-                          << motion.balancers[0].angles[0];
-    }
-    return out;
-}
-
-TEST(StateSearch, RandomStartsEndInStatesThatWereFound) {
-    PlanarJeffcott jeffcott;
-    jeffcott.drag = 3;
-    for (const double speed : {150.0, 290.0, 330.0, 500.0}) {
-        model::Case scene = jeffcott.scene();
-        scene.simulate.time = 25;
-        const Ends ends = ends_of(scene, speed, 15, 3);
-        EXPECT_EQ(ends.others, 0) << speed;
-        EXPECT_GT(ends.at_rest + ends.cycles, 0);
     }
 }
 

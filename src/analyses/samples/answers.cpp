@@ -209,10 +209,6 @@ std::vector<Answer> answers_of(const results::SimulateResult &motion) {
     return out;
 }
 
-UnstableBands bands_of(const model::Case &scene, bool with_errors) {
-    return unstable_bands_of(scene, balancers::arrangement_at_balance(scene.rotor), with_errors);
-}
-
 void append(std::vector<Answer> &all, const std::vector<Answer> &more) {
     all.insert(all.end(), more.begin(), more.end());
 }
@@ -316,7 +312,8 @@ Answers::Answers(const model::Case &scene, model::WantedAnswers wanted, Naming n
         _damping_order = take(found.model, found.answers);
     }
     if (_wanted.ends)
-        _ends_order = take(model_of_ends(scene), answers_of(bands_of(scene, true), *scene.speeds));
+        _ends_order =
+            take(model_of_ends(scene), answers_of(unstable_bands_of(scene, true), *scene.speeds));
     if (_wanted.residual) {
         if (scene.rotor.balancers.empty())
             throw model::BadInput("of: expected a [[balancer]] whose residual to look at, "
@@ -347,7 +344,7 @@ std::vector<Answer> Answers::of(const model::Case &scene) const {
         append(out, damping_at(scene, _damping_order, _wanted.at, _naming).answers);
     if (_wanted.ends) {
         const model::Case own = with_order(scene, _ends_order);
-        append(out, answers_of(bands_of(own, false), model::required_speeds(own)));
+        append(out, answers_of(unstable_bands_of(own, false), model::required_speeds(own)));
     }
     if (_wanted.residual)
         append(out, answers_of(simulate_alone(with_order(scene, _motion_order))));

@@ -100,4 +100,32 @@ std::string bands_text(const std::vector<results::Interval> &bands, const char *
     return bands.empty() ? "none" : text;
 }
 
+const char *change_name(model::SweepChange change) {
+    switch (change) {
+    case model::SweepChange::factor:
+        return "factor";
+    case model::SweepChange::shift:
+        return "shift";
+    case model::SweepChange::value:
+        break;
+    }
+    return "value";
+}
+
+std::vector<std::string> entries_of(const model::SweepAxis &axis) {
+    std::vector<std::string> paths;
+    for (const model::SweptEntry &entry : axis.entries)
+        paths.push_back(entry.path);
+    return paths;
+}
+
+std::string axis_name(const model::SweepAxis &axis) {
+    const std::string name =
+        axis.entries.size() > 1 ? fmt::format("{} and {} more", axis.label, axis.entries.size() - 1)
+                                : axis.label;
+    return axis.change == model::SweepChange::value
+               ? name
+               : fmt::format("{} of {}", change_name(axis.change), name);
+}
+
 } // namespace whirl::report

@@ -69,4 +69,12 @@ inline constexpr auto place_of = [](const auto &row, const Units &units) {
 [[nodiscard]] std::string bands_text(const std::vector<results::Interval> &bands, const char *end,
                                      const char *to, const char *between, const Units &units);
 
+// Entries of a case that change together, of [sweep] and [map].
+
+/// "value", "factor" or "shift", as in a case.
+[[nodiscard]] const char *change_name(model::SweepChange change);
+[[nodiscard]] std::vector<std::string> entries_of(const model::SweepAxis &axis);
+/// What an axis is called: the entry, or the first of those that change together.
+[[nodiscard]] std::string axis_name(const model::SweepAxis &axis);
+
 } // namespace whirl::report

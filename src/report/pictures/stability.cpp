@@ -1,5 +1,6 @@
 #include "report/pictures/figures.h"
 
+#include "report/common/words.h"
 #include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/stability.h"
@@ -165,44 +166,43 @@ std::string family_panel(const model::Case &scene, const Units &units,
            "plot NaN notitle\nunset object\nunset arrow\nset ytics auto\nset autoscale y\n";
 }
 
-std::string axis_title(const Units &units, const model::MapAxis &axis) {
-    return axis.path == "speed" ? units.label("Spin speed", Quantity::speed) : axis.path;
+std::string axis_title(const Units &units, const model::SweepAxis &axis) {
+    return axis.is_speed() ? units.label("Spin speed", Quantity::speed) : axis_name(axis);
 }
 
 std::string map_panel(const model::Case &scene, const Units &units,
                       const results::StabilityMap &map) {
-    const auto scale = [&](const model::MapAxis &axis) {
-        return axis.path == "speed" ? units.factor(Quantity::speed) : 1.0;
+    const auto scale = [&](const model::SweepAxis &axis) {
+        return axis.is_speed() ? units.factor(Quantity::speed) : 1.0;
     };
     double largest = 0;
     std::string text = "$map << EOD\n";
     for (std::size_t j = 0; j < map.growth.size(); ++j) {
         for (std::size_t i = 0; i < map.growth[j].size(); ++i) {
             largest = std::max(largest, std::abs(map.growth[j][i]));
-            text += fmt::format("{} {} {}\n", map.x_values[i] * scale(map.x),
-                                map.y_values[j] * scale(map.y), plot_number(map.growth[j][i]));
+            text += fmt::format("{} {} {}\n", map.x.values[i] * scale(map.x),
+                                map.y.values[j] * scale(map.y), plot_number(map.growth[j][i]));
         }
         text += "\n";
     }
     if (largest == 0)
         largest = 1;
-    const auto lines = [&](const model::MapAxis &of, const std::vector<double> &at,
-                           SpeedAxis axis) {
-        return of.path == "speed" ? operation_lines(scene, units,
-                                                    {units(Quantity::speed, at.front()),
-                                                     units(Quantity::speed, at.back())},
-                                                    axis)
-                                  : std::string();
+    const auto lines = [&](const model::SweepAxis &of, SpeedAxis axis) {
+        const std::vector<double> &at = of.values;
+        return of.is_speed() ? operation_lines(scene, units,
+                                               {units(Quantity::speed, at.front()),
+                                                units(Quantity::speed, at.back())},
+                                               axis)
+                             : std::string();
     };
-    return text + "EOD\n" + lines(map.x, map.x_values, SpeedAxis::x) +
-           lines(map.y, map.y_values, SpeedAxis::y) +
+    return text + "EOD\n" + lines(map.x, SpeedAxis::x) + lines(map.y, SpeedAxis::y) +
            fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\nset cbrange [{}:{}]\n"
                        "set palette defined (-1 '#2166AC', -0.001 '#E8F1F8', 0 '#FFFFFF', 0.001 "
                        "'#FBE3EA', 1 '#B0305C')\nset cblabel {}\n"
                        "set xlabel {}\nset ylabel {}\nunset key\nunset grid\nset pm3d map\n"
                        "plot $map using 1:2:3 with image notitle\n",
-                       map.x_values.front() * scale(map.x), map.x_values.back() * scale(map.x),
-                       map.y_values.front() * scale(map.y), map.y_values.back() * scale(map.y),
+                       map.x.values.front() * scale(map.x), map.x.values.back() * scale(map.x),
+                       map.y.values.front() * scale(map.y), map.y.values.back() * scale(map.y),
                        -largest, largest, axis_text(units, "Growth", Quantity::rate),
                        plot_text(axis_title(units, map.x)), plot_text(axis_title(units, map.y)));
 }

@@ -1,6 +1,7 @@
 #include "report/pictures/figures.h"
 
 #include "report/answers.h"
+#include "report/common/words.h"
 #include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/sweep.h"

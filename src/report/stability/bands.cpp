@@ -2,6 +2,7 @@
 
 #include "report/common/html.h"
 #include "report/common/units.h"
+#include "report/common/words.h"
 
 #include <fmt/format.h>
 
@@ -48,8 +49,8 @@ Columns<BandLine> file_columns(const results::StabilityResult &result) {
             {InCsv("unresolved growth"), Quantity::rate, &BandLine::unresolved_growth});
     }
     if (const auto &map = result.map) {
-        columns.push_back({InCsv("x: " + map->x.path), map->x.quantity, &BandLine::x});
-        columns.push_back({InCsv("y: " + map->y.path), map->y.quantity, &BandLine::y});
+        columns.push_back({InCsv("x: " + axis_name(map->x)), map->x.quantity, &BandLine::x});
+        columns.push_back({InCsv("y: " + axis_name(map->y)), map->y.quantity, &BandLine::y});
     }
     return columns;
 }
@@ -92,8 +93,8 @@ std::vector<BandLine> map_lines(const results::StabilityMap &map) {
         for (std::size_t i = 0; i < map.growth[j].size(); ++i)
             all.push_back({.kind = "map",
                            .growth = map.growth[j][i],
-                           .x = map.x_values[i],
-                           .y = map.y_values[j]});
+                           .x = map.x.values[i],
+                           .y = map.y.values[j]});
     return all;
 }
 

@@ -200,8 +200,14 @@ Json family_json(const results::ArrangementFamily &family, const Units &units) {
 }
 
 Json map_json(const results::StabilityMap &map, const Units &units) {
-    return {{"x", {{"path", map.x.path}, {"values", written(units, map.x.quantity, map.x_values)}}},
-            {"y", {{"path", map.y.path}, {"values", written(units, map.y.quantity, map.y_values)}}},
+    const auto axis = [&units](const model::SweepAxis &of) {
+        return Json{{"path", of.label},
+                    {"entries", entries_of(of)},
+                    {"change", change_name(of.change)},
+                    {"values", written(units, of.quantity, of.values)}};
+    };
+    return {{"x", axis(map.x)},
+            {"y", axis(map.y)},
             {"growth", written(units, Quantity::rate, map.growth)}};
 }
 
@@ -233,6 +239,10 @@ Json json_of(const StabilityResult &result, const Units &units) {
             {"additional_speeds", speeds(result.additional_speeds)},
             {"additional_speeds_damped", speeds(result.additional_speeds_damped)},
             {"permissible", json_rows(permissible_columns, result.permissible, units)},
+            {"balanced_against", !result.all_imbalances   ? Json()
+                                 : *result.all_imbalances ? Json("all imbalances")
+                                                          : Json("own imbalance")},
+            {"no_balanced_position", speeds(result.no_position)},
             {"neutral_pairs", result.neutral_pairs},
             {"harmonics", result.harmonics},
             {"family", result.family ? family_json(*result.family, units) : Json()},

@@ -31,6 +31,16 @@ struct TwoSupportRotor {
 /// rotor, one otherwise; without anisotropy, each once.
 [[nodiscard]] std::vector<double> resonances(const TwoSupportRotor &rotor);
 
+/// Partial frequencies, rad/s: of translation alone, sqrt(k11/M), then of tilt alone,
+/// sqrt[k33/(A - C)], for each principal plane in which A > C. Without coupling (k14 = 0) they are
+/// the resonances; else the resonances lie outside of them, w1 < wp1 < wp2 < w2.
+[[nodiscard]] std::vector<double> partial_frequencies(const TwoSupportRotor &rotor);
+
+/// z_max = sqrt[(C - A)/M], m: planes no farther from the centre of mass balance a short rotor at
+/// all speeds above its resonance (a spherical one: at 0). None of a long rotor. With anisotropy of
+/// the larger diametral inertia.
+[[nodiscard]] std::optional<double> farthest_plane(const TwoSupportRotor &rotor);
+
 /// Additional speed of the plane at z (rad/s), without anisotropy: critical speed of the rotor
 /// pinned there,
 /// sqrt[(k33 + k11 z^2 - 2 k14 z)/(A + M z^2 - C)]; none where A + M z^2 <= C.
