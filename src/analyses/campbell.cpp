@@ -126,6 +126,7 @@ results::CampbellMode mode_along(const tracking::Line &line,
     out.error_parts.resize(speeds);
     out.whirl.assign(speeds, results::Whirl::mixed);
     out.forward_fraction.assign(speeds, 0.5);
+    out.plane.resize(speeds);
     for (std::size_t k = 0; k < speeds; ++k) {
         out.absent.push_back(word(line.absence[k]));
         if (line.place[k] == tracking::Line::absent)
@@ -142,6 +143,7 @@ results::CampbellMode mode_along(const tracking::Line &line,
         out.log_dec[k] = damping.log_dec;
         out.whirl[k] = mode.whirl;
         out.forward_fraction[k] = mode.forward_fraction;
+        out.plane[k] = mode.plane;
         if (mode.confirmed)
             out.residual[k] = mode.residual;
         out.error_parts[k] = parts_of(errors[k], mode, refined);

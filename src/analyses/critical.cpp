@@ -238,7 +238,8 @@ results::CriticalResult of_order(const model::Case &scene, const results::Formul
                                           mode.residual,
                                           results::damping_of(modes::determined_value(mode)),
                                           {},
-                                          errors[i]});
+                                          errors[i],
+                                          mode.plane});
     }
     if (!judged)
         return result;

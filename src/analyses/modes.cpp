@@ -97,7 +97,8 @@ class Shapes {
                 scaled(x, largest),
                 scaled(y, largest),
                 dissipation_of(modes::part_powers(_solver, mode, spectrum.speed),
-                               mode.eigenvalue.real())};
+                               mode.eigenvalue.real()),
+                mode.plane};
     }
 
     /// The modes with the lowest frequencies at a speed.

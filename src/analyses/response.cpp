@@ -20,6 +20,7 @@
 #include "process/parallel.h"
 #include "process/progress.h"
 #include "results/formulation.h"
+#include "results/resonances.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -524,6 +525,18 @@ response_in_operation(const model::Case &scene,
     return result;
 }
 
+namespace {
+
+void add_resonances(results::ResponseResult &result) {
+    result.resonances = results::resonances_of(result.peaks);
+    for (results::ForceResponse &response : result.forces)
+        response.resonances = results::resonances_of(response.peaks);
+    if (result.gravity)
+        result.gravity->resonances = results::resonances_of(result.gravity->peaks);
+}
+
+} // namespace
+
 results::ResponseResult unbalance_response(const model::Case &asked) {
     const model::Case scene = driven(asked);
     results::ResponseResult result;
@@ -531,6 +544,7 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
         result = periodic_response(scene);
         if (result.nodes.empty() && !result.gravity)
             return {}; // not process 0
+        add_resonances(result);
         note_balancers(scene.rotor, result);
         if (scene.operation && !result.nodes.empty())
             add_margins(result, scene);
@@ -567,6 +581,7 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
     for (results::ForceResponse &response : result.forces)
         name_modes(response.peaks, asked, result.model.order,
                    {response.multiple.value_or(0), response.frequency.value_or(0), false});
+    add_resonances(result);
     note_bends(scene.rotor, result);
     if (scene.operation && !result.nodes.empty())
         add_margins(result, scene);

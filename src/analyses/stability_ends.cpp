@@ -168,6 +168,9 @@ results::Verdict verdict_of(const ends::FastestGrowing &fastest) {
 void add_growth(const ends::AllMotions &motions, double speed, results::StabilityResult &result) {
     const double top = motions.resolved_up_to();
     ends::FastestGrowing all = motions.fastest_growing(speed, 0, top);
+    if (motions.form() == results::Form::general)
+        result.log_dec.push_back(
+            motions.least_log_dec(speed, all).value_or(std::numeric_limits<double>::quiet_NaN()));
     if (std::isfinite(top)) {
         const ends::FastestGrowing faster = motions.fastest_growing(speed, top);
         result.resolved_growth.push_back(growth_of(all));
@@ -264,6 +267,7 @@ void add_growth_of_all_speeds(const ends::AllMotions &motions, results::Stabilit
     };
     same(result.growth);
     same(result.verdict);
+    same(result.log_dec);
     same(result.resolved_growth);
     same(result.resolved_verdict);
     same(result.unresolved_growth);

@@ -95,8 +95,8 @@ void add_unit_options(CLI::App &app, Arguments &arguments) {
         "amplitudes of vibration from peak to peak");
 }
 
-void add_json_units_option(CLI::App &app, Arguments &arguments) {
-    app.add_flag_callback(
+CLI::Option *add_json_units_option(CLI::App &app, Arguments &arguments) {
+    return app.add_flag_callback(
         "--json-units", [&arguments] { arguments.overrides.emplace_back("units.json=true"); },
         "JSON in these units too, instead of SI");
 }
@@ -107,22 +107,29 @@ void add_options(CLI::App &app, const Command &command, Arguments &arguments) {
         ->type_name("");
     app.add_option("--out", arguments.out, "folder for the results (default out/<case>/<command>)")
         ->type_name("DIR");
-    app.add_flag("--json", arguments.json,
-                 "the JSON result alone on standard output; files only with --out");
+    CLI::Option *json =
+        app.add_flag("--json", arguments.json,
+                     "the JSON result alone on standard output; files only with --out");
     app.add_option("--set", arguments.overrides,
                    "override an entry of the case, e.g. --set speeds.count=11; repeatable")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     add_own_options(app, command, arguments);
     add_unit_options(app, arguments);
-    add_json_units_option(app, arguments);
-    app.add_option("--digits", arguments.digits,
-                   "significant digits of the text on standard output (5)")
-        ->check(CLI::Range(2, 15))
-        ->type_name("N");
-    app.add_flag("--errors", arguments.errors, "errors in the text, even below the digits shown");
-    app.add_flag("--all", arguments.all, "all rows in the text, not 25 lines");
-    app.add_flag("--quiet", arguments.quiet, "no text on standard output");
+    std::vector<CLI::Option *> of_text{
+        json,
+        add_json_units_option(app, arguments),
+        app.add_option("--digits", arguments.digits,
+                       "significant digits of the text on standard output (5)")
+            ->check(CLI::Range(2, 15))
+            ->type_name("N"),
+        app.add_flag("--errors", arguments.errors,
+                     "errors in the text, even below the digits shown"),
+        app.add_flag("--all", arguments.all, "all rows in the text, not 25 lines"),
+        app.add_flag("--quiet", arguments.quiet, "no text on standard output")};
+    if (command.lasts) // it writes no result
+        for (CLI::Option *option : of_text)
+            option->group("");
     finish(app, reads_text(command.settings), command.examples);
 }
 

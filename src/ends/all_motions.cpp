@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace whirl::ends {
@@ -181,6 +182,38 @@ std::optional<WholeMotion> AllMotions::of_whole(const Root &root, double speed) 
     return found && std::abs(found->value - root.value) <= away ? std::move(found) : std::nullopt;
 }
 
+namespace {
+
+/// Takes the value where its logarithmic decrement is the smallest so far.
+void take_least_damped(std::complex<double> value, std::complex<double> &least) {
+    constexpr double swings = 1e-6; // Im over modulus: of a real root that rounding has moved off
+    if (value.imag() > swings * std::abs(value) &&
+        (least == 0.0 || value.real() / value.imag() > least.real() / least.imag()))
+        least = value;
+}
+
+} // namespace
+
+std::optional<double> AllMotions::least_log_dec(double speed, const FastestGrowing &found) const {
+    const std::complex<double> root = found.least_damped;
+    if (_form != results::Form::general || root == 0.0)
+        return std::nullopt;
+    std::complex<double> value = found.value;
+    if (std::abs(value - root) > same_root * std::abs(root)) {
+        const Eigen::VectorXcd any = any_vector();
+        const auto whole = of_whole(WholeMotion{speed, root, any, any, 0});
+        if (!whole || std::abs(whole->value - root) > same_root * std::abs(root))
+            return std::nullopt;
+        value = whole->value;
+    }
+    return -2 * std::numbers::pi * value.real() / value.imag();
+}
+
+Eigen::VectorXcd AllMotions::any_vector() const {
+    return linalg::deterministic_vector(static_cast<int>(_whole.mass().rows()))
+        .cast<std::complex<double>>();
+}
+
 /// From eigenvalues without vectors, refined on the whole rotor; nothing where a motion that counts
 /// is neutral within rounding, as its sign then needs the vectors.
 std::optional<FastestGrowing> AllMotions::by_values(double speed, double above,
@@ -188,6 +221,7 @@ std::optional<FastestGrowing> AllMotions::by_values(double speed, double above,
     constexpr double hardly = 1e-5; // where three roots meet rounding moves them by nearly as much
     const double shift = shift_at(speed);
     std::optional<std::complex<double>> best;
+    std::complex<double> least = 0;
     for (const std::complex<double> &value :
          modes::all_values(_rotor.at(speed, _rotor.piece_of(speed)), shift, _zeros)) {
         const double size = std::abs(value);
@@ -198,17 +232,16 @@ std::optional<FastestGrowing> AllMotions::by_values(double speed, double above,
             return std::nullopt;
         if (!best || value.real() > best->real())
             best = value;
+        take_least_damped(value, least);
     }
     if (!best)
         return std::nullopt;
-    const Eigen::VectorXcd any =
-        linalg::deterministic_vector(static_cast<int>(_whole.mass().rows()))
-            .cast<std::complex<double>>();
+    const Eigen::VectorXcd any = any_vector();
     const auto found = of_whole(WholeMotion{speed, *best, any, any, 0});
     if (!found || std::abs(found->value - *best) > same_root * std::abs(*best) ||
         std::abs(found->value.real()) <= found->noise)
         return std::nullopt;
-    return FastestGrowing{found->value, true};
+    return FastestGrowing{found->value, true, least};
 }
 
 FastestGrowing AllMotions::fastest_growing(double speed, double above, double up_to) const {
@@ -222,6 +255,10 @@ FastestGrowing AllMotions::fastest_growing(double speed, double above, double up
     const double margin = is_rough() ? nearby : 0;
     std::erase_if(roots, [&](const Root &root) { return !asked_for(root.value, margin); });
     std::ranges::sort(roots, std::ranges::greater{}, [](const Root &a) { return a.value.real(); });
+    std::complex<double> least = 0;
+    for (const Root &root : roots)
+        if (within_reach(std::abs(root.value)))
+            take_least_damped(root.value, least);
     bool neutral = false;
     // A reduced rotor has few of the motions beyond what the elements resolve.
     const bool all_there = !_drives_all || !_shapes || up_to <= _resolved;
@@ -244,7 +281,7 @@ FastestGrowing AllMotions::fastest_growing(double speed, double above, double up
         if (best && root.value.real() + roughly * std::abs(root.value.real()) < best->real())
             break;
         if (root.sign() < 0 && neutral && !best)
-            return {0, counted};
+            return {0, counted, least};
         const auto found = of_whole(root, speed);
         if (!found)
             counted = counted && (!_drives_all || root.sign() < 0);
@@ -256,10 +293,10 @@ FastestGrowing AllMotions::fastest_growing(double speed, double above, double up
             break;
     }
     if (best && (best->real() > 0 || !neutral))
-        return {*best, counted};
+        return {*best, counted, least};
     const auto first =
         std::ranges::find_if(roots, [](const Root &root) { return root.sign() != 0; });
-    return {first == roots.end() || neutral ? 0 : first->value, counted};
+    return {first == roots.end() || neutral ? 0 : first->value, counted, least};
 }
 
 } // namespace whirl::ends

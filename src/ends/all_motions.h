@@ -20,6 +20,9 @@ namespace whirl::ends {
 struct FastestGrowing {
     std::complex<double> value; ///< Im >= 0, 1/s; 0 where rounding hides the real part
     bool counted = true;        ///< of each of them it is known whether it grows
+    /// Of those with |l| up to reach() that swing the one with the smallest logarithmic decrement,
+    /// as the reduced rotor has it; 0: there is none.
+    std::complex<double> least_damped = 0;
 };
 
 /// All free motions of a rotor over a range of speeds, forms general and rotating: of the reduced
@@ -94,6 +97,12 @@ class AllMotions {
     [[nodiscard]] const assembly::Discretization &discretization() const { return _discretization; }
     [[nodiscard]] results::Form form() const { return _form; }
 
+    /// The smallest logarithmic decrement at that speed, -2 pi Re l / Im l of the whole rotor;
+    /// none: no motion swings, or the one that does was not found. Form general alone: in axes that
+    /// turn the same motion has another one.
+    [[nodiscard]] std::optional<double> least_log_dec(double speed,
+                                                      const FastestGrowing &found) const;
+
   private:
     const assembly::Discretization &_discretization;
     results::Form _form;
@@ -122,6 +131,7 @@ class AllMotions {
     [[nodiscard]] bool is_rough() const;
     [[nodiscard]] bool decides_decay(double size) const;
     [[nodiscard]] std::optional<WholeMotion> of_whole(const Root &root, double speed) const;
+    [[nodiscard]] Eigen::VectorXcd any_vector() const; ///< over the unknowns of the whole rotor
     [[nodiscard]] std::optional<FastestGrowing> by_values(double speed, double above,
                                                           double up_to) const;
 };

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace whirl::modes {
@@ -162,6 +163,27 @@ Ellipse ellipse_of(std::complex<double> x, std::complex<double> y) {
     return {with + against, with - against};
 }
 
+std::optional<double> orbit_plane(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y,
+                                  const Stations &stations) {
+    constexpr double straight = 0.1; // across over along: what looks like a line
+    double xx = 0;
+    double yy = 0;
+    double xy = 0;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+        const double mass = stations.masses()(i);
+        xx += mass * std::norm(x(i));
+        yy += mass * std::norm(y(i));
+        xy += mass * (x(i) * std::conj(y(i))).real();
+    }
+    // Mean squares of the deflections along the principal axes of [xx, xy; xy, yy].
+    const double mean = (xx + yy) / 2;
+    const double half = std::hypot((xx - yy) / 2, xy);
+    if (!(mean - half <= straight * straight * (mean + half)) || mean == 0)
+        return std::nullopt;
+    const double angle = std::atan2(2 * xy, xx - yy) / 2;
+    return angle > -std::numbers::pi / 4 ? angle : angle + std::numbers::pi;
+}
+
 OrbitSense orbit_sense(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y,
                        const Stations &stations, double spin_speed) {
     // Ellipses narrower than the first share are straight lines to rounding and modelling accuracy.
@@ -183,13 +205,14 @@ OrbitSense orbit_sense(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y,
     }
     const double forward = spin_speed >= 0 ? positive : negative;
     const double swept = positive + negative;
+    const std::optional<double> plane = orbit_plane(x, y, stations);
     if (!(swept > straight * size))
-        return {results::Whirl::mixed, 0.5};
+        return {results::Whirl::mixed, 0.5, plane};
     const double share = forward / swept;
     return {share >= 1 - significant ? results::Whirl::forward
             : share <= significant   ? results::Whirl::backward
                                      : results::Whirl::mixed,
-            share};
+            share, plane};
 }
 
 } // namespace whirl::modes

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -64,8 +65,15 @@ class Stations {
 struct OrbitSense {
     results::Whirl whirl = results::Whirl::mixed;
     double forward_fraction =
-        0.5; ///< 1: forward everywhere; 1/2 as well where all orbits are lines
+        0.5;                     ///< 1: forward everywhere; 1/2 as well where all orbits are lines
+    std::optional<double> plane; ///< orbit_plane()
 };
+/// The plane through the axis in which a mode moves, where all its orbits are nearly straight lines
+/// in one: at most a tenth as wide across it as along it (root mean square over the masses), as on
+/// supports that differ between their directions. Its angle from x towards y, rad, in (-pi/4,
+/// 3 pi/4], so that rounding turns neither 0 nor pi/2 into its opposite.
+[[nodiscard]] std::optional<double>
+orbit_plane(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y, const Stations &stations);
 [[nodiscard]] OrbitSense orbit_sense(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y,
                                      const Stations &stations, double spin_speed);
 

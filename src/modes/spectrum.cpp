@@ -179,6 +179,7 @@ void SpectrumSolver::classify(Spectrum &spectrum) const {
         const OrbitSense sense = orbit_sense(x, y, _data->stations, spectrum.speed);
         mode.whirl = sense.whirl;
         mode.forward_fraction = sense.forward_fraction;
+        mode.plane = sense.plane;
     }
 }
 

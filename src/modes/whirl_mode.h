@@ -77,6 +77,7 @@ struct WhirlMode {
     Eigen::VectorXcd shape;
     results::Whirl whirl = results::Whirl::mixed;
     double forward_fraction = 0.5;
+    std::optional<double> plane;   ///< of nearly straight orbits, rad (orbit_plane())
     double frequency_rotating = 0; ///< seen in rotating axes, rad/s; in rotating forms only
     /// Form rotating: of the two frequencies in the fixed frame the other one, rad/s, where the
     /// deflections of that whirl are at least a tenth as large.

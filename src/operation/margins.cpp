@@ -1,6 +1,7 @@
 #include "operation/margins.h"
 
 #include "model/rpm.h"
+#include "results/resonances.h"
 
 #include <fmt/format.h>
 
@@ -44,20 +45,9 @@ std::vector<const ResponsePeak *> judged(const std::vector<ResponsePeak> &peaks)
 /// A peak without limit has none; one whose half-power points are not both known no factor.
 bool has_factor(const ResponsePeak &peak) { return std::isinf(peak.value) || peak.amplification; }
 
-/// What is of one resonance is apart by less than the width of the resonance.
-bool within_width(double speed, std::optional<double> factor, double other_speed,
-                  std::optional<double> other_factor) {
-    constexpr double rounding = 1e-3; // of sharp resonances: far narrower than they are apart
-    double sharpness = 1 / rounding;
-    for (const auto &each : {factor, other_factor})
-        if (each)
-            sharpness = std::min(sharpness, *each);
-    return std::abs(std::log(speed / other_speed)) <= 1 / sharpness;
-}
-
 bool together(const ResponsePeak &peak, const CriticalSpeed &critical) {
-    return within_width(peak.speed, peak.amplification, critical.speed,
-                        critical.damping.amplification);
+    return results::within_width(peak.speed, peak.amplification, critical.speed,
+                                 critical.damping.amplification);
 }
 
 /// What an imbalance excites: a critical speed, or none of the list, and the peaks that are its.
@@ -91,8 +81,10 @@ SeparationMargin of_peak(const ResponsePeak &peak, const CriticalSpeed *critical
     out.z = peak.z;
     out.name = peak.name;
     out.angle = peak.angle;
-    if (critical)
+    if (critical) {
         out.whirl = critical->whirl;
+        out.plane = critical->plane;
+    }
     return out;
 }
 
@@ -108,6 +100,7 @@ SeparationMargin of_damping(const CriticalSpeed &critical, const model::Operatio
     SeparationMargin out = margin_of(critical.speed, critical.damping.amplification, operation);
     out.source = "damping";
     out.whirl = critical.whirl;
+    out.plane = critical.plane;
     return out;
 }
 
@@ -123,29 +116,6 @@ std::vector<const ResponsePeak *> one_a_probe(std::vector<const ResponsePeak *> 
         if (std::ranges::none_of(
                 out, [&](const ResponsePeak *other) { return same_probe(peak, other); }))
             out.push_back(peak);
-    return out;
-}
-
-/// Peaks that belong to no critical speed, those of one resonance together: within the width of the
-/// largest of them, and of each place one, for two peaks of one curve are two resonances.
-std::vector<Resonance> of_one_resonance_each(std::vector<const ResponsePeak *> peaks) {
-    std::ranges::stable_sort(peaks, std::greater{}, &ResponsePeak::value);
-    std::vector<Resonance> out;
-    const auto distance = [](const Resonance &resonance, const ResponsePeak *peak) {
-        return std::abs(std::log(resonance.peaks.front()->speed / peak->speed));
-    };
-    for (const ResponsePeak *peak : peaks) {
-        Resonance *nearest = nullptr;
-        for (Resonance &resonance : out) {
-            const ResponsePeak &first = *resonance.peaks.front();
-            const auto &taken = resonance.peaks;
-            if (within_width(peak->speed, peak->amplification, first.speed, first.amplification) &&
-                std::ranges::find(taken, peak->place, &ResponsePeak::place) == taken.end() &&
-                (!nearest || distance(resonance, peak) < distance(*nearest, peak)))
-                nearest = &resonance;
-        }
-        (nearest ? *nearest : out.emplace_back()).peaks.push_back(peak);
-    }
     return out;
 }
 
@@ -229,8 +199,8 @@ namespace {
 bool is_listed(const CriticalSpeed &critical, const std::vector<SeparationMargin> &margins) {
     return std::ranges::any_of(margins, [&](const SeparationMargin &margin) {
         return margin.whirl == critical.whirl &&
-               within_width(margin.speed, margin.amplification, critical.speed,
-                            critical.damping.amplification);
+               results::within_width(margin.speed, margin.amplification, critical.speed,
+                                     critical.damping.amplification);
     });
 }
 
@@ -347,7 +317,9 @@ std::vector<SeparationMargin> separation_margins(const model::Operation &operati
         Resonance *resonance = nearest(*peak, excited);
         (resonance ? resonance->peaks : strays).push_back(peak);
     }
-    std::vector<Resonance> resonances = of_one_resonance_each(std::move(strays));
+    std::vector<Resonance> resonances;
+    for (auto &of_one : results::of_one_resonance_each(std::move(strays)))
+        resonances.push_back({nullptr, std::move(of_one)});
     resonances.insert(resonances.end(), excited.begin(), excited.end());
     std::vector<std::vector<SeparationMargin>> groups; // of one resonance each
     for (const Resonance &resonance : resonances)

@@ -31,6 +31,10 @@ struct ModeAt {
     std::size_t index; ///< of the speed
 
     [[nodiscard]] std::optional<double> frequency() const { return mode->frequency.at(index); }
+    [[nodiscard]] std::string whirl(const Units &units) const {
+        return whirl_text(mode->whirl.at(index), plane(), units);
+    }
+    [[nodiscard]] std::optional<double> plane() const { return entry(mode->plane, index); }
 };
 
 /// The entry of a list of the mode.
@@ -62,14 +66,17 @@ const Columns<ModeAt> mode_columns = with_error_parts<ModeAt>(
      {"damping_ratio", InCsv("damping_ratio"), OnPage("Damping ratio"), InText("damping ratio"),
       Quantity::number, entry_of(&CampbellMode::damping_ratio)},
      {"log_dec", InCsv("log_dec"), Quantity::number, entry_of(&CampbellMode::log_dec)},
-     {"whirl", InCsv("whirl"), OnPage("Whirl"), InText("whirl"), entry_of(&CampbellMode::whirl)},
+     {"whirl", InCsv("whirl"), entry_of(&CampbellMode::whirl)},
+     {OnPage("Whirl"), InText("whirl"),
+      [](const ModeAt &at, const Units &units) { return at.whirl(units); }},
      {"forward_share", InCsv("forward_fraction"), OnPage("Forward share", "{:.4g}"),
       Quantity::number, entry_of(&CampbellMode::forward_fraction)},
      {"forward_fraction", Quantity::number,
       entry_of(&CampbellMode::forward_fraction)}, // its older name
      {"error", InCsv("error"), OnPage("Relative error", "{:.2g}"), InText("error", rough),
       Quantity::number, entry_of(&CampbellMode::error)},
-     {"residual", InCsv("residual"), Quantity::number, entry_of(&CampbellMode::residual)}},
+     {"residual", InCsv("residual"), Quantity::number, entry_of(&CampbellMode::residual)},
+     {"plane", InCsv("plane"), Quantity::angle, &ModeAt::plane}},
     part);
 
 std::vector<ModeAt> over_speeds(const CampbellResult &result, const CampbellMode &mode) {
@@ -217,7 +224,16 @@ Json drawn_of(const CampbellResult &result, const Units &units) {
             at.push_back(grows(mode, i));
         return at;
     });
+    const Json whirl = json_list(result.modes, [&](const CampbellMode &mode) {
+        Json at = Json::array();
+        for (std::size_t i = 0; i < result.speeds.size(); ++i)
+            at.push_back(ModeAt{result.speeds[i], &mode, i}.whirl(units));
+        return at;
+    });
     return {{"sprung", sprung_steps(result)},
+            {"whirl", whirl},
+            {"names",
+             json_list(result.modes, [&units](const auto &mode) { return end_name(units, mode); })},
             {"grows", grown},
             {"others", other_frequencies({units}, result)},
             {"synchronous", units.factor(Quantity::frequency) / units.factor(Quantity::speed)}};

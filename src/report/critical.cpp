@@ -33,7 +33,8 @@ const Columns<CriticalSpeed> critical_columns = with_error_parts<CriticalSpeed>(
      {OnPage("", "{:.10g}"), InText(""), Quantity::frequency, &CriticalSpeed::speed},
      {"mode", InCsv("mode"), OnPage("Mode"), InText("mode"),
       [](const auto &c) { return known_name(c.mode); }},
-     {"whirl", InCsv("whirl"), OnPage("Whirl"), InText("whirl"), &CriticalSpeed::whirl},
+     {"whirl", InCsv("whirl"), &CriticalSpeed::whirl},
+     {OnPage("Whirl"), InText("whirl"), whirl_of},
      {"real", InCsv("real"), OnPage("Real part", "{:.5g}"), Quantity::rate, &CriticalSpeed::real},
      {"damping_ratio", InCsv("damping_ratio"), OnPage("Damping ratio"), InText("damping ratio"),
       Quantity::number, [](const auto &c) { return c.damping.ratio; }},
@@ -47,7 +48,8 @@ const Columns<CriticalSpeed> critical_columns = with_error_parts<CriticalSpeed>(
       [](const auto &c) { return c.damping.heavy() ? "heavily" : ""; }},
      {"error", InCsv("error"), OnPage("Relative error", "{:.2g}"), InText("error", rough),
       Quantity::number, &CriticalSpeed::error},
-     {"residual", InCsv("residual"), Quantity::number, &CriticalSpeed::residual}},
+     {"residual", InCsv("residual"), Quantity::number, &CriticalSpeed::residual},
+     {"plane", InCsv("plane"), Quantity::angle, &CriticalSpeed::plane}},
     error_part);
 
 std::string text_of(const model::Case &scene, const CriticalResult &result, const Units &units) {
@@ -60,15 +62,37 @@ std::string text_of(const model::Case &scene, const CriticalResult &result, cons
            model_text(result.model, units);
 }
 
-int row_of(results::Whirl whirl) {
-    return whirl == results::Whirl::forward ? 3 : whirl == results::Whirl::mixed ? 2 : 1;
+/// The senses of whirl that there are, each with a row of marks, from the bottom.
+std::vector<results::Whirl> senses_of(const CriticalResult &result) {
+    std::vector<results::Whirl> senses{results::Whirl::backward, results::Whirl::mixed,
+                                       results::Whirl::forward};
+    std::erase_if(senses, [&result](results::Whirl sense) {
+        return std::ranges::find(result.critical_speeds, sense, &CriticalSpeed::whirl) ==
+               result.critical_speeds.end();
+    });
+    return senses;
 }
 
-// The panel of the marks: pixels, and its axis.
-constexpr int figure_width = 1080;
-constexpr int figure_height = 400;
-constexpr double panel_left = 0.1, panel_right = 0.965, panel_bottom = 0.18, panel_top = 0.76;
-constexpr double rows_from = 0.4, rows_to = 3.9;
+/// The panel of the marks: pixels, and its rows.
+struct MarksPanel {
+    std::vector<results::Whirl> senses;
+    static constexpr int width = 1080;
+    static constexpr double left = 0.1, right = 0.965, wide = (right - left) * width;
+    static constexpr int head = 96, foot = 72, row_height = 66;
+    static constexpr double from = 0.4, beyond = 0.9; ///< of the rows, below and above
+    [[nodiscard]] double to() const { return static_cast<double>(senses.size()) + beyond; }
+    [[nodiscard]] double high() const { return row_height * (to() - from); }
+    [[nodiscard]] int height() const { return head + foot + static_cast<int>(high()); }
+    [[nodiscard]] int row(results::Whirl sense) const {
+        return 1 + static_cast<int>(std::ranges::find(senses, sense) - senses.begin());
+    }
+    [[nodiscard]] double up(double row) const { return (row - from) / (to() - from); }
+    [[nodiscard]] std::string names() const {
+        return joined(senses, ", ", [this](results::Whirl sense) {
+            return fmt::format("'{}' {}", results::whirl_name(sense), row(sense));
+        });
+    }
+};
 
 /// Speeds of the marks. Logarithmic where the highest is so much higher than the lowest that
 /// this would stand at the edge with its neighbours on it.
@@ -97,22 +121,21 @@ MarksAxis axis_of(const model::Case &scene, const Units &units, const CriticalRe
 
 /// The speeds beside their marks: above, else below, else farther away; those that find no place
 /// are counted.
-std::string speed_labels(const Units &units, const CriticalResult &result, const MarksAxis &axis) {
+std::string speed_labels(const Units &units, const CriticalResult &result, const MarksAxis &axis,
+                         const MarksPanel &panel) {
     constexpr double size = 10;
-    constexpr double wide = (panel_right - panel_left) * figure_width;
-    constexpr double high = (panel_top - panel_bottom) * figure_height;
     LabelPlacer placer;
     std::string script;
     int unnamed = 0;
     for (const CriticalSpeed &critical : result.critical_speeds) {
         const std::string text = drawn_speed(units, critical.speed);
-        const double width = (text_width(text, size) + 6) / wide;
+        const double width = (text_width(text, size) + 6) / MarksPanel::wide;
         const double across = axis.across(units(Quantity::speed, critical.speed));
         bool placed = false;
         for (const double off : {0.33, -0.33, 0.52, -0.52}) { // of the distance of the rows
-            const double y = row_of(critical.whirl) + off;
-            const double up = (y - rows_from) / (rows_to - rows_from);
-            placed = placer.take({across - width / 2, up - 6 / high, width, 12 / high});
+            const double up = panel.up(panel.row(critical.whirl) + off);
+            placed =
+                placer.take({across - width / 2, up - 6 / panel.high(), width, 12 / panel.high()});
             if (!placed)
                 continue;
             script += fmt::format("set label {} at graph {},{} center font ',{}' textcolor '{}'\n",
@@ -128,20 +151,20 @@ std::string speed_labels(const Units &units, const CriticalResult &result, const
 /// The critical speeds as marks on a speed axis, forward and backward in rows of their own.
 Figure critical_figure(const model::Case &scene, const CriticalResult &result, const Units &units) {
     const MarksAxis axis = axis_of(scene, units, result);
+    const MarksPanel panel{senses_of(result)};
     const Range &x = axis.x;
     Curves drawn;
     drawn.add("NaN notitle");
     drawn.add(operation_key(scene, units, x));
     std::vector<PlotPoint> heavy;
-    for (const auto sense :
-         {results::Whirl::forward, results::Whirl::mixed, results::Whirl::backward}) {
+    for (const auto sense : panel.senses) {
         std::vector<PlotPoint> points;
         for (const auto &critical : result.critical_speeds) {
             if (critical.whirl != sense)
                 continue;
             const bool grey = critical.damping.heavy();
             (grey ? heavy : points)
-                .push_back({units(Quantity::speed, critical.speed), row_of(sense)});
+                .push_back({units(Quantity::speed, critical.speed), panel.row(sense)});
         }
         const LineStyle style = whirl_style(sense);
         drawn.add(points, fmt::format("with points pt {} ps 1.5 lw 1.6 lc rgb '{}'", style.point,
@@ -150,17 +173,19 @@ Figure critical_figure(const model::Case &scene, const CriticalResult &result, c
     if (!heavy.empty())
         drawn.add(heavy, fmt::format("with points pt 6 ps 1.5 lw 1.6 lc rgb '{}'", heavy_colour),
                   "'heavily damped (AF < 2.5)'");
-    return figure_of(
-        figure_width, figure_height, "Critical speeds: " + title_of(scene), "synchronous whirl, 1×",
-        panel_margins(panel_left, panel_right, panel_bottom, panel_top) +
-            (axis.logarithmic ? "set logscale x\nset format x '10^{%L}'\n" : "") +
-            fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n"
-                        "set ytics ('forward' 3, 'mixed' 2, 'backward' 1)\n"
-                        "set xlabel {}\nset grid x lc rgb '#E4E4E4' lt 1\n"
-                        "set key at graph 1,1.02 right bottom horizontal samplen 2\n",
-                        x.low, x.high, rows_from, rows_to,
-                        axis_text(units, "Spin speed", Quantity::speed)) +
-            operation_band(scene, units, x) + speed_labels(units, result, axis) + drawn.script());
+    return figure_of(panel.width, panel.height(), "Critical speeds: " + title_of(scene),
+                     "synchronous whirl, 1×",
+                     panel_margins(panel.left, panel.right, double(panel.foot) / panel.height(),
+                                   1 - double(panel.head) / panel.height()) +
+                         (axis.logarithmic ? "set logscale x\nset format x '10^{%L}'\n" : "") +
+                         fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n"
+                                     "set ytics ({})\n"
+                                     "set xlabel {}\nset grid x lc rgb '#E4E4E4' lt 1\n"
+                                     "set key at graph 1,1.02 right bottom horizontal samplen 2\n",
+                                     x.low, x.high, panel.from, panel.to(), panel.names(),
+                                     axis_text(units, "Spin speed", Quantity::speed)) +
+                         operation_band(scene, units, x) +
+                         speed_labels(units, result, axis, panel) + drawn.script());
 }
 
 /// The critical speeds and what their margins come to, in one sentence.

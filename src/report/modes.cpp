@@ -48,7 +48,9 @@ const Columns<ModeShape> shape_columns{
      Quantity::frequency, frequency},
     {"real", OnPage("Real part"), Quantity::rate, real_part},
     {InText("damping ratio"), Quantity::number, damping_ratio},
-    {"whirl", OnPage("Whirl"), InText("whirl"), &ModeShape::whirl},
+    {"whirl", &ModeShape::whirl},
+    {"plane", Quantity::angle, &ModeShape::plane},
+    {OnPage("Whirl"), InText("whirl"), whirl_of},
     {"forward_share", OnPage("Forward share", "{:.4g}"), Quantity::number,
      &ModeShape::forward_fraction},
     {"forward_fraction", Quantity::number, &ModeShape::forward_fraction}, // its older name
@@ -123,7 +125,8 @@ const Columns<Deflection> deflection_columns{
     {InCsv("x_real"), Quantity::number, [](const auto &at) { return at.x.real(); }},
     {InCsv("x_imag"), Quantity::number, [](const auto &at) { return at.x.imag(); }},
     {InCsv("y_real"), Quantity::number, [](const auto &at) { return at.y.real(); }},
-    {InCsv("y_imag"), Quantity::number, [](const auto &at) { return at.y.imag(); }}};
+    {InCsv("y_imag"), Quantity::number, [](const auto &at) { return at.y.imag(); }},
+    {InCsv("plane"), Quantity::angle, [](const auto &at) { return at.mode.plane; }}};
 
 std::string csv_of(const ModesResult &result, const Units &units) {
     std::vector<Deflection> rows;
@@ -179,7 +182,7 @@ Json drawn_rotor(const model::Rotor &rotor, const Units &units) {
 }
 
 /// The curves of the still picture: at the speed, then at critical ones.
-Json drawn_modes(const ModesResult &result) {
+Json drawn_modes(const ModesResult &result, const Units &units) {
     Json drawn = Json::array();
     for (const std::vector<ModeShape> *list : {&result.modes, &result.critical})
         for (const ModeShape &mode : *list) {
@@ -187,6 +190,7 @@ Json drawn_modes(const ModesResult &result) {
             drawn.push_back({{"x", curves.x},
                              {"y", curves.y},
                              {"at_one_instant", curves.at_one_instant},
+                             {"whirl", whirl_of(mode, units)},
                              {"damping_ratio", damping_ratio(mode)}});
         }
     return drawn;
@@ -260,7 +264,7 @@ Report describe(const model::Case &scene, const ModesResult &result) {
             .drawn =
                 [&](const Units &units) {
                     return Json{{"rotor", drawn_rotor(scene.rotor, units)},
-                                {"modes", drawn_modes(result)}};
+                                {"modes", drawn_modes(result, units)}};
                 },
             .vtp = [&] { return to_vtp(scene, result); },
             .answer = answer_of(result),

@@ -24,6 +24,8 @@ struct CriticalSpeed {
     Damping damping;  ///< of the synchronous eigenvalue; empty: the speed is that without damping
     std::string mode; ///< name of its line in the Campbell diagram; empty: not known
     ErrorParts error_parts{}; ///< of `error`
+    /// In which all orbits nearly lie as lines, from x towards y, rad; none: they are ellipses.
+    std::optional<double> plane{};
 };
 
 /// The n-th critical speed of a sense of whirl over the stiffness of the supports.

@@ -21,6 +21,7 @@ enum class MarginSide {
 struct SeparationMargin {
     double speed = 0;                    ///< rad/s: of the peak, or of the synchronous eigenvalue
     std::optional<Whirl> whirl;          ///< none: a peak that belongs to no critical speed listed
+    std::optional<double> plane{};       ///< that of the critical speed (CriticalSpeed), rad
     std::optional<double> amplification; ///< none: without limit
     std::string source;                  ///< of the amplification: "response" or "damping"
     std::string of;                      ///< "station" or "probe", where the peak is; else empty

@@ -30,6 +30,8 @@ struct ModeShape {
     std::vector<std::complex<double>> x; ///< deflections, largest modulus 1
     std::vector<std::complex<double>> y;
     std::vector<Dissipation> dissipation; ///< empty: nothing takes or feeds energy
+    /// In which all orbits nearly lie as lines, from x towards y, rad; none: they are ellipses.
+    std::optional<double> plane{};
 };
 
 struct ModesResult {

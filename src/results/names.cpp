@@ -81,6 +81,10 @@ std::optional<double> Check::margin() const {
     return (at_least ? *value - *limit : *limit - *value) / std::abs(*limit);
 }
 
+std::string peak_kind_name(PeakKind kind) {
+    return name_of(kind, {"resonance", "heavily damped", "flank", "plateau"});
+}
+
 std::string margin_side_name(MarginSide side) {
     return name_of(side, {"below", "inside", "above"});
 }

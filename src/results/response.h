@@ -60,6 +60,18 @@ struct ResponseBearing {
     std::vector<double> error; ///< estimated, relative
 };
 
+/// What a local maximum over the spin speed is.
+enum class PeakKind {
+    resonance,
+    heavily_damped, ///< a resonance with an amplification factor below 2.5 (Damping)
+    flank,          ///< no resonance of its own: beside a higher peak of the same place, to which
+                    ///< the curve rises before it has fallen to the half-power point
+    plateau         ///< likewise: it does not fall that far within the range
+};
+
+/// "resonance", "heavily damped", "flank" or "plateau".
+[[nodiscard]] std::string peak_kind_name(PeakKind kind);
+
 /// A local maximum over the spin speed, found as a root of the derivative of the whole curve.
 struct ResponsePeak {
     std::string of; ///< "station", "bearing" or "probe"
@@ -78,7 +90,17 @@ struct ResponsePeak {
     /// Name of the line of the Campbell diagram that is nearest to resonance there; empty: none is
     /// near, or not known.
     std::string mode;
-    ErrorParts error_parts{}; ///< of `error`
+    ErrorParts error_parts{};               ///< of `error`
+    PeakKind kind = PeakKind::plateau;      ///< resonances_of()
+    std::optional<std::size_t> resonance{}; ///< place among those of the motion; none: of no one
+};
+
+/// What the peaks of several places at one speed, or nearly, are of.
+struct Resonance {
+    /// The largest of the stations, without one with an amplification factor of the probes, then of
+    /// the bearings: its factor is that of the resonance.
+    ResponsePeak peak;
+    std::vector<std::size_t> peaks; ///< all that are of it, places in the list of peaks, ascending
 };
 
 /// The curves with points wherever they bend, to draw: a list over the speeds for each station,
@@ -115,6 +137,7 @@ struct GravityResponse {
     std::vector<GravityBearing> bearings;
     std::vector<ResponsePeak> peaks; ///< of the part at twice the spin speed
     ResponseCurves curves;           ///< the same, of stations and bearings
+    std::vector<Resonance> resonances{};
 };
 
 /// Motion of one frequency over the spin speed.
@@ -124,7 +147,8 @@ struct HarmonicMotion {
     std::vector<ResponseProbe> probes;
     /// Every local maximum strictly inside the range, by place, then by speed.
     std::vector<ResponsePeak> peaks;
-    ResponseCurves curves; ///< empty where the range is one speed
+    ResponseCurves curves;               ///< empty where the range is one speed
+    std::vector<Resonance> resonances{}; ///< what the peaks are of, ascending
 };
 
 /// What all forces of one frequency do together. Phases count from cos(frequency t).

@@ -89,7 +89,10 @@ struct StabilityResult {
     /// Largest real part at each, 1/s; NaN: no answer, or none was found that grows, but not of
     /// all motions it is known whether they do.
     std::vector<double> growth;
-    std::vector<Verdict> verdict;   ///< at each speed
+    std::vector<Verdict> verdict; ///< at each speed
+    /// The smallest logarithmic decrement of the motions that swing, of |l| up to the bound of
+    /// `growth`, at each speed; NaN: not known. Empty where they are not looked at in fixed axes.
+    std::vector<double> log_dec;
     std::vector<Interval> unstable; ///< rad/s, open intervals
     /// Error of both ends of each, rad/s (band_errors.h).
     std::vector<EndErrors> unstable_error;

@@ -30,7 +30,8 @@ bool Computations::is_newest(const std::string &panel, long long number) {
 }
 
 Computations::Answer Computations::run(const std::string &panel, long long number,
-                                       const std::vector<std::string> &words) {
+                                       const std::vector<std::string> &words,
+                                       const std::function<bool()> &gone) {
     {
         const std::lock_guard guard(_lock);
         if (_newest.size() > most_panels)
@@ -48,7 +49,7 @@ Computations::Answer Computations::run(const std::string &panel, long long numbe
         if (!child)
             return {.failed = true, .errors = "whirl cannot start itself: /proc is not there"};
         while (!child->ended_within(look_every))
-            if (!is_newest(panel, number))
+            if (!is_newest(panel, number) || gone())
                 return {.superseded = true};
         const std::string how = child->failure();
         const std::string errors = without_line_end(child->errors());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <atomic>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <unordered_map>
@@ -26,8 +26,10 @@ class Computations {
     /// @param panel   whose it is
     /// @param number  larger ones are newer
     /// @param words   the command line behind the program's name
+    /// @param gone    whether nobody waits for it any more
     [[nodiscard]] Answer run(const std::string &panel, long long number,
-                             const std::vector<std::string> &words);
+                             const std::vector<std::string> &words,
+                             const std::function<bool()> &gone);
 
     /// Ends what runs for panels whose names begin so: the page was closed.
     void leave(const std::string &panels);

@@ -8,8 +8,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
 #include <exception>
 #include <random>
+
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 namespace whirl::studio {
 
@@ -21,7 +27,15 @@ constexpr const char *here = "127.0.0.1";
 constexpr std::size_t largest_body = 4'000'000; // bytes
 
 /// A browser keeps up to six connections open to a page, and each takes a thread of the server.
-constexpr std::size_t threads = 64;
+constexpr std::size_t threads = 256;
+
+using Clock = std::chrono::steady_clock;
+/// From its beginning to the end of its headers: of a connection without a question so far with the
+/// token, and of one with it, which a browser keeps for the next one.
+constexpr std::chrono::seconds of_strangers{2};
+constexpr std::chrono::seconds of_known{20};
+/// Of an answer that nobody takes.
+constexpr int write_timeout = 5000; // ms
 
 /// 128 bits from the system, in hexadecimal.
 std::string new_token() {
@@ -60,12 +74,99 @@ void put(httplib::Response &response, const Reply &reply) {
         });
 }
 
+/// A connection. What it has to say up to a certain time is read; to a stranger it is closed then.
+class Connection : public httplib::Stream {
+  public:
+    explicit Connection(socket_t of) : _socket(of) {}
+
+    void allow(Clock::duration time) { _until = Clock::now() + time; }
+    /// Whether there is something to read, before the time is over.
+    [[nodiscard]] bool speaks() const {
+        return _next < _read.size() || ready(POLLIN, milliseconds_left());
+    }
+    /// The other end has left, or has no more to say.
+    [[nodiscard]] bool gone() const { return ready(POLLRDHUP, 0); }
+    bool known = false; ///< it has asked with the token
+
+    bool is_readable() const override { return speaks(); }
+    bool is_writable() const override { return ready(POLLOUT, write_timeout); }
+    ssize_t read(char *into, std::size_t size) override {
+        if (_next == _read.size()) {
+            if (!speaks())
+                return -1;
+            _read.resize(4096);
+            const ssize_t got = recv(_socket, _read.data(), _read.size(), 0);
+            _read.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+            _next = 0;
+            if (got <= 0)
+                return got;
+        }
+        const std::size_t count = std::min(size, _read.size() - _next);
+        std::copy_n(_read.data() + _next, count, into);
+        _next += count;
+        return static_cast<ssize_t>(count);
+    }
+    ssize_t write(const char *from, std::size_t size) override {
+        return is_writable() ? send(_socket, from, size, MSG_NOSIGNAL) : -1;
+    }
+    void get_remote_ip_and_port(std::string &ip, int &port) const override {
+        ip = here;
+        port = 0;
+    }
+    void get_local_ip_and_port(std::string &ip, int &port) const override {
+        get_remote_ip_and_port(ip, port);
+    }
+    socket_t socket() const override { return _socket; }
+
+  private:
+    socket_t _socket;
+    Clock::time_point _until = Clock::now();
+    std::string _read; ///< read and not yet taken, from _next on
+    std::size_t _next = 0;
+
+    [[nodiscard]] int milliseconds_left() const {
+        const auto left =
+            std::chrono::duration_cast<std::chrono::milliseconds>(_until - Clock::now());
+        return static_cast<int>(std::max<std::int64_t>(left.count(), 0));
+    }
+    [[nodiscard]] bool ready(short event, int milliseconds) const {
+        pollfd wanted{_socket, event, 0};
+        int found = 0;
+        while ((found = poll(&wanted, 1, milliseconds)) < 0 && errno == EINTR) {
+        }
+        return found > 0;
+    }
+};
+
+/// That whose question this thread answers.
+thread_local Connection *current = nullptr;
+
+/// The server of the library, with connections as above.
+class HttpServer : public httplib::Server {
+    bool process_and_close_socket(socket_t socket) override {
+        Connection connection(socket);
+        current = &connection;
+        bool answered = true;
+        bool closed = false;
+        while (answered && !closed) {
+            connection.allow(connection.known ? of_known : of_strangers);
+            if (!connection.speaks())
+                break;
+            answered = process_request(connection, false, closed, nullptr) && connection.known;
+        }
+        current = nullptr;
+        shutdown(socket, SHUT_RDWR);
+        close(socket);
+        return answered;
+    }
+};
+
 Reply plain(int status, const std::string &text) { return {status, "text/plain", text + "\n"}; }
 
 } // namespace
 
 struct Server::Http {
-    httplib::Server server;
+    HttpServer server;
     std::vector<Route> routes;
     std::string token = new_token();
     int port = 0;
@@ -78,7 +179,9 @@ struct Server::Http {
             return name == fmt::format("{}:{}", here, port) ||
                    name == fmt::format("localhost:{}", port);
         };
-        return is_here(host) && (origin.empty() || origin == "http://" + host) &&
+        return request.get_header_value_count("Host") == 1 &&
+               request.get_header_value_count("Origin") <= 1 && is_here(host) &&
+               (origin.empty() || origin == "http://" + host) &&
                request.get_param_value_count("token") == 1 &&
                same_secret(request.get_param_value("token"), token);
     }
@@ -99,7 +202,7 @@ struct Server::Http {
 
     void answer(const Route &route, const httplib::Request &request,
                 httplib::Response &response) const {
-        Question question{request.body, {}};
+        Question question{request.body, {}, [asking = current] { return asking->gone(); }};
         for (const auto &[name, value] : request.params)
             if (name != "token")
                 question.of[name] = value;
@@ -124,6 +227,8 @@ Server::Server(std::vector<Route> routes, int port) : _http(std::make_unique<Htt
     });
     http.server.set_pre_routing_handler([&http](const auto &request, auto &response) {
         const Reply refused = http.refusal(request);
+        current->known = refused.status == 0;
+        current->allow(of_known); // for the rest of the question
         if (refused.status == 0)
             return httplib::Server::HandlerResponse::Unhandled;
         put(response, refused);

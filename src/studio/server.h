@@ -12,6 +12,7 @@ namespace whirl::studio {
 struct Question {
     std::string body;                        ///< of a POST
     std::map<std::string, std::string> of{}; ///< behind the "?" of the address, without the token
+    std::function<bool()> gone;              ///< whether whoever asks has left
 };
 
 struct Reply {
@@ -31,7 +32,8 @@ struct Route {
 /// HTTP for the browser of this machine alone: bound to 127.0.0.1, and whoever asks without the
 /// token of its address is refused with 403 whatever he asks for, also under another name of this
 /// machine (a page of another site whose name leads here) or from the page of another site. There
-/// are no files behind it: what no route answers is 404, a route under another method 405.
+/// are no files behind it: what no route answers is 404, a route under another method 405. A
+/// connection has two seconds for its first question, however slowly it comes.
 class Server {
   public:
     /// @param port  0: any that is free

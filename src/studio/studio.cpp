@@ -75,11 +75,15 @@ class Studio {
     }
 
     [[nodiscard]] std::vector<Route> routes() {
-        const auto of = [this](Reply (Studio::*answer)(const Json &)) {
+        const auto of = [this](auto answer) {
             return [this, answer](const Question &question) {
                 const Json asked = Json::parse(question.body, nullptr, false);
-                return asked.is_object() ? (this->*answer)(asked)
-                                         : bad_question("expected an object of JSON");
+                if (!asked.is_object())
+                    return bad_question("expected an object of JSON");
+                if constexpr (std::is_invocable_v<decltype(answer), Studio, const Json &>)
+                    return (this->*answer)(asked);
+                else
+                    return (this->*answer)(asked, question.gone);
             };
         };
         return {{"GET", "/", [this](const Question &) { return page(); }},
@@ -266,18 +270,48 @@ class Studio {
         return found != asked.end() && found->is_string() ? found->get<std::string>() : "";
     }
 
-    Reply compute(const Json &asked) {
+    using Gone = std::function<bool()>;
+
+    /// What makes a run faster: few speeds, the classical elements, few modes to look for and to
+    /// name peaks by, no motions in time. Of a case that has them anyway nothing.
+    [[nodiscard]] std::vector<std::string> coarse(const std::string &command,
+                                                  const std::vector<std::string> &as_asked) {
+        const model::Case scene = [&] {
+            const std::lock_guard guard(_reading);
+            return _file.load(as_asked);
+        }();
+        constexpr int speeds = 12;
+        const int modes = command == "campbell" ? 6 : command == "critical" ? 2 : 1;
+        std::vector<std::string> overrides;
+        if (scene.speeds && scene.speeds->count > speeds)
+            overrides.push_back(fmt::format("speeds.count={}", speeds));
+        if (!scene.rotor.shaft.rigid &&
+            (scene.rotor.shaft.order > 1 || scene.rotor.shaft.order_auto))
+            overrides.emplace_back("shaft.order=1");
+        if (command != "balance" && scene.campbell.modes > modes)
+            overrides.push_back(fmt::format("campbell.modes={}", modes));
+        if (command == "balance" && scene.balance.simulated > 0)
+            overrides.emplace_back("balance.simulated=0");
+        return overrides;
+    }
+
+    /// With `preview` the same by a coarse model, for as long as the full one takes.
+    Reply compute(const Json &asked, const Gone &gone) {
         const std::string command = text_of(asked, "command");
-        const auto overrides = overrides_of(asked);
+        auto overrides = overrides_of(asked);
         const auto place = panel_of(asked, command);
         if (!offered(command) || !overrides || !place)
             return bad_question("expected the command of a panel, values of the fields, page and "
                                 "number");
         if (!problems_json(asked, *overrides).empty())
             return bad_question("the case has mistakes");
+        if (const auto preview = asked.find("preview"); preview != asked.end() && *preview == true)
+            for (std::string &override : coarse(command, *overrides))
+                overrides->push_back(std::move(override));
         std::vector<std::string> line = line_of(command, *overrides);
         line.insert(line.begin() + 1, {"--parts", "--quiet"});
-        const Computations::Answer answer = _computations.run(place->panel, place->number, line);
+        const Computations::Answer answer =
+            _computations.run(place->panel, place->number, line, gone);
         if (answer.superseded)
             return json_reply({{"superseded", true}});
         if (answer.failed)
@@ -285,7 +319,7 @@ class Studio {
         return {.content = answer.output};
     }
 
-    Reply make_report(const Json &asked) {
+    Reply make_report(const Json &asked, const Gone &gone) {
         const auto overrides = overrides_of(asked);
         const auto place = panel_of(asked, "report");
         if (!overrides || !place)
@@ -296,7 +330,8 @@ class Studio {
         const std::string name = next_report();
         const fs::path folder = _setup.reports / name; // of its own: several pages may ask at once
         line.insert(line.begin() + 1, {"--quiet", "--out=" + folder.string()});
-        const Computations::Answer answer = _computations.run(place->panel, place->number, line);
+        const Computations::Answer answer =
+            _computations.run(place->panel, place->number, line, gone);
         if (answer.superseded)
             return json_reply({{"superseded", true}});
         if (answer.failed)

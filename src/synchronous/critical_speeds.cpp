@@ -53,6 +53,7 @@ void set_sense(const Discretization &d, bool hyperbolic, std::vector<modes::Whir
         const modes::OrbitSense sense = modes::orbit_sense(x, y, stations, 1);
         mode.whirl = sense.whirl;
         mode.forward_fraction = sense.forward_fraction;
+        mode.plane = sense.plane;
     }
 }
 

@@ -25,8 +25,9 @@ void each_part(Spectrum &spectrum, const Value &value, const List &list) {
     values(spectrum.speed, spectrum.complete_radius, spectrum.relaxation);
     lists(spectrum.overdamped, spectrum.growing);
     for (auto &mode : spectrum.modes) {
-        values(mode.eigenvalue, mode.whirl, mode.forward_fraction, mode.residual, mode.rounding,
-               mode.confirmed, mode.frequency_rotating, mode.other_frequency, mode.rotating_value);
+        values(mode.eigenvalue, mode.whirl, mode.forward_fraction, mode.plane, mode.residual,
+               mode.rounding, mode.confirmed, mode.frequency_rotating, mode.other_frequency,
+               mode.rotating_value);
         lists(mode.shape, mode.left, mode.rotating_vector);
     }
 }

@@ -62,6 +62,34 @@ TEST(ModeShapes, labels_count_each_sense) {
     EXPECT_LT(result.modes[0].eigenvalue.imag(), result.modes[1].eigenvalue.imag());
 }
 
+/// At rest the modes lie in the principal planes of bearings whose stiffness and damping have them
+/// turned from x towards y; on equal bearings, turning, they are circles in no plane.
+TEST(ModeShapes, lie_in_the_principal_planes_of_the_bearings) {
+    for (const double turned : {0.0, 0.5, -0.3, std::numbers::pi / 2}) {
+        Eigen::Matrix2d axes;
+        axes << std::cos(turned), -std::sin(turned), std::sin(turned), std::cos(turned);
+        model::Case scene = pinned_shaft(0);
+        for (model::Bearing &bearing : scene.rotor.bearings) {
+            bearing.rows[0].k = axes * Eigen::Vector2d(1e6, 2e6).asDiagonal() * axes.transpose();
+            bearing.rows[0].c = 1e-5 * bearing.rows[0].k;
+        }
+        const results::ModesResult result = analyses::mode_shapes(scene);
+        ASSERT_EQ(result.modes.size(), 6U);
+        int along = 0;
+        for (const results::ModeShape &shape : result.modes) {
+            ASSERT_TRUE(shape.plane.has_value()) << turned << " " << shape.label;
+            EXPECT_GT(*shape.plane, -std::numbers::pi / 4);
+            EXPECT_LE(*shape.plane, 3 * std::numbers::pi / 4);
+            const double off = std::remainder(*shape.plane - turned, std::numbers::pi / 2);
+            EXPECT_NEAR(off, 0, 1e-7) << turned << " " << shape.label; // vectors: to some 1e-9
+            along += std::abs(std::remainder(*shape.plane - turned, std::numbers::pi)) < 1e-3;
+        }
+        EXPECT_EQ(along, 3);
+    }
+    for (const results::ModeShape &shape : analyses::mode_shapes(pinned_shaft(500)).modes)
+        EXPECT_FALSE(shape.plane.has_value());
+}
+
 TEST(ModeShapes, damped_shapes_are_scaled_to_one) {
     model::Case scene = pinned_shaft(500);
     scene.rotor.bearings = {tests::isotropic_bearing(0, 1e7, 3e3),

@@ -11,6 +11,7 @@
 #include "support/balancer_parts.h"
 #include "support/balancer_scenes.h"
 #include "support/rigid_rotors.h"
+#include "support/scenes.h"
 #include "support/written_case.h"
 
 #include <gtest/gtest.h>
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <stdexcept>
 
 namespace whirl::analyses {
@@ -159,6 +161,32 @@ TEST(OneSpeed, SaysWhetherItIsStable) {
         bearing.rows[0].k(1, 0) = -1e5;
     }
     EXPECT_EQ(stability(driven, {}).verdict[0], results::Verdict::unstable);
+}
+
+// A disc amid a rigid shaft on two bearings with damping proportional to their stiffness: along x
+// and y it swings by itself at every speed, w^2 = 2k/m, with the damping ratio beta w/2. Tilting is
+// faster, and so damped more.
+TEST(LogDec, OfADiscOnTwoBearingsIsTheClosedForm) {
+    constexpr double mass = 10;
+    constexpr double beta = 1e-4;
+    model::Case scene;
+    scene.rotor.shaft = tests::uniform_shaft(1, 0.05, tests::weightless_steel());
+    scene.rotor.shaft.rigid = true;
+    scene.rotor.discs = {tests::disc_at(0.5, mass, 0.1, 0.05)};
+    for (const double z : {0.0, 1.0}) {
+        model::Bearing bearing = tests::isotropic_bearing(z, 1e5);
+        bearing.rows[0].k(1, 1) = 2e5;
+        bearing.rows[0].c = beta * bearing.rows[0].k;
+        scene.rotor.bearings.push_back(bearing);
+    }
+    scene.speeds = model::SpeedRange{0, 300, 4};
+    const results::StabilityResult result = stability(scene, {});
+    const double ratio = beta * std::sqrt(2e5 / mass) / 2;
+    ASSERT_EQ(result.log_dec.size(), 4U);
+    for (const double log_dec : result.log_dec)
+        // 1e-9: the small bearing damping makes the real part a hundredth of the eigenvalue.
+        EXPECT_NEAR(log_dec / (2 * std::numbers::pi * ratio / std::sqrt(1 - ratio * ratio)), 1,
+                    1e-9);
 }
 
 // At rest balls without weight lie still wherever they are, however much their drag damps them.

@@ -11,12 +11,13 @@ namespace whirl::report {
 TEST(Csv, CampbellHasUnitsOneRowAModeAndSpeedAndEmptyCells) {
     const auto lines = lines_of(to_csv(sample_campbell()));
     ASSERT_EQ(lines.size(), 1u + 3 * 2);
-    EXPECT_EQ(lines[0], "speed [rad/s],mode,frequency [rad/s],real [1/s],damping_ratio,log_dec,"
-                        "whirl,forward_fraction,error,residual,error_mesh,error_reduction,"
-                        "error_rounding");
+    EXPECT_EQ(lines[0],
+              "speed [rad/s],mode,frequency [rad/s],real [1/s],damping_ratio,log_dec,"
+              "whirl,forward_fraction,error,residual,plane [rad],error_mesh,error_reduction,"
+              "error_rounding");
     EXPECT_EQ(lines[1].substr(0, 25), "0,1B,85.389371234123,0,0,");
-    EXPECT_EQ(lines[4], "100,1F,,,,,forward,1,,1e-15,,,");
-    EXPECT_EQ(lines[6], "200,1F,110,2,-0.02,-0.1,forward,1,,1e-15,0.5,0,0.25");
+    EXPECT_EQ(lines[4], "100,1F,,,,,forward,1,,1e-15,,,,");
+    EXPECT_EQ(lines[6], "200,1F,110,2,-0.02,-0.1,forward,1,,1e-15,,0.5,0,0.25");
 }
 
 TEST(Csv, TextWithCommasAndQuotesStaysOneCell) {

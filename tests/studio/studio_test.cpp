@@ -6,12 +6,19 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <chrono>
 #include <csignal>
 #include <fstream>
+#include <iterator>
+#include <memory>
 #include <sstream>
+#include <thread>
 
+#include <arpa/inet.h>
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -259,6 +266,107 @@ TEST_F(Studio, ComputesAsTheCommandLineDoes) {
         EXPECT_EQ(shown.at("critical_speeds")[i].at("speed"),
                   own.at("critical_speeds")[i].at("speed"));
     EXPECT_NE(answer.body.at("main").get<std::string>().find("id=\"plot\""), std::string::npos);
+}
+
+/// The coarse picture has the same form, and few speeds.
+TEST_F(Studio, PreviewsAreCoarse) {
+    const auto speeds = [this](int number, bool preview) {
+        const Answer answer = post("/compute", {{"command", "campbell"},
+                                                {"page", "p"},
+                                                {"number", number},
+                                                {"values", {{"speeds.count", "40"}}},
+                                                {"preview", preview}});
+        EXPECT_EQ(answer.status, 200);
+        return json::parse(answer.body.at("result").get<std::string>()).at("speeds").size();
+    };
+    EXPECT_EQ(speeds(1, false), 40U);
+    EXPECT_LT(speeds(2, true), 40U);
+}
+
+/// A connection whose bytes are written and read as they are.
+class Raw {
+  public:
+    explicit Raw(int port) : _socket(socket(AF_INET, SOCK_STREAM, 0)) {
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_port = htons(static_cast<std::uint16_t>(port));
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        connected = connect(_socket, reinterpret_cast<sockaddr *>(&address), sizeof address) == 0;
+    }
+    ~Raw() { close(_socket); }
+    Raw(const Raw &) = delete;
+    Raw &operator=(const Raw &) = delete;
+    void say(const std::string &text) const {
+        (void)send(_socket, text.data(), text.size(), MSG_NOSIGNAL);
+    }
+    /// Until the other end has closed it.
+    [[nodiscard]] std::string hear() const {
+        std::string text;
+        std::array<char, 4096> some{};
+        for (ssize_t got = 0; (got = recv(_socket, some.data(), some.size(), 0)) > 0;)
+            text.append(some.data(), static_cast<std::size_t>(got));
+        return text;
+    }
+    bool connected = false;
+
+  private:
+    int _socket;
+};
+
+TEST_F(Studio, TwoNamesOfTheHostAreRefused) {
+    const std::string host = "Host: 127.0.0.1:" + std::to_string(port) + "\r\n";
+    for (const std::string &other : {host, std::string("Host: elsewhere\r\n")}) {
+        const Raw client(port);
+        ASSERT_TRUE(client.connected);
+        client.say("GET " + with_token("/") + " HTTP/1.1\r\n" + host + other + "\r\n");
+        EXPECT_TRUE(client.hear().starts_with("HTTP/1.1 403")) << other;
+    }
+}
+
+/// Clients that never end their first question are cut off, and nobody waits for them.
+TEST_F(Studio, SlowStrangersHoldNothing) {
+    std::vector<std::unique_ptr<Raw>> strangers;
+    for (int i = 0; i < 70; ++i) {
+        strangers.push_back(std::make_unique<Raw>(port));
+        ASSERT_TRUE(strangers.back()->connected);
+        strangers.back()->say("GET / HTTP/1.1\r\nHo");
+    }
+    EXPECT_EQ(post("/check", {{"values", json::object()}}).status, 200);
+    for (const auto &stranger : strangers) // to the end of the connection: it would never come
+        EXPECT_FALSE(stranger->hear().starts_with("HTTP/1.1 200"));
+}
+
+/// What nobody waits for any more is ended: a run that would take minutes.
+TEST_F(Studio, ARunEndsWithTheOneThatAsked) {
+    const std::string question = json{{"command", "campbell"},
+                                      {"page", "p"},
+                                      {"number", 1},
+                                      {"values", {{"speeds.count", "100000"}}}}
+                                     .dump();
+    const auto all_children = [this] {
+        std::size_t count = 0;
+        for (const auto &task :
+             fs::directory_iterator(fs::path("/proc") / std::to_string(process) / "task")) {
+            std::istringstream words(text_of(task.path() / "children"));
+            count += static_cast<std::size_t>(std::distance(
+                std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()));
+        }
+        return count;
+    };
+    const auto until = [&](std::size_t wanted) {
+        for (int i = 0; i < 1000 && all_children() != wanted; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        return all_children();
+    };
+    {
+        const Raw client(port);
+        ASSERT_TRUE(client.connected);
+        client.say("POST " + with_token("/compute") + " HTTP/1.1\r\nHost: 127.0.0.1:" +
+                   std::to_string(port) + "\r\nContent-Length: " + std::to_string(question.size()) +
+                   "\r\n\r\n" + question);
+        ASSERT_EQ(until(1), 1U);
+    }
+    EXPECT_EQ(until(0), 0U);
 }
 
 /// Of one panel the newest counts.

@@ -9,6 +9,7 @@
 #include "operation/doubt.h"
 #include "operation/margins.h"
 #include "process/progress.h"
+#include "results/resonances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,6 +88,7 @@ void add_runs(results::ResponseResult &result, const model::Case &scene,
             find_critical_speeds(own_scene, run);
             results::ResponseResult own = response_in_operation(own_scene, run.critical_speeds);
             run.peaks = std::move(own.peaks);
+            static_cast<void>(results::resonances_of(run.peaks));
             if (own.margins)
                 run.margins = std::move(*own.margins);
             run.notes.insert(run.notes.end(), own.model.notes.begin(), own.model.notes.end());

@@ -27,7 +27,9 @@ std::string side(const SeparationMargin &margin) {
 
 const Columns<SeparationMargin> columns{
     {"speed", ForReaders("", "{:.8g}"), Quantity::speed, &SeparationMargin::speed},
-    {"whirl", OnPage("Whirl"), InText("whirl"), &SeparationMargin::whirl},
+    {"whirl", &SeparationMargin::whirl},
+    {"plane", Quantity::angle, &SeparationMargin::plane},
+    {OnPage("Whirl"), InText("whirl"), whirl_of},
     {"amplification", OnPage("Amplification factor", "{:.4g}"), InText("AF", "{:.4g}"),
      Quantity::number, &SeparationMargin::amplification},
     {"source", ForReaders("from"), &SeparationMargin::source},

@@ -64,6 +64,24 @@ std::string range_text(const std::vector<double> &speeds, const Units &units) {
         "{}, {} speeds", model::as::speed.range(speeds.front(), speeds.back()), speeds.size()));
 }
 
+std::string plane_text(std::optional<double> plane, const Units &units) {
+    constexpr double near = 10 / degrees;
+    if (!plane)
+        return "";
+    return std::abs(*plane) <= near ? "horizontal"
+           : std::abs(*plane - pi / 2) <= near
+               ? "vertical"
+               : "in one plane, " + units.text(Quantity::angle, *plane, 3);
+}
+
+std::string whirl_text(results::Whirl whirl, std::optional<double> plane, const Units &units) {
+    const std::string name = results::whirl_name(whirl);
+    if (!plane)
+        return name;
+    const std::string direction = plane_text(plane, units);
+    return whirl == results::Whirl::mixed ? direction : name + ", " + direction;
+}
+
 std::string heading(const model::Case &scene, const std::string &what) {
     return fmt::format("{}\n{}\n\n", title_of(scene), what);
 }

@@ -2,6 +2,7 @@
 
 #include "model/case.h"
 #include "report/common/units.h"
+#include "results/whirl.h"
 
 #include <complex>
 #include <optional>
@@ -56,6 +57,20 @@ inline constexpr auto place_of = [](const auto &row, const Units &units) {
 };
 /// "at 4000 rpm", "0 to 4000 rpm, 101 speeds".
 [[nodiscard]] std::string range_text(const std::vector<double> &speeds, const Units &units);
+
+/// The sense of a whirl, and of orbits that are nearly lines their direction: "forward",
+/// "horizontal", "backward, vertical", "in one plane, 30 deg". Directions within 10 degrees of x
+/// and of y, upright, have names.
+/// @param plane  from x towards y, rad, or none
+[[nodiscard]] std::string whirl_text(results::Whirl whirl, std::optional<double> plane,
+                                     const Units &units);
+/// Of the direction alone; empty without one.
+[[nodiscard]] std::string plane_text(std::optional<double> plane, const Units &units);
+/// The same of a row of a table; nothing where it has no whirl.
+inline constexpr auto whirl_of = [](const auto &row, const Units &units) {
+    const std::optional<results::Whirl> whirl = row.whirl;
+    return whirl ? std::optional(whirl_text(*whirl, row.plane, units)) : std::nullopt;
+};
 
 /// For the terminal: title of the case and what was computed.
 [[nodiscard]] std::string heading(const model::Case &scene, const std::string &what);

@@ -1,6 +1,7 @@
 #include "report/pictures/figures.h"
 
 #include "report/common/text_width.h"
+#include "report/common/words.h"
 #include "report/pictures/campbell_panel.h"
 #include "report/pictures/labels.h"
 #include "report/pictures/operation.h"
@@ -22,8 +23,11 @@ using results::Whirl;
 
 namespace {
 
+constexpr int figure_width = 1080;
 constexpr Whirl senses[] = {Whirl::forward, Whirl::backward, Whirl::mixed};
-constexpr double label_strip = 0.07;  ///< of the speed range, right of the curves, for mode names
+constexpr double name_size = 11;      ///< of the names beside the ends of the curves
+constexpr double name_gap = 0.022;    ///< from the curves to their names, of the panel
+constexpr double panel_pixels = 868;  ///< its width
 constexpr double log_dec_limit = 6.3; ///< higher decrements (damping ratio > 0.7) are cut off
 
 bool has_sense(const CampbellResult &result, Whirl sense) {
@@ -97,6 +101,16 @@ std::vector<double> multiples_of(const model::Case &scene) {
     return multiples;
 }
 
+/// Of the speed range, right of the curves, for the names.
+double label_strip(const Units &units, const CampbellResult &result) {
+    double widest = text_width("10×", name_size);
+    for (const CampbellMode &mode : result.modes)
+        if (!mode.frequency.empty() && mode.frequency.back())
+            widest = std::max(widest, text_width(end_name(units, mode), name_size));
+    const double strip = name_gap * panel_pixels + widest + 8;
+    return strip / (panel_pixels - strip);
+}
+
 /// Names of modes, and of multiples that leave the panel at the right, beside the curves' ends.
 std::string end_labels(const Panel &panel, const model::Case &scene, const CampbellResult &result) {
     struct End {
@@ -109,7 +123,8 @@ std::string end_labels(const Panel &panel, const model::Case &scene, const Campb
     for (const CampbellMode &mode : result.modes) {
         const auto value = panel.value(mode, result.speeds.size() - 1);
         if (value && *value >= panel.y.low && *value <= panel.y.high && !mode.whirl.empty())
-            ends.push_back({mode.label, whirl_style(mode.whirl.back()).colour, panel.up(*value)});
+            ends.push_back({end_name(panel.units, mode), whirl_style(mode.whirl.back()).colour,
+                            panel.up(*value)});
     }
     if (!panel.damping)
         for (const double multiple : multiples_of(scene))
@@ -126,15 +141,15 @@ std::string end_labels(const Panel &panel, const model::Case &scene, const Campb
     const auto places = spread(wanted, gap, {border, 1 - border});
     std::string script;
     for (std::size_t i = 0; i < ends.size(); ++i) {
-        script +=
-            fmt::format("set label {} at graph {},{} left font ',11' textcolor '{}'\n",
-                        plot_text(ends[i].text), end_of_curves + 0.022, places[i], ends[i].colour);
+        script += fmt::format("set label {} at graph {},{} left font ',{}' textcolor '{}'\n",
+                              plot_text(ends[i].text), end_of_curves + name_gap, places[i],
+                              name_size, ends[i].colour);
         // From the end of the curve to a name that had to give way.
         if (std::abs(places[i] - ends[i].height) * panel.pixels_high > 5)
             script += fmt::format("set arrow from graph {},{} to graph {},{} nohead lw 0.6 "
                                   "lc rgb '{}'\n",
-                                  end_of_curves + 0.001, ends[i].height, end_of_curves + 0.02,
-                                  places[i], ends[i].colour);
+                                  end_of_curves + 0.001, ends[i].height,
+                                  end_of_curves + name_gap - 0.002, places[i], ends[i].colour);
     }
     return script;
 }
@@ -179,7 +194,8 @@ LabelPlacer occupied(const Panel &panel, const model::Case &scene, const Campbel
         }
     for (const auto &crossing : result.crossings)
         block(panel.speed(crossing.speed), panel.frequency(crossing.frequency), 12);
-    placer.block({0.93, 0, 0.07, 1}); // the strip of the mode names
+    if (!result.speeds.empty()) // the strip of the mode names
+        placer.block({panel.across(panel.speed(result.speeds.back())), 0, 1, 1});
     return placer;
 }
 
@@ -267,7 +283,8 @@ std::string axes(const Panel &panel, bool first, bool last) {
 std::string draw(const Panel &panel, const model::Case &scene, const CampbellResult &result,
                  bool first, bool last, double named_above) {
     const double end = result.speeds.empty() ? 0 : panel.speed(result.speeds.back());
-    std::string script = panel_margins(0.088, 0.892, panel.bottom, panel.top);
+    std::string script =
+        panel_margins(0.088, 0.088 + panel_pixels / figure_width, panel.bottom, panel.top);
     script += operation_band(scene, panel.units, {panel.x.low, end});
     script += axes(panel, first, last) + end_labels(panel, scene, result);
     Curves drawn;
@@ -281,9 +298,10 @@ std::string draw(const Panel &panel, const model::Case &scene, const CampbellRes
                   crossing_marks(panel, scene, result, named_above, first, drawn);
     }
     const double pixel = (panel.top - panel.bottom) / panel.pixels_high;
-    script += first ? fmt::format("set key at screen 0.49,{} center center horizontal samplen 4\n",
-                                  panel.top + 84 * pixel)
-                    : "unset key\n";
+    script += first
+                  ? fmt::format("set key at screen 0.49,{} center center horizontal samplen 4\n",
+                                panel.top + (panel.units.asked(Quantity::speed) ? 40 : 84) * pixel)
+                  : "unset key\n";
     if (first)
         drawn.add(operation_key(scene, panel.units, {panel.x.low, end}));
     return script + drawn.script() + "unset label\nunset arrow\nunset object\n";
@@ -292,18 +310,22 @@ std::string draw(const Panel &panel, const model::Case &scene, const CampbellRes
 /// The panels this result needs, from top to bottom, without their places in the figure.
 std::vector<Panel> panels_of(const CampbellResult &result, const Units &units) {
     double highest = 0;
+    double lowest = HUGE_VAL;
     double largest_decrement = 0;
     double smallest_decrement = 0;
     for (const CampbellMode &mode : result.modes) {
         for (const auto &frequency : mode.frequency)
-            highest = std::max(highest, units(Quantity::frequency, frequency.value_or(0)));
+            if (const double here = units(Quantity::frequency, frequency.value_or(0)); frequency) {
+                highest = std::max(highest, here);
+                lowest = std::min(lowest, here);
+            }
         for (const auto &decrement : mode.log_dec) {
             largest_decrement = std::max(largest_decrement, decrement.value_or(0));
             smallest_decrement = std::min(smallest_decrement, decrement.value_or(0));
         }
     }
     Range x = speed_range(units, result.speeds);
-    x.high += label_strip * (x.high - x.low);
+    x.high += label_strip(units, result) * (x.high - x.low);
     std::vector<Panel> panels{{units, false, x, {0, highest > 0 ? 1.05 * highest : 1}}};
     // Where what happens at the spin speed is low down, or all crossings are, that part alone.
     double reach = result.speeds.empty() ? 0 : units(Quantity::frequency, result.speeds.back());
@@ -312,7 +334,7 @@ std::vector<Panel> panels_of(const CampbellResult &result, const Units &units) {
         crossed = std::max(crossed, units(Quantity::frequency, crossing.frequency));
     if (crossed > 0 && crossed < 0.3 * reach)
         reach = 1.5 * crossed;
-    if (reach > 0 && reach < 0.22 * highest)
+    if (reach > 0 && reach < 0.22 * highest && lowest < 1.35 * reach)
         panels.push_back({units, false, x, {0, 1.35 * reach}});
     if (largest_decrement > 1e-9 || smallest_decrement < -1e-9) {
         const double top = 1.08 * std::min(largest_decrement, log_dec_limit);
@@ -336,8 +358,8 @@ bool grows(const CampbellMode &mode, std::size_t index) {
 
 Figure campbell_figure(const model::Case &scene, const CampbellResult &result, const Units &units) {
     std::vector<Panel> panels = panels_of(result, units);
-    constexpr int width = 1080;
-    const double head = 172; // two rows of the key
+    // Two rows of the key, and a second axis of the speed.
+    const double head = units.asked(Quantity::speed) ? 128 : 172;
     const double foot = 62;
     const double gap = 34;
     const double first = 500;
@@ -347,7 +369,7 @@ Figure campbell_figure(const model::Case &scene, const CampbellResult &result, c
     double top = height - head;
     for (Panel &panel : panels) {
         panel.pixels_high = &panel == &panels.front() ? first : other;
-        panel.pixels_wide = 0.83 * width;
+        panel.pixels_wide = panel_pixels;
         panel.top = top / height;
         panel.bottom = (top - panel.pixels_high) / height;
         top -= panel.pixels_high + gap;
@@ -358,7 +380,7 @@ Figure campbell_figure(const model::Case &scene, const CampbellResult &result, c
     for (const Panel &panel : panels)
         script += draw(panel, scene, result, &panel == &panels.front(), &panel == &panels.back(),
                        low && &panel == &panels.front() ? panels[1].y.high : 0);
-    return figure_of(width, height, "Campbell diagram: " + title_of(scene),
+    return figure_of(figure_width, height, "Campbell diagram: " + title_of(scene),
                      fmt::format("{} form, shaft order {}, {} elements, {} unknowns",
                                  results::form_name(result.model.formulation.form),
                                  result.model.order, result.model.elements, result.model.unknowns),

@@ -1,6 +1,7 @@
 #include "report/pictures/campbell_panel.h"
 
 #include "report/common/gnuplot.h"
+#include "report/common/words.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
 
@@ -16,6 +17,11 @@ using results::Whirl;
 std::optional<double> Panel::value(const CampbellMode &mode, std::size_t i) const {
     const auto value = entry(damping ? mode.log_dec : mode.frequency, i);
     return value && !damping ? std::optional(frequency(*value)) : value;
+}
+
+std::string end_name(const Units &units, const CampbellMode &mode) {
+    const std::optional<double> plane = mode.plane.empty() ? std::nullopt : mode.plane.back();
+    return mode.label + (plane ? ", " + plane_text(plane, units) : "");
 }
 
 namespace {

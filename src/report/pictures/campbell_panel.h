@@ -16,6 +16,9 @@ std::optional<T> entry(const std::vector<std::optional<T>> &list, std::size_t i)
     return i < list.size() ? list[i] : std::nullopt;
 }
 
+/// "1F"; with the direction in which the mode moves as a line at the last speed: "1M, vertical".
+[[nodiscard]] std::string end_name(const Units &units, const results::CampbellMode &mode);
+
 /// What a panel shows over the spin speed, and where.
 struct Panel {
     const Units &units;

@@ -130,7 +130,7 @@ Figure composite_figure(const model::Case &scene, const results::ShowResult &res
     const BalancerNumbers &balancer = result.balancers.at(index);
     const std::string name = model::name_or_number(balancer.name, "balancer", index);
     return figure_of(1180, 940, "Composite rotor: " + title_of(scene),
-                     fmt::format("{} at z = {}, capacity E = {}; dashed upright line: the case",
+                     fmt::format("{} at z = {}, capacity E = {}; dotted upright line: the case",
                                  name, drawn_value(units, Quantity::length, balancer.z),
                                  std::isinf(balancer.E) ? "infinite" : drawn_number(balancer.E)),
                      panel_margins(0.07, 0.47, 0.56, 0.87) + inertia_panel(balancer) +

@@ -1,5 +1,6 @@
 #include "report/pictures/figures.h"
 
+#include "report/common/words.h"
 #include "report/pictures/shaft_outline.h"
 #include "report/pictures/style.h"
 #include "results/modes.h"
@@ -52,11 +53,11 @@ ModeCurves mode_curves(const ModeShape &mode) {
 namespace {
 
 /// What follows the name and the frequency or speed of a mode.
-std::string motion_words(const ModeShape &mode) {
+std::string motion_words(const ModeShape &mode, const Units &units) {
     const double modulus = std::abs(mode.eigenvalue);
     const double ratio = modulus > 0 ? -mode.eigenvalue.real() / modulus : 0;
     return (std::abs(ratio) > 1e-9 ? " · damping ratio " + drawn_number(ratio, 3) : "") + " · " +
-           whirl_style(mode.whirl).name;
+           whirl_text(mode.whirl, mode.plane, units);
 }
 
 std::string name_before(const ModeShape &mode) {
@@ -73,12 +74,13 @@ std::string mode_heading(const Units &units, const ModeShape &mode, double large
            (frequency > std::max(1e-9 * modulus, 1e-12 * largest)
                 ? drawn_value(units, Quantity::frequency, frequency)
                 : "no oscillation") +
-           motion_words(mode);
+           motion_words(mode, units);
 }
 
 /// "1F · 5721.2 rpm · forward": of the mode at a critical speed, which is its frequency.
 std::string critical_heading(const Units &units, const ModeShape &mode) {
-    return name_before(mode) + drawn_value(units, Quantity::speed, mode.at) + motion_words(mode);
+    return name_before(mode) + drawn_value(units, Quantity::speed, mode.at) +
+           motion_words(mode, units);
 }
 
 constexpr double head = 120;   // pixels: above the first panels

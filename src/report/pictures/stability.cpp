@@ -151,19 +151,71 @@ std::string growth_panel(const model::Case &scene, const Units &units,
            "set format y\n";
 }
 
+bool has_log_dec(const StabilityResult &result) {
+    return std::ranges::any_of(result.log_dec, [](double value) { return std::isfinite(value); });
+}
+
+/// The smallest logarithmic decrement over the spin speed, below the growth.
+std::string log_dec_panel(const model::Case &scene, const Units &units,
+                          const StabilityResult &result) {
+    constexpr double most = 6.3; // a damping ratio of 0.7: more is cut off
+    double low = 0;
+    double high = 0;
+    for (const double value : result.log_dec)
+        if (std::isfinite(value)) {
+            low = std::min(low, std::max(value, -most));
+            high = std::max(high, std::min(value, most));
+        }
+    const double margin = high > low ? 0.08 * (high - low) : 1;
+    Curves drawn;
+    drawn.add(growth_points(units, result, result.log_dec, result.unstable),
+              fmt::format("with {} lw 2 lc rgb '#0072B2'",
+                          result.speeds.size() == 1 ? "points pt 7" : "lines"));
+    return operation_band(scene, units, speed_range(units, result.speeds)) +
+           shaded(units, result.unstable, shade) +
+           fmt::format("set yrange [{}:{}]\nset xzeroaxis lt 1 lc rgb '#B0305C' lw 1.6\n"
+                       "set ylabel 'Least logarithmic decrement'\nset xlabel {}\nunset key\n",
+                       low - margin, high + margin,
+                       axis_text(units, "Spin speed", Quantity::speed)) +
+           drawn.script() + "unset object\nunset arrow\nunset xzeroaxis\nset autoscale y\n";
+}
+
+/// What is over the arrangements: a row each where there is any.
+struct FamilyRow {
+    const char *name;
+    Bands bands;
+    const char *colour;
+};
+
+std::vector<FamilyRow> family_rows(const results::ArrangementFamily &family) {
+    std::vector<FamilyRow> rows{
+        {"additional", family.additional_speeds, "#D55E00"},
+        {"critical", family.critical_speeds, "#0072B2"},
+        {"unstable, every", family.always_unstable, "#B0305C"},
+        {"unstable, some", family.anisotropy.empty() ? Bands{} : family.unstable, "#E58AA6"}};
+    std::erase_if(rows, [](const FamilyRow &row) { return row.bands.empty(); });
+    return rows;
+}
+
+int family_height(const StabilityResult &result) {
+    const auto rows = result.family ? family_rows(*result.family).size() : 0;
+    return rows == 0 ? 0 : 75 + 41 * static_cast<int>(rows);
+}
+
 std::string family_panel(const model::Case &scene, const Units &units,
                          const StabilityResult &result) {
-    const auto &family = *result.family;
-    return operation_band(scene, units, speed_range(units, result.speeds)) +
-           bars(units, family.anisotropy.empty() ? Bands{} : family.unstable, 4, "#E58AA6") +
-           bars(units, family.always_unstable, 3, "#B0305C") +
-           bars(units, family.critical_speeds, 2, "#0072B2") +
-           bars(units, family.additional_speeds, 1, "#D55E00") +
-           "set yrange [0.3:4.7]\nset ytics ('unstable, some' 4, 'unstable, every' 3, 'critical' "
-           "2, 'additional' 1)\nunset ylabel\nset xlabel " +
-           axis_text(units, "Spin speed", Quantity::speed) +
-           "\nunset key\n"
-           "plot NaN notitle\nunset object\nunset arrow\nset ytics auto\nset autoscale y\n";
+    std::string script = operation_band(scene, units, speed_range(units, result.speeds));
+    std::string names;
+    int place = 0;
+    for (const FamilyRow &row : family_rows(*result.family)) {
+        script += bars(units, row.bands, ++place, row.colour);
+        names += fmt::format("{}'{}' {}", place > 1 ? ", " : "", row.name, place);
+    }
+    return script +
+           fmt::format("set yrange [0.3:{}]\nset ytics ({})\nunset ylabel\nset xlabel {}\n"
+                       "unset key\nplot NaN notitle\nunset object\nunset arrow\nset ytics auto\n"
+                       "set autoscale y\n",
+                       place + 0.7, names, axis_text(units, "Spin speed", Quantity::speed));
 }
 
 std::string axis_title(const Units &units, const model::SweepAxis &axis) {
@@ -211,23 +263,28 @@ std::string map_panel(const model::Case &scene, const Units &units,
 
 Figure stability_figure(const model::Case &scene, const StabilityResult &result,
                         const Units &units) {
-    const int height = 545 + (result.family ? 240 : 0) + (result.map ? 560 : 0);
+    const int family = family_height(result);
+    const int log_dec = has_log_dec(result) ? 255 : 0;
+    const int height = 545 + log_dec + family + (result.map ? 560 : 0);
     const LegendedFigure room{1180, 0.125, 0.95, height};
     const LegendedFigure beside_palette{1180, 0.125, 0.85, height};
     int bottom = 475;
     std::string panels =
         room.panel(130, bottom) + growth_panel(scene, units, result); // 3 rows of the key
-    if (result.family) {
-        panels += room.panel(bottom + 75, bottom + 240) + family_panel(scene, units, result);
-        bottom += 240;
+    if (log_dec > 0) {
+        panels += room.panel(bottom + 75, bottom + log_dec) + log_dec_panel(scene, units, result);
+        bottom += log_dec;
+    }
+    if (family > 0) {
+        panels += room.panel(bottom + 75, bottom + family) + family_panel(scene, units, result);
+        bottom += family;
     }
     if (result.map)
         panels +=
             beside_palette.panel(bottom + 95, bottom + 505) + map_panel(scene, units, *result.map);
     return figure_of(1180, height, "Stability: " + title_of(scene),
-                     result.family || result.map
-                         ? "over spin speed, and what the case asks for below"
-                         : "over spin speed",
+                     family > 0 || result.map ? "over spin speed, and what the case asks for below"
+                                              : "over spin speed",
                      panels);
 }
 

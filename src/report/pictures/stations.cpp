@@ -117,7 +117,7 @@ std::string amplitude_over_speed(const Units &units, const SimulateResult &resul
         }
         if (!points.empty())
             lines.add(points, station_look(i, "(3,4)", 1),
-                      i == 0 ? plot_text("steady (dashed)") : "");
+                      i == 0 ? plot_text("steady (dotted)") : "");
     }
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const StationMotion &station = result.stations[drawn[i]];

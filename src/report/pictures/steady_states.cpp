@@ -33,8 +33,8 @@ const char *colour_of(SteadyState::Kind kind) {
 std::string branch_look(Keeps which, const char *colour) {
     return fmt::format("with lines lw {} dt {} lc rgb '{}'", which == Keeps::stable ? 2.6 : 1.4,
                        which == Keeps::stable     ? "1"
-                       : which == Keeps::unstable ? "(6,4)"
-                                                  : "(1,3)",
+                       : which == Keeps::unstable ? "(14,7)"
+                                                  : "(2,4)",
                        colour);
 }
 std::string point_look(Keeps which, const char *colour) {

@@ -101,6 +101,7 @@ Json gravity_json(const GravityResponse &response, const std::vector<double> &sp
     return {{"gravity", written(units, Quantity::acceleration, response.gravity)},
             {"stations", station_kind.json(speeds, response.stations, units)},
             {"bearings", gravity_bearing_kind.json(speeds, response.bearings, units)},
+            {"resonances", resonances_json(response.resonances, units)},
             {"peaks", json_rows(curve_peaks(), response.peaks, units)},
             {"curves", curves_json(response, units)}};
 }
@@ -118,8 +119,7 @@ std::vector<Section> gravity_sections(const GravityResponse &response,
                                       const std::vector<double> &speeds, const Units &units) {
     std::vector<Section> out{
         {"Weight: peaks of the motion at twice the spin speed",
-         response.peaks.empty() ? "<p>None inside the range.</p>"
-                                : page_table(curve_peaks(), response.peaks, units)},
+         peaks_page(response.resonances, response.peaks, units)},
         {"Weight: static deflection at the first speed, largest circle in the range",
          page_table(deflection_columns, of_stations(response, speeds), units)}};
     if (!response.bearings.empty())
@@ -134,7 +134,7 @@ std::string gravity_text(const GravityResponse &response, const std::vector<doub
                        "speed\n",
                        units.text(Quantity::acceleration, response.gravity)) +
            (response.peaks.empty() ? "\n  none inside the range\n"
-                                   : text_table(curve_peaks(), response.peaks, units)) +
+                                   : peaks_text(response.resonances, response.peaks, units)) +
            "\n" + text_table(deflection_columns, of_stations(response, speeds), units) +
            text_table("\n", carried_columns, of_bearings(response, speeds), units);
 }

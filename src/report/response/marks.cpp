@@ -43,12 +43,14 @@ std::string speed_text(const Units &units, const ResponsePeak &peak) {
     return drawn_speed(units, peak.speed) + " " + units.name(Quantity::speed);
 }
 
-/// "2951 rpm, AF 12.3"
-std::string peak_text(const Units &units, const ResponsePeak &peak) {
+/// "2951 rpm, AF 12.3": of its resonance; "3100 rpm, flank": it is none.
+std::string peak_text(const Units &units, const ResponsePeak &peak,
+                      const std::vector<results::Resonance> &resonances) {
     const std::string speed = speed_text(units, peak);
-    return peak.amplification
-               ? fmt::format("{}, AF {}", speed, drawn_number(*peak.amplification, 3))
-               : speed;
+    if (!peak.resonance || *peak.resonance >= resonances.size())
+        return speed + ", " + results::peak_kind_name(peak.kind);
+    const auto &factor = resonances[*peak.resonance].peak.amplification;
+    return factor ? fmt::format("{}, AF {}", speed, drawn_number(*factor, 3)) : speed;
 }
 
 /// Fractions of a panel.
@@ -123,10 +125,10 @@ PeakMarks peak_marks(const Units &units, const HarmonicMotion &result, std::size
         tops.push_back({speed, value});
         for (const std::optional<double> &half : {peak->lower, peak->upper}) {
             const double x = units(Quantity::speed, half.value_or(NAN));
-            if (x >= panel.x.low && x <= panel.x.high)
+            if (peak->amplification && x >= panel.x.low && x <= panel.x.high)
                 halves.push_back({x, value / std::sqrt(2.0)});
         }
-        const std::string text = peak_text(units, *peak);
+        const std::string text = peak_text(units, *peak, result.resonances);
         const auto box = placer.place(at.x(speed), at.y(value),
                                       (text_width(text, label_size) + 8) / panel.pixels_wide,
                                       15 / panel.pixels_high);

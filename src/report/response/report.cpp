@@ -82,12 +82,21 @@ const OfEach peak_value{[](const ResponsePeak &peak) {
     return peak.of == "bearing" ? Quantity::force : Quantity::amplitude;
 }};
 
-/// The half-power points.
-std::string half_power(const ResponsePeak &peak, const Units &units) {
-    const auto end = [&units](const std::optional<double> &speed) {
-        return speed ? fmt::format("{:.6g}", units(Quantity::speed, *speed)) : "-";
-    };
-    return peak.lower || peak.upper ? end(peak.lower) + " … " + end(peak.upper) : "";
+Json half_power(const ResponsePeak &peak) { return {Json(peak.lower), Json(peak.upper)}; }
+
+/// "reading at 45 deg (µm)"
+std::string measured(const ResponsePeak &peak, const Units &units) {
+    return units.label(peak.of == "probe"
+                           ? "reading at " + units.text(Quantity::angle, peak.angle.value_or(0), 4)
+                       : peak.of == "bearing" ? "force"
+                                              : "amplitude",
+                       peak_value.quantity(peak));
+}
+
+/// The number of its resonance in their table, or why it is of none.
+std::string resonance_of(const ResponsePeak &peak) {
+    return peak.resonance ? std::to_string(*peak.resonance + 1)
+                          : results::peak_kind_name(peak.kind);
 }
 
 const Columns<ResponsePeak> peaks_found = with_error_parts<ResponsePeak>(
@@ -96,15 +105,7 @@ const Columns<ResponsePeak> peaks_found = with_error_parts<ResponsePeak>(
      {"z", OnPage("z", "{:.5g}"), Quantity::length, &ResponsePeak::z},
      {"name", OnPage("Place"), &ResponsePeak::name},
      {InText("peak at"), place_of},
-     {ForReaders("of"),
-      [](const ResponsePeak &peak, const Units &units) {
-          return units.label(peak.of == "probe"
-                                 ? "reading at " +
-                                       units.text(Quantity::angle, peak.angle.value_or(0), 4)
-                             : peak.of == "bearing" ? "force"
-                                                    : "amplitude",
-                             peak_value.quantity(peak));
-      }},
+     {ForReaders("of"), measured},
      {"speed", OnPage("at", "{:.8g}"), InText("", "{:.8g}"), Quantity::speed, &ResponsePeak::speed},
      {"mode", OnPage("Mode", "{}", ""), InText("mode", "{}", ""),
       [](const ResponsePeak &peak) { return known_name(peak.mode); }},
@@ -112,21 +113,68 @@ const Columns<ResponsePeak> peaks_found = with_error_parts<ResponsePeak>(
       peak_value, &ResponsePeak::value},
      {"phase", OnPage("Phase", "{:.1f}", ""), InText("phase", "{:.1f}", ""), Quantity::angle,
       &ResponsePeak::phase},
-     {"amplification", OnPage("Amplification factor", "{:.4g}", ""), InText("AF", "{:.4g}", ""),
-      Quantity::number, &ResponsePeak::amplification},
-     {"half_power", Quantity::speed,
-      [](const ResponsePeak &peak) {
-          return Json{Json(peak.lower), Json(peak.upper)};
-      }},
-     {OnPage("Half-power points"), InText("half power"), Quantity::speed, half_power},
+     {OnPage("Resonance"), InText("resonance"), resonance_of},
+     {"resonance", &ResponsePeak::resonance},
+     {"kind", [](const ResponsePeak &peak) { return results::peak_kind_name(peak.kind); }},
+     {"amplification", Quantity::number, &ResponsePeak::amplification},
+     {"half_power", Quantity::speed, half_power},
      {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), Quantity::number,
       &ResponsePeak::error},
      {"speed_error", Quantity::number, &ResponsePeak::speed_error}},
     error_part);
 
+const Columns<results::Resonance> resonance_columns{
+    {OnPage("No."), InText(""), [](const auto &, std::size_t i) { return i + 1; }},
+    {"speed", OnPage("at", "{:.8g}"), InText("", "{:.8g}"), Quantity::speed,
+     [](const auto &one) { return one.peak.speed; }},
+    {"mode", OnPage("Mode", "{}", ""), InText("mode", "{}", ""),
+     [](const auto &one) { return known_name(one.peak.mode); }},
+    {"amplification", OnPage("Amplification factor", "{:.4g}", ""), InText("AF", "{:.4g}", ""),
+     Quantity::number, [](const auto &one) { return one.peak.amplification; }},
+    {"kind", ForReaders("kind"),
+     [](const auto &one) { return results::peak_kind_name(one.peak.kind); }},
+    {"half_power", Quantity::speed, [](const auto &one) { return half_power(one.peak); }},
+    {OnPage("Half-power points"), InText("half power"), Quantity::speed,
+     [](const auto &one, const Units &units) {
+         return one.peak.lower && one.peak.upper
+                    ? fmt::format("{:.6g} … {:.6g}", units(Quantity::speed, *one.peak.lower),
+                                  units(Quantity::speed, *one.peak.upper))
+                    : "";
+     }},
+    {"of", [](const auto &one) { return one.peak.of; }},
+    {"z", Quantity::length, [](const auto &one) { return one.peak.z; }},
+    {"name", [](const auto &one) { return one.peak.name; }},
+    {ForReaders("by the peak at"),
+     [](const auto &one, const Units &units) { return place(one.peak.name, one.peak.z, units); }},
+    {ForReaders("of"),
+     [](const auto &one, const Units &units) { return measured(one.peak, units); }},
+    {"value", OnPage("Peak", "{:.6g}", "no limit"), InText("value", "{:.6g}", "no limit"),
+     OfEach{[](const results::Resonance &one) { return peak_value.quantity(one.peak); }},
+     [](const auto &one) { return one.peak.value; }},
+    {"peaks", &results::Resonance::peaks},
+    {ForReaders("peaks"), [](const auto &one) { return one.peaks.size(); }}};
+
 } // namespace
 
 const Columns<ResponsePeak> &curve_peaks() { return peaks_found; }
+
+Json resonances_json(const std::vector<results::Resonance> &resonances, const Units &units) {
+    return json_rows(resonance_columns, resonances, units);
+}
+
+std::string peaks_text(const std::vector<results::Resonance> &resonances,
+                       const std::vector<ResponsePeak> &peaks, const Units &units) {
+    return text_table("Resonances:\n", resonance_columns, resonances, units) +
+           text_table("\n", curve_peaks(), peaks, units);
+}
+
+std::string peaks_page(const std::vector<results::Resonance> &resonances,
+                       const std::vector<ResponsePeak> &peaks, const Units &units) {
+    if (peaks.empty())
+        return "<p>None inside the range.</p>";
+    return (resonances.empty() ? std::string() : page_table(resonance_columns, resonances, units)) +
+           page_table(curve_peaks(), peaks, units);
+}
 
 std::vector<ResponsePeak> sharpest_first(std::vector<ResponsePeak> peaks) {
     std::ranges::stable_sort(peaks, std::greater(), [](const ResponsePeak &peak) {
@@ -216,7 +264,8 @@ Json nodes_json(const Speeds &speeds, const std::vector<ResponseNode> &nodes, co
 }
 
 Json motion_json(const Speeds &speeds, const HarmonicMotion &motion, const Units &units) {
-    return {{"peaks", json_rows(curve_peaks(), motion.peaks, units)},
+    return {{"resonances", resonances_json(motion.resonances, units)},
+            {"peaks", json_rows(curve_peaks(), motion.peaks, units)},
             {"nodes", nodes_json(speeds, motion.nodes, units)},
             {"bearings", bearing_kind.json(speeds, motion.bearings, units)},
             {"probes", probe_kind.json(speeds, motion.probes, units)},
@@ -283,8 +332,7 @@ std::vector<Section> motion_sections(const Speeds &speeds, const HarmonicMotion 
         return of + words;
     };
     std::vector<Section> sections{
-        {heading("Peaks"), motion.peaks.empty() ? "<p>None inside the range.</p>"
-                                                : page_table(curve_peaks(), motion.peaks, units)},
+        {heading("Resonances and peaks"), peaks_page(motion.resonances, motion.peaks, units)},
         {heading("Largest amplitudes in the range"),
          page_table(station_columns, largest_amplitudes(speeds, motion), units)}};
     if (!motion.probes.empty())
@@ -298,7 +346,7 @@ std::string motion_text(const Speeds &speeds, const HarmonicMotion &motion,
                         const std::string &before_peaks, const Units &units) {
     return before_peaks +
            (motion.peaks.empty() ? "No peak inside the range.\n"
-                                 : text_table(curve_peaks(), motion.peaks, units)) +
+                                 : peaks_text(motion.resonances, motion.peaks, units)) +
            "\n" + text_table(station_columns, largest_amplitudes(speeds, motion), units) +
            text_table("\n", probe_peak_columns(), largest_readings(speeds, motion), units) +
            text_table("\n", force_columns(), largest_forces(speeds, motion), units);
@@ -506,15 +554,13 @@ std::vector<Section> first_sections(const ResponseResult &result, const Units &u
     return sections;
 }
 
-/// The peaks that rise highest, by kind and place as in the table of all.
 std::vector<Section> brief_of(const ResponseResult &result, const Units &units) {
     std::vector<Section> sections = run_sections(result, units);
     for (Section &section : operating_brief(result, units))
         sections.push_back(std::move(section));
-    const std::vector<ResponsePeak> peaks = sharpest_first(result.peaks);
-    if (!peaks.empty())
-        sections.push_back({"Peaks, the sharpest first",
-                            page_table_of_first(brief_rows, curve_peaks(), peaks, units)});
+    if (!result.resonances.empty())
+        sections.push_back({"Resonances", page_table_of_first(brief_rows, resonance_columns,
+                                                              result.resonances, units)});
     return sections;
 }
 

@@ -124,6 +124,16 @@ peaks_of(const std::vector<double> &speeds, const std::vector<results::ResponseP
 [[nodiscard]] std::vector<results::ResponsePeak>
 sharpest_first(std::vector<results::ResponsePeak> peaks);
 
+/// What the peaks are of, and all of them.
+[[nodiscard]] Json resonances_json(const std::vector<results::Resonance> &resonances,
+                                   const Units &units);
+[[nodiscard]] std::string peaks_text(const std::vector<results::Resonance> &resonances,
+                                     const std::vector<results::ResponsePeak> &peaks,
+                                     const Units &units);
+[[nodiscard]] std::string peaks_page(const std::vector<results::Resonance> &resonances,
+                                     const std::vector<results::ResponsePeak> &peaks,
+                                     const Units &units);
+
 /// Local maxima of the curves.
 [[nodiscard]] const Columns<results::ResponsePeak> &curve_peaks();
 

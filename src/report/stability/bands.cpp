@@ -42,6 +42,8 @@ Columns<BandLine> band_columns(bool with_errors) {
 
 Columns<BandLine> file_columns(const results::StabilityResult &result) {
     Columns<BandLine> columns = band_columns(true);
+    if (!result.log_dec.empty())
+        columns.push_back({InCsv("log_dec"), Quantity::number, &BandLine::log_dec});
     if (result.resolved_up_to) {
         columns.push_back({InCsv("resolved growth"), Quantity::rate, &BandLine::resolved_growth});
         columns.push_back({InCsv("resolved verdict"), &BandLine::resolved_verdict});
@@ -78,6 +80,8 @@ std::vector<BandLine> growth_lines(const results::StabilityResult &result) {
     for (std::size_t i = 0; i < result.speeds.size() && i < result.growth.size(); ++i) {
         all.push_back({"growth", result.speeds[i], result.speeds[i], result.growth[i],
                        i < result.verdict.size() ? results::verdict_name(result.verdict[i]) : ""});
+        if (i < result.log_dec.size())
+            all.back().log_dec = result.log_dec[i];
         if (i >= result.resolved_growth.size())
             continue;
         all.back().resolved_growth = result.resolved_growth[i];

@@ -23,7 +23,8 @@ struct BandLine {
     /// Of motions that the elements resolve, where these are told apart, and of faster ones.
     std::optional<double> resolved_growth{}, unresolved_growth{};
     std::string resolved_verdict{};
-    std::optional<double> x{}, y{}; ///< of a map
+    std::optional<double> x{}, y{};  ///< of a map
+    std::optional<double> log_dec{}; ///< the smallest of the motions
 };
 
 /// What the file has, with the growth of what the elements resolve where it is told apart.

@@ -224,6 +224,7 @@ Json json_of(const StabilityResult &result, const Units &units) {
     return {{"speeds", speeds(result.speeds)},
             {"growth", rates(result.growth)},
             {"verdict", json_verdicts(result.verdict)},
+            {"log_dec", written(units, Quantity::number, result.log_dec)},
             {"unstable", speeds(result.unstable)},
             {"unstable_error", speeds(result.unstable_error)},
             {"ends", json_rows(end_columns, result.ends, units)},

@@ -9,7 +9,7 @@ Object.keys(families).forEach((key, k) => {
     `true error ${short(r.true_error, 3)}<br>estimate ${short(r.error_estimate, 3)}`);
   [["unknowns", "x", "y", 1], ["seconds", "x2", "y2", 1000]].forEach(([field, xaxis, yaxis, factor], panel) => traces.push({
     x: rows.map(r => r[field] * factor), y: rows.map(r => r.true_error), xaxis, yaxis, text, hoverinfo: "text", mode: "lines+markers",
-    name: key, legendgroup: key, showlegend: panel === 0, line: {color: colours[k % 8], dash: dashes[k % 4]}, marker: {symbol: k, size: 8}}));
+    name: key, legendgroup: key, showlegend: panel === 0, line: lineOf(k), marker: {symbol: k, size: 8}}));
 });
 const log = {type: "log", dtick: 1, exponentformat: "power"};
 draw(traces, {xaxis: axis("Unknowns", {...log, domain: [0, 0.46]}), xaxis2: axis("Wall time (ms)", {...log, domain: [0.54, 1], anchor: "y2"}),

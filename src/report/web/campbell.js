@@ -3,7 +3,7 @@ const damped = result.modes.some(m => m.log_dec.some(d => d !== null && Math.abs
 const hover = (m, i) => `<b>${m.label}</b> at ${said(speeds[i], "speed", 7)}<br>frequency ` +
   (m.frequency[i] === null ? `none (${m.absent[i]})` : said(m.frequency[i], "frequency", 10)) +
   `<br>real part ${said(m.real[i], "rate", 5)}<br>damping ratio ${short(m.damping_ratio[i], 5)}, log. decrement ${short(m.log_dec[i], 5)}` +
-  `<br>${m.whirl[i]} whirl, forward share ${short(m.forward_fraction[i], 4)}` +
+  `<br>${drawn.whirl[result.modes.indexOf(m)][i]} whirl, forward share ${short(m.forward_fraction[i], 4)}` +
   `<br>error ${short(m.error[i], 2)}, residual ${short(m.residual[i], 2)}`;
 function stretches(mode, values, panel) {
   const sprung = drawn.sprung[result.modes.indexOf(mode)];
@@ -29,7 +29,7 @@ const last = speeds.length - 1;
 result.modes.forEach(m => {
   stretches(m, m.frequency, "y");
   if (damped) stretches(m, m.log_dec, "y2");
-  if (m.frequency[last] !== null) notes.push({x: speeds[last], y: m.frequency[last], text: m.label,
+  if (m.frequency[last] !== null) notes.push({x: speeds[last], y: m.frequency[last], text: drawn.names[result.modes.indexOf(m)],
     showarrow: false, xanchor: "left", xshift: 6, font: {color: look[m.whirl[last]].color}});
 });
 const top = Math.max(0, ...result.modes.flatMap(m => m.frequency.map(f => f || 0))) * 1.05 || 1;

@@ -7,6 +7,8 @@ const look = {
 const heavy = "#A0A0A0"; // damped so heavily that it counts as no critical speed
 const colours = ["#0072B2", "#D55E00", "#007D5A", "#A8527F", "#B77F00", "#3C97CF", "#000000", "#7A7A7A"];
 const dashes = ["solid", "dash", "dot", "dashdot"];
+// The k-th of many curves: of 32 no two are alike.
+const lineOf = (k, more) => ({color: colours[k % 8], dash: dashes[(k + Math.floor(k / 8)) % 4], ...more});
 const short = (value, digits) => value === null || value === undefined ? "–" : Number(value.toPrecision(digits)).toString();
 const said = (value, quantity, digits) => short(value, digits) + (units[quantity] === "°" ? "" : " ") + units[quantity];
 const label = (what, quantity) => `${what} (${units[quantity]})`;

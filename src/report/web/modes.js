@@ -11,7 +11,7 @@ drawn.forEach((m, k) => {
   {height: 200 + (last ? 30 : 0), margin: {l: 75, r: 30, t: 30, b: last ? 55 : 25}, showlegend: k === 0,
     legend: {orientation: "h", x: 1, xanchor: "right", y: 1, yanchor: "bottom"}, xaxis: axis(last ? label("z", "length") : ""), yaxis: axis("", {range: [-1.2, 1.2], dtick: 1}),
     annotations: [{xref: "paper", yref: "paper", x: 0, y: 1, xanchor: "left", yanchor: "bottom", showarrow: false,
-      text: `<b>${m.label ?? ""}</b> ${said(m.frequency, "frequency", 7)}, ${m.whirl}${critical}; y ` +
+      text: `<b>${m.label ?? ""}</b> ${said(m.frequency, "frequency", 7)}, ${drawnModes[k].whirl}${critical}; y ` +
         (drawnModes[k].at_one_instant ? "at the same instant" : "a quarter period later")}]}, panel);
 });
 // All show the same part of the shaft: a zoom of one is one of all.

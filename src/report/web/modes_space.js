@@ -36,8 +36,8 @@ function drawSpace() {
     bow * (p.yr[order] * Math.cos(phase) - p.yi[order] * Math.sin(phase))];
   const ring = (z, r) => circle.map(([c, s]) => seen(along(z), r * s, r * c));
   const movers = [], still = [];
-  function panel(mode, ratio, parent) {
-    const words = `${mode.label ? mode.label + ", " : ""}${said(mode.frequency, "frequency", 6)}, ${mode.whirl}`, more = [];
+  function panel(mode, of, parent) {
+    const words = `${mode.label ? mode.label + ", " : ""}${said(mode.frequency, "frequency", 6)}, ${of.whirl}`, ratio = of.damping_ratio, more = [];
     if (mode.at !== result.speed) more.push(`critical speed ${said(mode.at, "speed", 6)}`);
     if (Math.abs(ratio) > 1e-9) more.push(ratio > 0 ? `damping ratio ${short(ratio, 3)}` : `grows, damping ratio ${short(ratio, 3)}`);
     const svg = make(parent, "svg", {viewBox: `0 0 ${wide} ${high}`, role: "img", "aria-label": ["Mode " + words, ...more].join(", "), "font-family": "DejaVu Sans, Arial, sans-serif"});
@@ -94,7 +94,7 @@ function drawSpace() {
     const grid = document.createElement("figure");
     grid.className = "space";
     space.append(grid);
-    modes.forEach((m, k) => panel(m, drawn[k].damping_ratio, grid));
+    modes.forEach((m, k) => panel(m, drawn[k], grid));
   };
   const controls = document.createElement("p"), button = document.createElement("button"), label = document.createElement("label"), turn = document.createElement("input");
   controls.className = "controls";

@@ -9,25 +9,30 @@ const positive = list => list.map(v => v > 0 ? v : null);
 const fine = (places.curves || {speeds: []}).speeds.length > 0, bends = fine ? places.curves.speeds : result.speeds;
 const over = (axis, format) => `%{x:.5g} ${units.speed}<br>%{y:${format}} ${units[axis]}`;
 places.nodes.forEach((n, k) => {
-  const line = {color: colours[k % 8], dash: dashes[k % 4]}, common = {mode: "lines", line, name: name(n, ""), legendgroup: "n" + k};
+  const line = lineOf(k), common = {mode: "lines", line, name: name(n, ""), legendgroup: "n" + k};
   traces.push({...common, x: bends, y: positive(fine ? places.curves.nodes[k].amplitude : n.amplitude), hovertemplate: over("amplitude", ".6g")});
   traces.push({...common, x: bends, y: (fine ? places.curves.nodes[k].phase : n.phase).map(withinTurn),
     yaxis: "y2", showlegend: false, mode: "markers", marker: {size: 3, color: line.color}, hovertemplate: over("angle", ".5g")});
 });
 (places.probes || []).forEach((p, k) => {
-  const line = {color: colours[(k + 3) % 8], dash: "dot", width: 2.5}, common = {mode: "lines", line, legendgroup: "p" + k,
+  const line = lineOf(places.nodes.length + k, {width: 2.5}), common = {mode: "lines", line, legendgroup: "p" + k,
     name: name(p, "probe") + " at " + said(p.angle, "angle", 4)};
   traces.push({...common, x: bends, y: positive(fine ? places.curves.probes[k].amplitude : p.amplitude), hovertemplate: over("amplitude", ".6g")});
   traces.push({...common, x: bends, y: (fine ? places.curves.probes[k].phase : p.phase).map(withinTurn),
     yaxis: "y2", showlegend: false, mode: "markers", marker: {size: 3, color: line.color, symbol: "x"}, hovertemplate: over("angle", ".5g")});
 });
 places.bearings.forEach((b, k) => traces.push({x: bends, y: positive(fine ? places.curves.bearings[k].force : b.force), yaxis: "y3", mode: "lines", name: "force in " + name(b, "bearing"),
-  line: {color: colours[k % 8], dash: dashes[(k + 1) % 4], width: 2.5}, hovertemplate: over("force", ".6g")}));
+  line: lineOf(k, {width: 2.5}), hovertemplate: over("force", ".6g")}));
+// Resonances, each by its largest peak: of stations, whose amplitudes are drawn.
+const rings = ((weight || result).resonances || []).filter(r => r.of === "station" && r.value !== null);
+if (rings.length) traces.push({x: rings.map(r => r.speed), y: rings.map(r => r.value), mode: "markers", name: "resonances", hoverinfo: "text",
+  text: rings.map(r => `${said(r.speed, "speed", 7)}${r.mode ? ", " + r.mode : ""}<br>${r.kind}${r.amplification === null ? "" : ", AF " + short(r.amplification, 4)}`),
+  marker: {symbol: "circle-open", size: 13, color: "#000", line: {width: 2}}});
 const swept = still && !weight && result.receptance;
 (swept ? swept.receptances : []).forEach((one, k) => ["xx", "xy", "yx", "yy"].forEach((direction, j) => {
   const fine = one[direction].curve.frequencies.length > 0, from = fine ? one[direction].curve : {frequencies: swept.frequencies, ...one[direction]};
   if (!one[direction].amplitude.some(v => v > 0)) return;
-  const line = {color: colours[(4 * k + j) % 8], dash: dashes[j]}, name = `${direction}, ${said(one.from, "length", 4)} to ${said(one.to, "length", 4)}`;
+  const line = lineOf(4 * k + j), name = `${direction}, ${said(one.from, "length", 4)} to ${said(one.to, "length", 4)}`;
   const over = (axis, format) => `%{x:.5g} ${units.frequency}<br>%{y:${format}} ${units[axis]}`, common = {mode: "lines", line, name, legendgroup: name};
   traces.push({...common, x: from.frequencies, y: positive(from.amplitude), hovertemplate: over("receptance", ".6g")});
   traces.push({...common, x: from.frequencies, y: from.phase.map(withinTurn), yaxis: "y2", showlegend: false, mode: "markers",

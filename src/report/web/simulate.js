@@ -11,7 +11,7 @@ result.balancers.forEach((b, i) => {
 result.other_starts.forEach((s, i) => traces.push({x: time.slice(1), y: s.amplitude.slice(1), mode: "lines",
   name: `start ${i + 2}: ${s.outcome}`, line: {color: colours[(result.balancers.length + i) % 8], dash: "dash", width: 1.5}, hoverinfo: "x+y+name"}));
 result.drawn.angles.forEach((curve, k) => traces.push({x: curve.points.map(p => p[0]), y: curve.points.map(p => p[1]), yaxis: "y2", mode: "lines", name: plain(curve.name),
-  line: {color: colours[k % 8], dash: dashes[Math.floor(k / 8) % 4], width: 1.5}}));
+  line: lineOf(k, {width: 1.5})}));
 const changing = Math.max(...result.series.speed) - Math.min(...result.series.speed) > 1e-9 * Math.max(...result.series.speed.map(Math.abs));
 // Without balancers: the stations, over time and beside the steady response over speed. With them the curves are those of the balancers.
 const stations = result.balancers.length > 0 ? [] : result.stations;

@@ -2,6 +2,7 @@
 const studio = JSON.parse(document.getElementById("studio").textContent);
 const page = Array.from(crypto.getRandomValues(new Uint32Array(2)), n => n.toString(16)).join("");
 const patience = 300; // ms after which a computation gives way to the next values
+const previewPatience = 1500; // the same of a coarse one: sooner nothing would be seen while a slider moves
 const byId = id => document.getElementById(id);
 const made = (name, more, ...inside) => { const node = Object.assign(document.createElement(name), more); node.append(...inside); return node; };
 let count = 0; // of questions: the newest has the largest number
@@ -151,22 +152,38 @@ class Panel {
     if (!this.running) this.start();
     else {
       clearTimeout(this.timer);
-      this.timer = setTimeout(() => { if (this.wanted !== null) this.start(); }, Math.max(0, patience - (performance.now() - this.running.since)));
+      const wait = this.running.coarse ? previewPatience : this.running.previewed ? 0 : patience;
+      this.timer = setTimeout(() => { if (this.wanted !== null) this.start(); }, Math.max(0, wait - (performance.now() - this.running.since)));
     }
   }
   async start() {
     clearTimeout(this.timer);
-    const run = this.running = {wanted: this.wanted, edited: this.edited, number: ++count, since: performance.now()};
+    const run = this.running = {wanted: this.wanted, edited: this.edited, since: performance.now(), coarse: this.slow};
     this.wanted = null;
     settle();
     this.clock = this.clock || setInterval(() => this.tell(), 500);
-    const answer = await post("compute", {command: this.command, page, number: run.number, values: JSON.parse(run.wanted)});
+    const ask = preview => post("compute", {command: this.command, page, number: ++count, values: JSON.parse(run.wanted), preview});
+    // Where the last one took long, first a coarse one, which is shown until the full one is there.
+    if (run.coarse) {
+      const answer = await ask(true);
+      await this.loaded;
+      if (this.running !== run) return;
+      run.coarse = false;
+      run.previewed = answer.main !== undefined && this.frame.contentWindow.show(answer) === null;
+      if (run.previewed) { this.took = performance.now() - run.edited; this.previewed = true; this.fit(); }
+      this.tell();
+      if (this.wanted !== null) { this.running = null; this.start(); return; }
+      run.since = performance.now();
+    }
+    const answer = await ask(false);
     await this.loaded;
     if (this.running !== run) return; // a newer one runs, or nobody looks any more
+    this.slow = performance.now() - run.since > patience;
+    this.previewed = false;
     if (answer.main !== undefined) {
       const wrong = this.frame.contentWindow.show(answer);
       this.failed = wrong ? "the diagram could not be drawn: " + wrong : "";
-      if (!wrong) this.took = performance.now() - run.edited;
+      if (!wrong && !run.previewed) this.took = performance.now() - run.edited;
       this.fit();
     } else this.failed = answer.failed || "the computation was given up";
     this.shown = run.wanted;
@@ -177,9 +194,10 @@ class Panel {
   tell() {
     if (!this.running) { clearInterval(this.clock); this.clock = null; }
     const seconds = this.running ? (performance.now() - this.running.since) / 1000 : 0;
-    if (this.running && seconds < 0.4) return;
-    this.state.textContent = this.running ? `computing, ${seconds.toFixed(0)} s` : this.failed ? "the last good picture" : "";
-    this.node.classList.toggle("stale", problems > 0 || seconds > 0 || Boolean(this.failed));
+    if (this.running && seconds < 0.4 && !this.previewed) return;
+    this.state.textContent = this.running ? (this.running.previewed ? "preview; " : "") + `computing, ${seconds.toFixed(0)} s` : this.failed ? "the last good picture" : "";
+    this.node.classList.toggle("preview", Boolean(this.running && this.running.previewed));
+    this.node.classList.toggle("stale", problems > 0 || (seconds > 0 && !this.running.previewed) || Boolean(this.failed));
   }
   mark() {
     this.failure.textContent = this.failed || "";
