@@ -690,8 +690,9 @@ class SupplyFinder {
         if (with_balancer > 0 && with_balancer < _s.planes.size())
             notes.emplace_back("what is needed is that of the planes with a balancer, {} of {}",
                                with_balancer, _s.planes.size());
-        if (std::ranges::any_of(_active,
-                                [](const Place &place) { return place.planes.size() > 1; }))
+        if (with_balancer > 0 && std::ranges::any_of(_active, [](const Place &place) {
+                return place.planes.size() > 1;
+            }))
             notes.emplace_back(
                 "balancers in one plane share what is needed there as their capacities are: where "
                 "none has more to do than it can while another could do more");
@@ -743,13 +744,16 @@ class SupplyFinder {
     /// As the case has its phases: against the spin.
     void turn_phases() {
         _out.lag = true;
+        const auto turned = [](Complex own) { // of a real number no imaginary part of -0
+            return balancing::without_rounding(std::conj(own), 0);
+        };
         for (PlaneSupply &plane : _out.planes) {
             for (PlaneSupply::Moments *moments : {&plane.needed, &plane.beside_weights})
                 for (std::optional<Complex> &own : *moments)
                     if (own)
-                        own = std::conj(*own);
+                        own = turned(*own);
             if (plane.weight)
-                plane.weight = std::conj(*plane.weight);
+                plane.weight = turned(*plane.weight);
         }
     }
 };

@@ -15,7 +15,8 @@ namespace whirl::report {
 /// answer.
 [[nodiscard]] Json plane_supply_json(const results::BalanceResult &result, std::size_t plane,
                                      const Units &units);
-/// Keys of the result: phase, residual, supply, supply_beside_weights, works, residual_weight_speeds.
+/// Keys of the result: phase, residual, supply, supply_beside_weights, works,
+/// residual_weight_speeds.
 [[nodiscard]] Json supply_json(const results::BalanceResult &result, const Units &units);
 /// Where the motion is shown: at probes, without any at bearings and planes.
 [[nodiscard]] std::vector<const results::LeftAt *>

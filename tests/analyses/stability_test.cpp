@@ -30,6 +30,24 @@ stability::Motion motion(double growth, double frequency, int place, double nois
     return {{growth, frequency}, Eigen::VectorXcd::Unit(3, place), noise, true};
 }
 
+// However many ranges there are, one note says where motions were lost.
+TEST(LostMotions, AreOneNote) {
+    std::vector<results::Sentence> notes;
+    note_lost_motions({}, "the motions", notes);
+    EXPECT_TRUE(notes.empty());
+    note_lost_motions({{1, 2}, {5, 6}}, "the motions", notes);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_TRUE(notes[0].starts_with("from 1 to 2 rad/s, 5 to 6 rad/s the motions could not be"))
+        << notes[0];
+    std::vector<results::Interval> many;
+    for (int i = 0; i < 20; ++i)
+        many.push_back({10.0 * (20 - i), 10.0 * (20 - i) + 1});
+    note_lost_motions(many, "the motions", notes);
+    ASSERT_EQ(notes.size(), 2U);
+    EXPECT_TRUE(notes[1].starts_with("in 20 short ranges of speed from 10 to 201 rad/s the"))
+        << notes[1];
+}
+
 // One motion grows below 1, another above 1.02: the window between them is far narrower than the
 // grid.
 TEST(UnstableBands, StableWindowBetweenTwoInstabilitiesIsFound) {

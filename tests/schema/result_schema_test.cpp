@@ -62,6 +62,9 @@ INSTANTIATE_TEST_SUITE_P(
         "sweep cases/uncertain_jeffcott --set sweep.y= --set sweep.x.count=3",
         "weights cases/weights_fan",
         "weights cases/weights_fan --set weights.scatter=0.02 --set plane[0].holes=8",
+        "weights cases/id_fan --set plane=[{z=2.1}] --set weights.speeds=[100] "
+        "--set weights.stations=[1.0] --set speeds.count=5",
+        "balance cases/id_fan --set plane=[{z=2.1}] --set weights.phase=lag --set speeds.count=3",
         "compare critical cases/nelson_mcvaugh cases/nelson_mcvaugh@shaft.order=1"),
     [](const auto &test) { return "run_" + std::to_string(test.index + 1); });
 
