@@ -1,5 +1,6 @@
 #include "analyses/placed_balls.h"
 
+#include "assembly/discretization.h"
 #include "model/errors.h"
 #include "model/variants.h"
 #include "stability/unstable_bands.h"
@@ -116,6 +117,9 @@ PlacedBands placed_bands(const model::Case &scene, int order,
 void answer_for_placed_balls(const model::Case &scene, int order,
                              const states::BalancedOverSpeed &position,
                              const std::vector<double> &grid, results::StabilityResult &result) {
+    const assembly::Discretization d(scene.rotor, order);
+    result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
+    result.model.unknowns = position.unknowns();
     for (const double speed : result.speeds)
         add_at_speed(position.at(speed), result);
     result.neutral_pairs = position.neutral_pairs();

@@ -137,9 +137,12 @@ model::SweepAxis read_map_axis(CheckedTable &table) {
     model::SweepAxis axis;
     if (const Node *path = table.find("path");
         path != nullptr && path->kind == Node::Kind::text && path->text == "speed") {
-        axis.label = "speed";
+        axis.label = *table.text("path");
         axis.quantity = Quantity::speed;
-        (void)table.text("path"); // known
+        if (table.choice("change", {"value", "factor", "shift"}, 0) != 0)
+            table.fail("change", "expected \"value\" of the spin speed, which is no entry of the "
+                                 "case, got " +
+                                     shown(*table.find("change")));
     } else if (!read_change(table, "speed", axis)) {
         return axis;
     }

@@ -114,15 +114,15 @@ struct SimulatedSpeed {
 
 /// Where every motion about the balanced position with the real balancers dies out.
 struct BalancedPosition {
-    /// It is the one that all imbalances ask for, elsewhere at every speed; else that of each
-    /// balancer against its own.
-    bool all_imbalances = false;
-    std::vector<Interval> missing;    ///< rad/s, where they ask for one that there is not
     std::vector<Interval> bands;      ///< with the arrangement of the case, or the symmetric one
     std::vector<EndErrors> errors;    ///< rad/s
     int arrangements = 0;             ///< looked at; more than one where the balls have a choice
     std::vector<Interval> with_every; ///< stable with every arrangement looked at
     std::vector<Interval> with_some;  ///< stable with at least one
+    /// It is the one that all imbalances ask for, elsewhere at every speed; else that of each
+    /// balancer against its own.
+    bool all_imbalances = false;
+    std::vector<Interval> missing{}; ///< rad/s, where they ask for one that there is not
 };
 
 /// How far the balancers in the planes get at one speed.

@@ -30,6 +30,8 @@ class BalancedOverSpeed {
 
     /// Arrangements that are looked at: the usual one, and where the masses have a choice others.
     [[nodiscard]] int arrangements(int most) const;
+    /// Of the equations that it is found by: a reduced rotor.
+    [[nodiscard]] int unknowns() const { return static_cast<int>(_search.equations().unknowns()); }
     /// Motions of masses beyond two in each plane, which change nothing.
     [[nodiscard]] int neutral_pairs() const;
 
