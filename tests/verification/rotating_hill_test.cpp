@@ -173,7 +173,13 @@ TEST(HillForm, LeavesOutSpeedsThatAreTooSlow) {
     }
     model::Case scene = tests::scene_of(rotor, 1, 450, 3);
     scene.reduction = false;
-    scene.map = model::MapSettings{{"speed", 1, 450, 3}, {"anisotropy[0].dI", 0.1, 0.2, 2}};
+    scene.map = model::MapSettings{
+        {"speed", {}, model::SweepChange::value, model::Quantity::speed, {1, 225.5, 450}},
+        {"anisotropy[0].dI",
+         {{"anisotropy[0].dI", 0}},
+         model::SweepChange::value,
+         model::Quantity::inertia,
+         {0.1, 0.2}}};
     const auto map =
         analyses::stability_map(*scene.map, [&](const auto &) { return scene; }).growth;
     EXPECT_TRUE(std::isnan(map[0][0]));
