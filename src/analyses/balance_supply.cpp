@@ -66,8 +66,8 @@ std::vector<Capacity> capacities_of(const model::Rotor &rotor,
     for (const model::Balancer &balancer : rotor.balancers) {
         std::optional<std::size_t> own;
         for (std::size_t p = 0; p < planes.size(); ++p)
-            if (planes[p].z == balancer.z && (!own || !out[p].any))
-                own = p;
+            if (planes[p].z == balancer.z && (!own || (out[*own].any && !out[p].any)))
+                own = p; // the first at its place that no balancer has yet
         if (!own)
             continue;
         const auto kind = balancers::kind_of(balancer);

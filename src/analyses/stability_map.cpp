@@ -47,9 +47,6 @@ std::vector<double> growth_at(
     if (const auto placed = placed_by_all_imbalances(scene, model.order, speeds, ignored)) {
         for (const double speed : speeds) {
             const auto found = placed->at(speed);
-            if (!found && speed != 0 && speeds.size() == 1)
-                throw model::BadInput("no balanced position: the imbalances ask for more than the "
-                                      "balancers can supply");
             out.push_back(found ? found->state.growth : std::numeric_limits<double>::quiet_NaN());
         }
         return out;
@@ -178,12 +175,17 @@ process::Outcome piece_of(const Overrides &entries, const std::vector<double> &r
                 return row.empty() ? common.for_point(model)
                                    : common.for_row(model, arrangement, speeds);
             });
+        std::string why;
+        for (std::size_t i = 0; i < speeds.size(); ++i)
+            if (std::isnan(growth[i]) && speeds[i] != 0)
+                why = "no balanced position: the imbalances ask for more than the balancers can "
+                      "supply";
         if (!row.empty())
-            return {growth, {}};
+            return {growth, why};
         double most = std::numeric_limits<double>::quiet_NaN();
         for (const double value : growth)
             most = std::fmax(most, value); // of the speeds at which it is known
-        return {{most}, {}};
+        return {{most}, std::isnan(most) ? why : ""};
     } catch (const model::BadInput &problem) {
         const std::size_t count = std::max<std::size_t>(row.size(), 1);
         return {std::vector<double>(count, std::numeric_limits<double>::quiet_NaN()),

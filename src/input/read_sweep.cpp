@@ -31,7 +31,9 @@ std::vector<std::string> paths_of(CheckedTable &table, const std::string &beside
     }
     std::vector<std::string> paths;
     for (const CheckedEntry &item : entry->items())
-        if (item.node.kind == Node::Kind::text)
+        if (item.node.kind == Node::Kind::text && !besides.empty() && item.node.text == besides)
+            item.fail(in_quotes(besides) + " stands alone, not in a list of entries");
+        else if (item.node.kind == Node::Kind::text)
             paths.push_back(item.node.text);
         else
             item.fail("expected a numeric entry of the case in quotes, got " + shown(item.node));

@@ -20,9 +20,9 @@ struct CampbellMode {
     std::vector<std::optional<double>> damping_ratio; ///< -Re/|lambda|
     std::vector<std::optional<double>> log_dec;       ///< -2 pi Re/Im
     std::vector<Whirl> whirl;
-    std::vector<double> forward_fraction; ///< share of the orbits that is forward, 0..1
-    std::vector<std::optional<double>> error;              ///< relative estimate for |lambda|
-    std::vector<std::optional<double>> residual;           ///< relative, of the eigenpair
+    std::vector<double> forward_fraction;        ///< share of the orbits that is forward, 0..1
+    std::vector<std::optional<double>> error;    ///< relative estimate for |lambda|
+    std::vector<std::optional<double>> residual; ///< relative, of the eigenpair
     std::vector<std::optional<double>> frequency_rotating; ///< rad/s; rotating forms only
     /// Twice the spin speed less `frequency`, rad/s, where the motion has that one too: rotating
     /// form only, none where its deflections are less than a tenth of the larger ones.

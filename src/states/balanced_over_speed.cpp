@@ -68,6 +68,7 @@ class Walk {
         : _position(position), _arrangement(arrangement) {
         for (const double speed : without_rest(speeds))
             _points.push_back({speed, at(speed)});
+        leave_undecided_out();
         // A range that begins or ends at rest does so.
         _from = speeds.front();
         _to = speeds.back();
@@ -123,6 +124,15 @@ class Walk {
     void close(double from, double to, Fate fate) {
         if (to > from && fate != Fate::dies_out)
             (fate == Fate::missing ? _out.missing : _out.grows).push_back({from, to});
+    }
+
+    /// At low speed the growth of a damped rotor drowns in rounding: such speeds say nothing.
+    void leave_undecided_out() {
+        const auto undecided = [](const Point &point) {
+            return point.found && !point.found->state.stable && point.found->damped;
+        };
+        if (!std::ranges::all_of(_points, undecided))
+            std::erase_if(_points, undecided);
     }
 
     /// Between speeds at which nothing grows something can, where the growth is largest; or the

@@ -518,6 +518,7 @@ void StateSearch::describe(Found &found, double speed) const {
     state.growth = state.least_growth = parts.maxCoeff(&fastest);
     found.fastest = moving(fastest);
     state.growing = static_cast<int>((parts.array() > nothing).count());
+    found.damped = parts.minCoeff() < -nothing;
     if (std::abs(state.growth) > nothing)
         state.stable = state.growth < 0;
 }
@@ -632,20 +633,24 @@ std::optional<StateSearch::Found> StateSearch::balanced(double speed, int member
         return std::ranges::all_of(one.sides, [](const Sides &sides) { return sides.empty(); });
     });
     const Lines lines(*this, *way, speed);
-    Found out;
-    Eigen::VectorXd angles;
-    if (!place(*way, lines, Eigen::VectorXd(0), member, angles))
-        return std::nullopt;
-    out.way = static_cast<int>(way - _ways.begin());
-    out.x = _equations.with_angles(angles, speed);
-    out.state.defect = _equations.refine(out.x, speed, size_of_deflections(speed));
-    out.along = along_family(*way, out.x.tail(angles.size()));
-    out.state.family = out.along > 0;
-    out.state.kind = SteadyState::Kind::balanced;
-    if (out.state.defect > (out.state.family ? second_order : refined))
-        return std::nullopt;
-    describe(out, speed);
-    return out;
+    for (int k = 0; k < members; ++k) {
+        Found out;
+        Eigen::VectorXd angles;
+        if (!place(*way, lines, Eigen::VectorXd(0), (member + k) % members, angles))
+            return std::nullopt;
+        out.way = static_cast<int>(way - _ways.begin());
+        out.x = _equations.with_angles(angles, speed);
+        out.state.defect = _equations.refine(out.x, speed, size_of_deflections(speed));
+        out.along = along_family(*way, out.x.tail(angles.size()));
+        out.state.family = out.along > 0;
+        out.state.kind = SteadyState::Kind::balanced;
+        if (out.state.defect <= (out.state.family ? second_order : refined)) {
+            describe(out, speed);
+            return out;
+        }
+    }
+    throw linalg::SolverError(
+        "terms of second order in the large slopes of the shaft move it away");
 }
 
 std::optional<StateSearch::Found>

@@ -32,6 +32,7 @@ class StateSearch {
         /// The root that is next to the imaginary axis, 1/s.
         std::complex<double> next_to_axis;
         std::complex<double> fastest; ///< the root of largest real part, 1/s
+        bool damped = false;          ///< some motion dies out
     };
     /// At a speed other than 0.
     /// @param undecided  set where two states are too close to be told apart
@@ -46,8 +47,9 @@ class StateSearch {
     [[nodiscard]] bool can_balance() const;
     /// The state in which no plane with balancers is deflected. None where the masses cannot make
     /// what that needs.
-    /// @param member  of the family that three masses or more have: first the usual arrangement
-    /// @throws linalg::SolverError
+    /// @param member  of the family that three masses or more have: first the usual arrangement.
+    ///                Where large slopes do not let it be the next one that they do.
+    /// @throws linalg::SolverError, also where it was not found though the masses can make it
     [[nodiscard]] std::optional<Found> balanced(double speed, int member) const;
     /// Motions of masses beyond two in each plane, each of a ring with its own turning: they change
     /// nothing.

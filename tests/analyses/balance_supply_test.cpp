@@ -485,6 +485,7 @@ TEST(BalanceSupply, BalancersInOnePlaneShareByCapacity) {
         EXPECT_NEAR(std::abs(*plane.needed[0]) / *plane.capacity, of.U / (4 * of.ball_moment),
                     1e-12);
     }
+    EXPECT_NEAR(*result.supply->planes[0].capacity, of.ball_moment, 1e-12); // in their order
     EXPECT_LT(std::abs(sum + std::polar(of.U, 0.3)), 1e-12);
     // More than there is: all of it, at one angle.
     of.U = 3e-3;

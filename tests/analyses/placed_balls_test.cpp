@@ -107,6 +107,19 @@ TEST(PlacedBalls, RigidRotorIsThatWhoseBalancersHaveTheImbalancesThemselves) {
     expect_same(real.bands, positions(split(scene)).bands);
 }
 
+// Growth falls faster than the speed: next to rest its sign drowns in rounding, and is not taken
+// for a decay.
+TEST(PlacedBalls, BandsBeginAtRestWhereTheMotionGrowsFromThereOn) {
+    model::Case scene = with_imbalances(rigid_rotor());
+    scene.speeds->from = 0;
+    const results::StabilityResult found = analyses::stability(scene, no_entries);
+    const results::StabilityResult known = analyses::stability(split(scene), no_entries);
+    ASSERT_FALSE(known.unstable.empty());
+    EXPECT_EQ(known.unstable.front().from, 0);
+    expect_same(found.unstable, known.unstable);
+    EXPECT_EQ(found.ends.size(), known.ends.size());
+}
+
 TEST(PlacedBalls, TwoBallsInTwoPlanesHaveTheAnglesOfTheClosedForm) {
     model::Case scene = with_imbalances(rigid_rotor());
     tests::row(scene.rotor.balancers[1]).n = 2;

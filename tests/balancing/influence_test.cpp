@@ -255,6 +255,7 @@ TEST(Procedure, CountsTheBendingCriticalSpeedsOfAPinnedShaft) {
         scene.rotor.planes = {{"a", 0.3}, {"b", 0.6}, {"c", 0.8}};
         const double between = (of.critical(below) + of.critical(below + 1)) / 2;
         scene = with_weights(scene, between);
+        scene.campbell.modes = 1; // is for diagrams
         const auto procedure = analyses::correction_weights(scene).procedure;
         ASSERT_TRUE(procedure);
         EXPECT_TRUE(procedure->flexible);
