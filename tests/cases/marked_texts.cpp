@@ -325,9 +325,13 @@ void MarkedTexts::by_row(const std::string &marked, const std::string &other,
     const auto in_other = numbers_of(other);
     if (!of || cells.size() < 3 || numbers.empty() || numbers.size() != in_other.size())
         return;
-    bool any = ratio(*of) == 1 || std::ranges::all_of(quantities, [](const auto &own) {
-                   return own.has_value(); // nothing is left for the unit of the row
-               });
+    bool any =
+        ratio(*of) == 1 ||
+        std::ranges::all_of(quantities,
+                            [](const auto &own) {
+                                return own.has_value(); // nothing is left for the unit of the row
+                            }) ||
+        std::ranges::find(cells, "no limit") != cells.end(); // in the place of its number
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const bool differs = marked.substr(numbers[i].begin, numbers[i].end - numbers[i].begin) !=
                              other.substr(in_other[i].begin, in_other[i].end - in_other[i].begin);

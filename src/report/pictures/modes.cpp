@@ -97,7 +97,9 @@ std::string shape_script(const Units &units, const ModeShape &mode, const std::s
         reach = std::isfinite(value) ? std::max(reach, 1.1 * value) : reach;
     return fmt::format(
                "set yrange [{}:{}]\nset title {} font ',12' offset 0,-0.4\n", -reach, reach,
-               plot_text(heading + (curves.at_one_instant ? " · y at the same instant" : ""))) +
+               plot_text(heading + (curves.at_one_instant && !mode.plane // in one plane they are
+                                        ? " · y at the same instant"
+                                        : ""))) +
            curves_over_outline(units, result.z, curves.x, curves.y, curves.envelope, 1) +
            "unset label\n"; // gnuplot draws it with each panel
 }
