@@ -180,8 +180,14 @@ std::optional<double> orbit_plane(const Eigen::VectorXcd &x, const Eigen::Vector
     const double half = std::hypot((xx - yy) / 2, xy);
     if (!(mean - half <= straight * straight * (mean + half)) || mean == 0)
         return std::nullopt;
+    constexpr double nothing = 1e-12; // rad: far above rounding
     const double angle = std::atan2(2 * xy, xx - yy) / 2;
-    return angle > -std::numbers::pi / 4 ? angle : angle + std::numbers::pi;
+    if (std::abs(angle) < nothing)
+        return 0.0;
+    // A line has no ends: from -80 to 100 degrees neither horizontal and vertical nor the diagonals
+    // that cross coupling makes jump from one end to the other.
+    constexpr double lowest = -4 * std::numbers::pi / 9;
+    return angle > lowest ? angle : angle + std::numbers::pi;
 }
 
 OrbitSense orbit_sense(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y,

@@ -70,8 +70,8 @@ struct OrbitSense {
 };
 /// The plane through the axis in which a mode moves, where all its orbits are nearly straight lines
 /// in one: at most a tenth as wide across it as along it (root mean square over the masses), as on
-/// supports that differ between their directions. Its angle from x towards y, rad, in (-pi/4,
-/// 3 pi/4], so that rounding turns neither 0 nor pi/2 into its opposite.
+/// supports that differ between their directions. Its angle from x towards y, rad, from -80 to
+/// 100 degrees, so that rounding turns no usual direction into its opposite.
 [[nodiscard]] std::optional<double>
 orbit_plane(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y, const Stations &stations);
 [[nodiscard]] OrbitSense orbit_sense(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y,
