@@ -149,7 +149,7 @@ inline std::vector<BrokenCase> broken_settings() {
         {"a map of a factor of a default", 10, "map.y.path", "is left at its default",
          map + "y = {path = \"shaft.internal_damping\", change = \"factor\", from = 1, to = 2, "
                "count = 2}\n"},
-        {"a map of a speed and more", 10, "map.y.path", "or a numeric entry of the case",
+        {"a map of a speed and more", 10, "map.y.path[0]", "stands alone",
          map + "y = {path = [\"speed\", \"material.steel.rho\"], from = 1, to = 2, count = 2}\n"},
         {"a map with a list of values", 10, "map.y.values", "unknown key",
          map + "y = {path = \"material.steel.rho\", from = 1, to = 2, count = 2, values = [1]}\n"},
