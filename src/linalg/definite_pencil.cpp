@@ -93,6 +93,24 @@ struct DefinitePencil::Factors {
     mutable Triangles triangles;
     Sparse L, Lt, F, Ft;
     mutable Eigen::SimplicialLDLT<Sparse> inertia;
+    // Small problems: the same operator in the modes at rest, L^-1 F = U sigma V^T, where it is
+    // [-s A, sigma; sigma, 0] with A = U^T L^-1 S L^-T U, one small product instead of solves.
+    bool modal = false;
+    RepeatedEigensolver solver;
+    int asked = 0;       ///< speeds asked for so far, or announced
+    Eigen::MatrixXd LtU; ///< L^-T U: modes at rest
+    Eigen::MatrixXd A;
+    Eigen::VectorXd sigma;
+
+    void make_modal() {
+        const LeftSingular modes =
+            left_singular(L.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd(F)));
+        sigma = modes.values;
+        LtU = Lt.triangularView<Eigen::Upper>().solve(modes.vectors);
+        A = LtU.transpose() * (S * LtU);
+        A = ((A + A.transpose()) / 2).eval();
+        modal = true;
+    }
 
     /// y = H(s) z, z = (a, b).
     void apply(double s, const double *z, double *y) const {
@@ -101,6 +119,13 @@ struct DefinitePencil::Factors {
         const Eigen::Map<const Eigen::VectorXd> b(z + n, n);
         Eigen::Map<Eigen::VectorXd> top(y, n);
         Eigen::Map<Eigen::VectorXd> bottom(y + n, n);
+        if (modal) {
+            top = sigma.cwiseProduct(b);
+            bottom = sigma.cwiseProduct(a);
+            if (s != 0)
+                top.noalias() -= s * (A * a);
+            return;
+        }
         const Eigen::VectorXd t = Lt.triangularView<Eigen::Upper>().solve(a);
         bottom.noalias() = Ft * t;
         Eigen::VectorXd r = F * b;
@@ -112,13 +137,25 @@ struct DefinitePencil::Factors {
     /// H(s).
     [[nodiscard]] SymmetricOperator at(double s) const {
         return {static_cast<int>(2 * K.rows()),
-                [this, s](const double *z, double *y) { apply(s, z, y); },
-                deterministic_vector(static_cast<int>(2 * K.rows()))};
+                [this, s](const double *z, double *y) { apply(s, z, y); }, start()};
     }
 
     /// x from the first half of z.
     [[nodiscard]] Eigen::VectorXd shape(const Eigen::VectorXd &a) const {
+        if (modal)
+            return LtU * a;
         return Lt.triangularView<Eigen::Upper>().solve(a);
+    }
+
+    /// Rich in the low modes, and the same for every speed and process.
+    [[nodiscard]] Eigen::VectorXd start() const {
+        const Eigen::Index n = K.rows();
+        Eigen::VectorXd z = deterministic_vector(static_cast<int>(2 * n));
+        if (modal) {
+            z.head(n).array() *= sigma.array() / sigma(0);
+            z.tail(n).array() *= sigma.array() / sigma(0);
+        }
+        return z;
     }
 };
 
@@ -142,6 +179,8 @@ DefinitePencil::DefinitePencil(const Matrix &K, const Matrix &M, const Matrix &S
 }
 
 DefinitePencil::~DefinitePencil() = default;
+
+void DefinitePencil::expect(int values) { _factors->asked += values; }
 
 int DefinitePencil::size() const { return static_cast<int>(_factors->K.rows()); }
 
@@ -190,7 +229,9 @@ std::vector<RealPair> DefinitePencil::iterate(double s, int wanted) const {
     // rest is asked for again until the count agrees.
     for (int attempt = 0; attempt < 4; ++attempt) {
         const int missing = std::max(2, wanted + 2 - static_cast<int>(found.size()));
-        for (const auto &[mu, z] : largest_magnitude(op, missing, found)) {
+        const auto more = attempt == 0 ? _factors->solver.largest_magnitude(op, missing)
+                                       : largest_magnitude(op, missing, found);
+        for (const auto &[mu, z] : more) {
             found.push_back(z);
             pairs.push_back(pair_from(s, mu, z));
         }
@@ -208,6 +249,10 @@ bool DefinitePencil::confirmed(double s, std::vector<RealPair> &pairs, int wante
 }
 
 std::vector<RealPair> DefinitePencil::smallest(double s, int wanted) const {
+    // Diagonalising at rest costs as much as some ten speeds of a small problem: it waits until
+    // there are that many. Results of both ways differ by rounding only.
+    if (!_factors->modal && size() <= 200 && ++_factors->asked > 8)
+        _factors->make_modal();
     const int all = 2 * size();
     // Where a large part of the spectrum is wanted, or the matrix is small, dense is faster and
     // finds everything.

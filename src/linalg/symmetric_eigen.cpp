@@ -3,6 +3,8 @@
 #include "linalg/check.h"
 #include "linalg/handles.h"
 
+#include <petscblaslapack.h>
+
 #include <algorithm>
 
 namespace whirl::linalg {
@@ -153,6 +155,35 @@ Eigen::VectorXd deterministic_vector(int size) {
     return vector;
 }
 
+struct RepeatedEigensolver::Kept {
+    SymmetricOperator op; ///< the shell matrix refers to it
+    int wanted = 0;
+    MatOwner shell;
+    EpsOwner eps;
+};
+
+RepeatedEigensolver::RepeatedEigensolver() : _kept(std::make_unique<Kept>()) {}
+RepeatedEigensolver::~RepeatedEigensolver() = default;
+
+std::vector<std::pair<double, Eigen::VectorXd>>
+RepeatedEigensolver::largest_magnitude(const SymmetricOperator &op, int wanted) {
+    const int nev = wanted_of(op, wanted, 0);
+    const bool fits = _kept->eps && _kept->op.size == op.size && _kept->wanted == nev;
+    _kept->op = op;
+    if (!fits) {
+        _kept->eps.reset();
+        _kept->shell = shell_of(_kept->op);
+        _kept->eps = new_solver(_kept->shell.get(), EPS_LARGEST_MAGNITUDE, nev, op.size);
+        _kept->wanted = nev;
+    }
+    try {
+        return run(_kept->eps.get(), op, nev);
+    } catch (const SolverError &) {
+        _kept->eps.reset(); // whatever state it is in
+        throw;
+    }
+}
+
 std::vector<std::pair<double, Eigen::VectorXd>>
 largest_magnitude(const SymmetricOperator &op, int wanted,
                   const std::vector<Eigen::VectorXd> &deflated) {
@@ -171,6 +202,28 @@ Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> symmetric_eigenpairs(const Eigen:
     if (solver.info() != Eigen::Success)
         throw SolverError("the dense symmetric eigensolver did not converge");
     return solver;
+}
+
+LeftSingular left_singular(Eigen::MatrixXd A) {
+    const auto n = static_cast<PetscBLASInt>(A.rows());
+    LeftSingular out{Eigen::VectorXd(n), {}};
+    double no_right_vectors = 0;
+    PetscBLASInt failed = 0;
+    PetscBLASInt room = -1; // asks how much is best
+    double best = 0;
+    // "O": the vectors overwrite the matrix.
+    const auto decompose = [&](double *work) {
+        LAPACKgesvd_("O", "N", &n, &n, A.data(), &n, out.values.data(), nullptr, &n,
+                     &no_right_vectors, &n, work, &room, &failed);
+    };
+    decompose(&best);
+    room = static_cast<PetscBLASInt>(best);
+    Eigen::VectorXd work(room);
+    decompose(work.data());
+    if (failed != 0)
+        throw SolverError("the dense singular value decomposition did not converge");
+    out.vectors = std::move(A);
+    return out;
 }
 
 } // namespace whirl::linalg
