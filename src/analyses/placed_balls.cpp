@@ -157,9 +157,8 @@ void answer_for_placed_balls(const model::Case &scene, int order,
 
 void note_missing(const std::vector<results::Interval> &missing, std::vector<Sentence> &notes) {
     for (const results::Interval &interval : missing)
-        notes.emplace_back("from {} there is no balanced position: the imbalances ask for more "
-                           "than the balancers can supply, or for less than they always make",
-                           as::speed.range(interval.from, interval.to));
+        notes.emplace_back("from {} there is {}", as::speed.range(interval.from, interval.to),
+                           no_balanced_position);
 }
 
 } // namespace whirl::analyses

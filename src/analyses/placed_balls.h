@@ -43,6 +43,10 @@ void answer_for_placed_balls(const model::Case &scene, int order,
                              const states::BalancedOverSpeed &position,
                              const std::vector<double> &grid, results::StabilityResult &result);
 
+/// Why there is none at a speed; in a sentence.
+inline constexpr const char *no_balanced_position =
+    "no balanced position: the imbalances ask for more than the balancers can supply, or for less "
+    "than they always make";
 /// Says where no balanced position exists.
 void note_missing(const std::vector<results::Interval> &missing,
                   std::vector<results::Sentence> &notes);

@@ -178,8 +178,7 @@ process::Outcome piece_of(const Overrides &entries, const std::vector<double> &r
         std::string why;
         for (std::size_t i = 0; i < speeds.size(); ++i)
             if (std::isnan(growth[i]) && speeds[i] != 0)
-                why = "no balanced position: the imbalances ask for more than the balancers can "
-                      "supply";
+                why = no_balanced_position;
         if (!row.empty())
             return {growth, why};
         double most = std::numeric_limits<double>::quiet_NaN();

@@ -4,8 +4,6 @@ namespace whirl::model {
 
 namespace {
 
-void keep_symmetric(Eigen::Matrix2d &a) { a(0, 1) = a(1, 0) = (a(0, 1) + a(1, 0)) / 2; }
-
 void take_mean(Eigen::Matrix2d &a) {
     const double mean = a.trace() / 2;
     a = mean * Eigen::Matrix2d::Identity();
@@ -24,16 +22,6 @@ Rotor without_damping(Rotor rotor) {
     }
     rotor.shaft.internal_damping = rotor.shaft.alpha = rotor.shaft.beta = 0;
     rotor.shaft.modal_damping.clear();
-    return rotor;
-}
-
-Rotor with_conservative_supports(Rotor rotor) {
-    rotor = without_damping(std::move(rotor));
-    rotor.shaft.axial_torque = 0;
-    for (Bearing &bearing : rotor.bearings)
-        for (BearingCoefficients &row : bearing.rows)
-            for (Eigen::Matrix2d *a : {&row.k, &row.m, &row.kt})
-                keep_symmetric(*a);
     return rotor;
 }
 

@@ -15,10 +15,6 @@ namespace whirl::model {
 /// and pedestals, none of the shaft. Coupling stiffness stays.
 [[nodiscard]] Rotor without_damping(Rotor rotor);
 
-/// Supports with the symmetric part of their stiffness, no damping, no axial torque; tables and
-/// everything else as they are.
-[[nodiscard]] Rotor with_conservative_supports(Rotor rotor);
-
 /// Bearings isotropic, with the mean of the x and y coefficients; nothing changes for isotropic
 /// ones.
 [[nodiscard]] Rotor with_mean_bearings(Rotor rotor);

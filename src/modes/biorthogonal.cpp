@@ -22,30 +22,13 @@ using Complex = std::complex<double>;
 template <class Scalar> using Columns = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 template <class Scalar> using Values = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-template <class Scalar> Columns<Scalar> times(const Sparse &A, const Columns<Scalar> &X) {
-    return A * X;
-}
-
-template <class Scalar>
-Columns<Scalar> transposed_times(const Sparse &A, const Columns<Scalar> &X) {
-    return A.transpose() * X;
-}
-
-Eigen::MatrixXcd times(const ComplexQuadraticAt::Sparse &A, const Eigen::MatrixXcd &X) {
-    return A * X;
-}
-
-Eigen::MatrixXcd transposed_times(const ComplexQuadraticAt::Sparse &A, const Eigen::MatrixXcd &X) {
-    return A.transpose() * X;
-}
-
 /// y^T (v dD + dK) x of each mode.
 template <class Scalar, class Change>
 Values<Scalar> derivatives(const Change &change, const Values<Scalar> &values,
                            const Columns<Scalar> &X, const Columns<Scalar> &Y) {
-    Columns<Scalar> dQ = times(change.D, X) * values.asDiagonal();
+    Columns<Scalar> dQ = (change.D * X) * values.asDiagonal();
     if (change.K.nonZeros() > 0)
-        dQ += times(change.K, X);
+        dQ += change.K * X;
     return Y.cwiseProduct(dQ).colwise().sum().transpose();
 }
 
@@ -54,8 +37,8 @@ template <class Scalar, class Problem>
 void fill(const Problem &problem, const Values<Scalar> &values, const Columns<Scalar> &X,
           const Columns<Scalar> &Y, Columns<Scalar> &left, Columns<Scalar> &right, ModeBasis &out) {
     const Eigen::Index n = X.rows();
-    const Columns<Scalar> KY = transposed_times(problem.K, Y);
-    const Columns<Scalar> MY = transposed_times(problem.M, Y);
+    const Columns<Scalar> KY = problem.K.transpose() * Y;
+    const Columns<Scalar> MY = problem.M.transpose() * Y;
     left.resize(2 * n, X.cols());
     right.resize(2 * n, X.cols());
     left << KY, -MY * values.asDiagonal();
@@ -83,7 +66,7 @@ void fill(const Problem &problem, const Values<Scalar> &values, const Columns<Sc
 Eigen::MatrixXcd left_vectors(const QuadraticAt &problem, const Eigen::VectorXcd &values,
                               const Eigen::MatrixXcd &X) {
     linalg::QuadraticPattern Q(problem.M, problem.D, problem.K);
-    Eigen::MatrixXcd Y = times(problem.M, Eigen::MatrixXcd(X.conjugate()));
+    Eigen::MatrixXcd Y = problem.M * Eigen::MatrixXcd(X.conjugate());
     linalg::SparseFactor<Complex> lu;
     for (Eigen::Index i = 0; i < X.cols(); ++i) {
         const Complex v = values(i) * (1 + 1e-7);

@@ -18,27 +18,12 @@ using Found = StateSearch::Found;
 using results::SteadyBorder;
 namespace as = results::as;
 
-double slowest_of(const std::vector<double> &speeds) {
-    double slowest = HUGE_VAL;
-    for (const double speed : speeds)
-        if (speed != 0)
-            slowest = std::min(slowest, std::abs(speed));
-    return slowest < HUGE_VAL ? slowest : 1;
-}
-
-double fastest_of(const std::vector<double> &speeds) {
-    double fastest = 0;
-    for (const double speed : speeds)
-        fastest = std::max(fastest, std::abs(speed));
-    return fastest > 0 ? fastest : 1;
-}
-
 /// At rest every position is steady: the speeds next to rest stand for it.
 constexpr double next_to_rest = 1e-3;
 
 std::vector<double> without_rest(const std::vector<double> &speeds) {
     std::vector<double> out;
-    const double beside = next_to_rest * slowest_of(speeds);
+    const double beside = next_to_rest * extremes_of(speeds).slowest;
     const bool around = speeds.front() <= 0 && speeds.back() >= 0;
     for (const double speed : speeds)
         if (speed < 0)
@@ -220,7 +205,7 @@ class Walk {
 } // namespace
 
 BalancedOverSpeed::BalancedOverSpeed(const model::Case &scene, const std::vector<double> &speeds)
-    : _search(scene, slowest_of(speeds) * next_to_rest, fastest_of(speeds)) {
+    : _search(scene, next_to_rest * extremes_of(speeds).slowest, extremes_of(speeds).fastest) {
     if (!_search.can_balance())
         throw model::AnalysisFailure(
             "a balanced position that follows all imbalances over the speed is that of balancers "

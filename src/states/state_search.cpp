@@ -664,6 +664,17 @@ StateSearch::followed(const Found &from, const Eigen::VectorXd &guess, double sp
     return out;
 }
 
+SpeedExtremes extremes_of(const std::vector<double> &speeds) {
+    std::vector<double> moving;
+    for (const double speed : speeds)
+        if (speed != 0)
+            moving.push_back(std::abs(speed));
+    if (moving.empty())
+        return {};
+    const auto [slowest, fastest] = std::ranges::minmax(moving);
+    return {slowest, fastest};
+}
+
 results::SteadyStates steady_states(const model::Case &scene, const std::vector<double> &speeds) {
     results::SteadyStates out;
     for (const double speed : speeds)
@@ -676,12 +687,7 @@ results::SteadyStates steady_states(const model::Case &scene, const std::vector<
             "at rest every position of the balls is steady: speed 0 is left out");
     if (out.speeds.empty())
         return out;
-    double slowest = std::abs(out.speeds.front());
-    double fastest = slowest;
-    for (const double speed : out.speeds) {
-        slowest = std::min(slowest, std::abs(speed));
-        fastest = std::max(fastest, std::abs(speed));
-    }
+    const auto [slowest, fastest] = extremes_of(out.speeds);
     try {
         const StateSearch search(scene, slowest, fastest);
         std::vector<AtSpeed> all(out.speeds.size());

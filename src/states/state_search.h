@@ -112,6 +112,13 @@ class StateSearch {
     [[nodiscard]] results::SteadyState::Kind kind_of(const Way &way) const;
 };
 
+/// Of those other than 0, absolute; 1 where there is none, rad/s.
+struct SpeedExtremes {
+    double slowest = 1;
+    double fastest = 1;
+};
+[[nodiscard]] SpeedExtremes extremes_of(const std::vector<double> &speeds);
+
 /// All steady states at the speeds of a case, ascending.
 /// @throws model::AnalysisFailure
 [[nodiscard]] results::SteadyStates steady_states(const model::Case &scene,

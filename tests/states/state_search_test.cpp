@@ -131,15 +131,8 @@ TEST(StateSearch, PublishedBordersOfTwoBallsInAPlane) {
     // balancing mechanism for eccentric rotors, J. Sound Vib. 291 (2006): mu = m/M = 0.05,
     // delta = eps/R = 0.01, zeta = beta = 0.01. In units of M, R and sqrt(k/M): balanced stable
     // from 1.030 to 1.094 and above 1.882 (three digits).
-    const auto balanced_stable = [](double speed) {
-        model::Case scene;
-        scene.rotor.shaft = tests::uniform_shaft(2, 0.01, tests::weightless_steel());
-        scene.rotor.shaft.rigid = true;
-        scene.rotor.discs = {tests::disc_at(1, 1, 1, 0.1)};
-        scene.rotor.bearings = {tests::isotropic_bearing(0, 0.5, 0.01),
-                                tests::isotropic_bearing(2, 0.5, 0.01)};
-        scene.rotor.balancers = {tests::ball_balancer(1, 2, 0.05, 1, 0.01 * 0.05, 0.01)};
-        scene.rotor.balancers[0].tilt_inertia = false; // a planar rotor
+    const model::Case scene = tests::jeffcott_two_balls(0.05);
+    const auto balanced_stable = [&scene](double speed) {
         for (const StateSearch::Found &found : all_at(scene, speed))
             if (found.state.kind == Kind::balanced)
                 return found.state.stable == true;

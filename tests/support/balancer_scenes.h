@@ -46,6 +46,20 @@ inline model::Case rodrigues_rotor(double speed, double eccentricity, double bal
     return scene;
 }
 
+/// Jeffcott rotor with two balls (K. Green, A. R. Champneys, N. J. Lieven; J. Chung and D. Ro) in
+/// units of M, R and sqrt(k/M): delta = eps/R = 0.01, zeta = 0.01, beta = 0.01.
+inline model::Case jeffcott_two_balls(double ball_mass) {
+    model::Case scene;
+    scene.rotor.shaft = uniform_shaft(2, 0.01, weightless_steel());
+    scene.rotor.shaft.rigid = true;
+    scene.rotor.discs = {disc_at(1, 1, 1, 0.1)};
+    scene.rotor.bearings = {isotropic_bearing(0, 0.5, 0.01), isotropic_bearing(2, 0.5, 0.01)};
+    scene.rotor.balancers = {ball_balancer(1, 2, ball_mass, 1, 0.01 * ball_mass, 0.01)};
+    scene.rotor.balancers[0].tilt_inertia = false; // a planar rotor
+    scene.speeds = model::SpeedRange{0.6, 3, 121};
+    return scene;
+}
+
 /// A steel shaft of 1.2 m on soft damped bearings with two discs; a race with three balls at the
 /// first, one with a point-mass imbalance at the second.
 inline model::Case flexible_rotor(double speed) {

@@ -191,21 +191,6 @@ TEST(TwoPlaneDiagram, WindowsOnAnisotropicSupports) {
         EXPECT_GT(growth_on_anisotropic_supports(speed), 0) << speed;
 }
 
-/// Jeffcott rotor with two balls (K. Green et al.; J. Chung and D. Ro): delta = eps/R = 0.01, zeta
-/// = 0.01, beta = 0.01, speeds in sqrt(k/M).
-model::Case jeffcott(double ball_mass) {
-    model::Case scene;
-    scene.rotor.shaft = tests::uniform_shaft(2, 0.01, tests::weightless_steel());
-    scene.rotor.shaft.rigid = true;
-    scene.rotor.discs = {tests::disc_at(1, 1, 1, 0.1)};
-    scene.rotor.bearings = {tests::isotropic_bearing(0, 0.5, 0.01),
-                            tests::isotropic_bearing(2, 0.5, 0.01)};
-    scene.rotor.balancers = {tests::ball_balancer(1, 2, ball_mass, 1, 0.01 * ball_mass, 0.01)};
-    scene.rotor.balancers[0].tilt_inertia = false;
-    scene.speeds = model::SpeedRange{0.6, 3, 121};
-    return scene;
-}
-
 // Four digits are printed: stable in 1.030 ... 1.094 and above 1.882 with m/M = 0.05, above 1.638
 // with 0.025.
 TEST(JeffcottDiagram, StableSpeeds) {
@@ -214,12 +199,12 @@ TEST(JeffcottDiagram, StableSpeeds) {
                                            false)
             .bands;
     };
-    const auto heavy = bands_of(jeffcott(0.05));
+    const auto heavy = bands_of(tests::jeffcott_two_balls(0.05));
     ASSERT_EQ(heavy.size(), 2U);
     EXPECT_NEAR(heavy[0].to, 1.030, 6e-4);
     EXPECT_NEAR(heavy[1].from, 1.094, 6e-4);
     EXPECT_NEAR(heavy[1].to, 1.882, 6e-4);
-    const auto light = bands_of(jeffcott(0.025));
+    const auto light = bands_of(tests::jeffcott_two_balls(0.025));
     ASSERT_EQ(light.size(), 1U);
     EXPECT_NEAR(light[0].to, 1.638, 6e-4);
 }

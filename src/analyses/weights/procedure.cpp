@@ -165,31 +165,25 @@ results::BalancingProcedure balancing_procedure(const model::Case &scene, double
     out.discs = static_cast<int>(scene.rotor.discs.size());
     out.service_speed = service_speed;
     constexpr double rigid_up_to = 0.7; // of the first bending critical speed, by common rule
-    constexpr double far = 10;          // times the service speed: what lies there hardly matters
+    // Times the service speed: the first bending critical speed that matters, and the next one.
+    constexpr double reach = 4 / rigid_up_to;
+    const std::vector<double> speeds = forward_speeds(bare, reach * service_speed);
+    std::vector<bool> bending(speeds.size(), false);
+    if (!bare.rotor.shaft.rigid) {
+        model::Case stiff = bare;
+        stiff.rotor.shaft.rigid = true;
+        bending = bend(speeds, forward_speeds(stiff, reach * service_speed));
+    }
     std::optional<double> first;
-    for (double up_to = service_speed / rigid_up_to;
-         !out.next_bending && up_to < far * service_speed; up_to *= 2) {
-        const std::vector<double> speeds = forward_speeds(bare, up_to);
-        std::vector<bool> bending(speeds.size(), false);
-        if (!bare.rotor.shaft.rigid) {
-            model::Case stiff = bare;
-            stiff.rotor.shaft.rigid = true;
-            bending = bend(speeds, forward_speeds(stiff, up_to));
-        }
-        out.criticals = out.bending = 0;
-        first.reset();
-        for (std::size_t k = 0; k < speeds.size(); ++k) {
-            const bool below = speeds[k] <= service_speed;
-            out.criticals += below ? 1 : 0;
-            if (!bending[k])
-                continue;
-            out.bending += below ? 1 : 0;
-            first = first.value_or(speeds[k]);
-            if (!below && !out.next_bending)
-                out.next_bending = speeds[k];
-        }
-        if (bare.rotor.shaft.rigid)
-            break;
+    for (std::size_t k = 0; k < speeds.size(); ++k) {
+        const bool below = speeds[k] <= service_speed;
+        out.criticals += below ? 1 : 0;
+        if (!bending[k])
+            continue;
+        out.bending += below ? 1 : 0;
+        first = first.value_or(speeds[k]);
+        if (!below && !out.next_bending)
+            out.next_bending = speeds[k];
     }
     out.flexible = first && service_speed > rigid_up_to * *first;
     if (!out.flexible) {
