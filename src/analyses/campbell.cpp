@@ -1,6 +1,7 @@
 #include "analyses/campbell.h"
 
 #include "analyses/notes/campbell_notes.h"
+#include "analyses/placed_balls.h"
 #include "assembly/discretization.h"
 #include "mesh_error/estimate.h"
 #include "modes/formulation.h"
@@ -182,6 +183,7 @@ results::CampbellResult campbell(const model::Case &scene) {
     result.speeds = range.values();
     const modes::SpectrumSolver solver(scene.rotor, result.model.formulation.form,
                                        result.model.order);
+    note_other_positions(scene.rotor, result.model.notes);
     if (!scene.reduction)
         solver.take_all_unknowns();
     result.model.unknowns = solver.unknowns();

@@ -4,6 +4,7 @@
 #include "analyses/critical_map/critical_map.h"
 #include "analyses/names/mode_naming.h"
 #include "analyses/notes/growth.h"
+#include "analyses/placed_balls.h"
 #include "analyses/response.h"
 #include "assembly/discretization.h"
 #include "linalg/check.h"
@@ -296,6 +297,8 @@ results::CriticalResult critical_of(const model::Case &as_given, bool judged,
             critical.damping = {};
     note_damping(formulation.form, as_given.rotor.damped(), result.model);
     note_balls_held(formulation.form, result.model);
+    if (formulation.form == results::Form::rotating)
+        note_other_positions(scene.rotor, result.model.notes);
     return result;
 }
 

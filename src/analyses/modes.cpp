@@ -1,6 +1,7 @@
 #include "analyses/modes.h"
 
 #include "analyses/critical.h"
+#include "analyses/placed_balls.h"
 #include "assembly/discretization.h"
 #include "assembly/planes.h"
 #include "linalg/check.h"
@@ -266,6 +267,7 @@ results::ModesResult mode_shapes(const model::Case &scene) {
     result.model.order = mesh_error::resolve_order(scene, result.model.formulation);
     const modes::SpectrumSolver solver(scene.rotor, result.model.formulation.form,
                                        result.model.order);
+    note_other_positions(scene.rotor, result.model.notes);
     if (!scene.reduction)
         solver.take_all_unknowns();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
