@@ -218,7 +218,8 @@ void halve(const Found &low, const Found &high, const Between &between, int dept
     border.growing_below = low.state.growing;
     border.growing_above = high.state.growing;
     border.residual = high.state.residual;
-    const double swing = std::abs(low.next_to_axis.imag());
+    const Found &more = low.state.growing > high.state.growing ? low : high;
+    const double swing = std::abs(more.least_growing.imag());
     // Of a real root nothing is left but rounding.
     const bool pair = swing > 1e-7 * std::abs(border.speed);
     border.kind = pair ? SteadyBorder::Kind::pair : SteadyBorder::Kind::zero;

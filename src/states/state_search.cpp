@@ -511,13 +511,15 @@ void StateSearch::describe(Found &found, double speed) const {
     // Of the largest root: what rounding makes of a root that is zero.
     const double nothing = 1e-12 * std::abs(roots(roots.size() - 1)) + 1e-10 * std::abs(speed);
     const Eigen::VectorXcd moving = roots.tail(parts.size());
-    Index next = 0;
-    parts.cwiseAbs().minCoeff(&next);
-    found.next_to_axis = moving(next);
     Index fastest = 0;
     state.growth = state.least_growth = parts.maxCoeff(&fastest);
     found.fastest = moving(fastest);
-    state.growing = static_cast<int>((parts.array() > nothing).count());
+    state.growing = 0;
+    found.least_growing = 0;
+    for (const std::complex<double> &root : moving)
+        if (root.real() > nothing &&
+            (state.growing++ == 0 || root.real() < found.least_growing.real()))
+            found.least_growing = root;
     found.damped = parts.minCoeff() < -nothing;
     if (std::abs(state.growth) > nothing)
         state.stable = state.growth < 0;

@@ -29,8 +29,10 @@ class StateSearch {
         Eigen::VectorXd x;
         int along = 0; ///< motions along the family, which neither grow nor die out
         int way = 0;   ///< in which the masses stand
-        /// The root that is next to the imaginary axis, 1/s.
-        std::complex<double> next_to_axis;
+        /// The root of the motion that grows least of those that grow, 1/s; 0 where none does.
+        /// Next to the end of a band in which one more grows it is that one's: without damping all
+        /// others stay on the imaginary axis.
+        std::complex<double> least_growing;
         std::complex<double> fastest; ///< the root of largest real part, 1/s
         bool damped = false;          ///< some motion dies out
     };

@@ -8,6 +8,9 @@
 #include "input/case_file.h"
 #include "results/simulate.h"
 #include "support/balancer_scenes.h"
+#include "support/rigid_jeffcott.h"
+
+#include <Eigen/Eigenvalues>
 
 #include <gtest/gtest.h>
 
@@ -242,6 +245,69 @@ TEST(PlacedBalls, MotionsInTimeReturnWhereItIsStableAndLeaveWhereItIsNot) {
     }
     EXPECT_GT(stable, 1);
     EXPECT_GT(unstable, 1);
+}
+
+/// Roots of two balls in their balanced position at angles phi and -phi, without damping: of
+/// M x'' + G x' + K x = 0 in rotating axes, x the two deflections of the plane and the turning of
+/// each ball along its race, from Newton's equations of a point mass and two balls.
+/// @param mass    of everything, kg;  @param moment  m R of a ball, kg m
+Eigen::VectorXcd undamped_roots(double mass, double k, double moment, double radius, double phi,
+                                double speed) {
+    Eigen::Matrix4d M = Eigen::Matrix4d::Zero();
+    Eigen::Matrix4d G = Eigen::Matrix4d::Zero();
+    Eigen::Matrix4d K = Eigen::Matrix4d::Zero();
+    const double squared = speed * speed;
+    M.diagonal() << mass, mass, moment * radius, moment * radius;
+    G(1, 0) = 2 * speed * mass;
+    G(0, 1) = -G(1, 0);
+    K(0, 0) = K(1, 1) = k - mass * squared;
+    for (const int ball : {2, 3}) {
+        const double angle = ball == 2 ? phi : -phi;
+        const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
+        const Eigen::Vector2d along(-std::sin(angle), std::cos(angle));
+        M.block<2, 1>(0, ball) = moment * along;
+        G.block<2, 1>(0, ball) = -2 * speed * moment * out;
+        K.block<2, 1>(0, ball) = -squared * moment * along;
+        M.block<1, 2>(ball, 0) = M.block<2, 1>(0, ball).transpose();
+        G.block<1, 2>(ball, 0) = -G.block<2, 1>(0, ball).transpose();
+        K.block<1, 2>(ball, 0) = K.block<2, 1>(0, ball).transpose();
+    }
+    Eigen::Matrix<double, 8, 8> A = Eigen::Matrix<double, 8, 8>::Zero();
+    A.topRightCorner<4, 4>().setIdentity();
+    A.bottomLeftCorner<4, 4>() = -M.inverse() * K;
+    A.bottomRightCorner<4, 4>() = -M.inverse() * G;
+    return A.eigenvalues();
+}
+
+TEST(PlacedBalls, WithoutDampingABandEndsWhereTwoRootsMeet) {
+    // All other roots stay on the imaginary axis: which two meet there says the frequency.
+    RigidJeffcott rotor;
+    rotor.c = 0;
+    model::Case scene = rotor.scene();
+    const double moment = 0.05 * 0.1;
+    const double imbalance = 0.004;
+    scene.rotor.balancers = {ball_balancer(0.5, 2, 0.05, 0.1, 0)};
+    scene.rotor.imbalances = {imbalance_at(0.5, imbalance, 0)};
+    scene.speeds = model::SpeedRange{150, 900, 31};
+    const auto found = analyses::stability(scene, no_entries);
+    ASSERT_EQ(found.ends.size(), 1U);
+    const results::StabilityEnd &end = found.ends.front();
+    EXPECT_EQ(end.kind, results::EndKind::pair);
+    EXPECT_EQ(end.growing_below, 2);
+    EXPECT_EQ(end.growing_above, 0);
+    const double phi = std::acos(-imbalance / (2 * moment));
+    const auto fastest = [&](double speed) {
+        const Eigen::VectorXcd roots =
+            undamped_roots(rotor.mass + 2 * 0.05, rotor.kx, moment, 0.1, phi, speed);
+        return *std::ranges::max_element(roots, {}, [](Complex root) { return root.real(); });
+    };
+    // What grows does so with the square root of the distance to the end.
+    constexpr double beside = 1e-6;
+    const Complex growing = fastest(end.speed * (1 - beside));
+    EXPECT_GT(growing.real(), 1e-2);
+    EXPECT_LT(fastest(end.speed * (1 + beside)).real(), 1e-5);
+    ASSERT_TRUE(end.frequency_rotating);
+    EXPECT_NEAR(*end.frequency_rotating, std::abs(growing.imag()), 1e-4 * *end.frequency_rotating);
 }
 
 TEST(PlacedBalls, SaysWhereItIsNotAnswered) {
