@@ -123,16 +123,26 @@ Sentence planes_sentence(const BalancingProcedure &procedure, std::size_t planes
                         as::speed(procedure.service_speed), planes);
     const int all = procedure.bending + 2;
     const auto count = static_cast<int>(planes);
-    Sentence out("{} planes are needed, two more than {}, to leave the bearings free at low speed "
-                 "too; {} where low-speed balancing did that and the weights must not undo it; the "
-                 "case has {}",
-                 all,
-                 procedure.bending == 1
-                     ? Sentence("the one bending motion whose critical speed is below {}",
-                                as::speed(procedure.service_speed))
-                     : Sentence("the {} bending motions whose critical speeds are below {}",
-                                procedure.bending, as::speed(procedure.service_speed)),
-                 std::max(1, procedure.bending), planes);
+    const std::string &first = procedure.procedures.front();
+    const bool in_parts = first == "A" || first == "B";
+    Sentence out(
+        "{}{} planes are needed, two more than {}, to leave the bearings free at low speed "
+        "too; {} where low-speed balancing did that and the weights must not undo it; the "
+        "case has {}",
+        !in_parts              ? Sentence()
+        : procedure.discs == 2 ? Sentence("one in each of the two parts will do as long "
+                                          "as the imbalance is there; where it may be "
+                                          "elsewhere too, ")
+                               : Sentence("one in the part, or two where it may wobble, "
+                                          "will do as long as the imbalance is there; "
+                                          "where it may be elsewhere too, "),
+        all,
+        procedure.bending == 1
+            ? Sentence("the one bending motion whose critical speed is below {}",
+                       as::speed(procedure.service_speed))
+            : Sentence("the {} bending motions whose critical speeds are below {}",
+                       procedure.bending, as::speed(procedure.service_speed)),
+        std::max(1, procedure.bending), planes);
     out +=
         count >= all ? Sentence(": enough") : Sentence(": {} too few for the first", all - count);
     return out;
