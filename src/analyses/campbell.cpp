@@ -1,7 +1,8 @@
 #include "analyses/campbell.h"
 
+#include "analyses/notes/ball_positions.h"
+
 #include "analyses/notes/campbell_notes.h"
-#include "analyses/placed_balls.h"
 #include "assembly/discretization.h"
 #include "mesh_error/estimate.h"
 #include "modes/formulation.h"

@@ -1,7 +1,8 @@
 #include "analyses/modes.h"
 
+#include "analyses/notes/ball_positions.h"
+
 #include "analyses/critical.h"
-#include "analyses/placed_balls.h"
 #include "assembly/discretization.h"
 #include "assembly/planes.h"
 #include "linalg/check.h"

@@ -1,5 +1,6 @@
 #include "analyses/placed_balls.h"
 
+#include "analyses/notes/ball_positions.h"
 #include "assembly/discretization.h"
 #include "model/errors.h"
 #include "model/variants.h"
@@ -19,12 +20,6 @@ using results::Sentence;
 namespace as = results::as;
 
 constexpr double not_known_end = std::numeric_limits<double>::quiet_NaN();
-
-/// Whether [[imbalance]] entries ask for other positions than the balancers' own imbalances do.
-bool stand_elsewhere(const model::Rotor &rotor) {
-    const auto counts = [](const model::Imbalance &imbalance) { return imbalance.mr != 0; };
-    return !rotor.balancers.empty() && std::ranges::any_of(rotor.imbalances, counts);
-}
 
 model::Case of_order(model::Case scene, int order) {
     scene.rotor = model::with_order(std::move(scene.rotor), order);
@@ -70,7 +65,7 @@ void add_at_speed(const std::optional<states::StateSearch::Found> &found,
 std::unique_ptr<states::BalancedOverSpeed>
 placed_by_all_imbalances(const model::Case &scene, int order, const std::vector<double> &speeds,
                          std::vector<Sentence> &notes) {
-    if (!stand_elsewhere(scene.rotor))
+    if (!balls_stand_elsewhere(scene.rotor))
         return nullptr;
     try {
         auto position = std::make_unique<states::BalancedOverSpeed>(of_order(scene, order), speeds);
@@ -89,14 +84,6 @@ placed_by_all_imbalances(const model::Case &scene, int order, const std::vector<
                            failure.sentence());
     }
     return nullptr;
-}
-
-void note_other_positions(const model::Rotor &rotor, std::vector<Sentence> &notes) {
-    if (stand_elsewhere(rotor))
-        notes.emplace_back(model::Weight::warning,
-                           "the balls stand here as against the imbalance of their own balancer "
-                           "alone; [[imbalance]] makes them stand elsewhere at each speed: "
-                           "`balance` says where, `stability` whether they stay there");
 }
 
 PlacedBands placed_bands(const model::Case &scene, int order,

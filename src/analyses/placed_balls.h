@@ -23,10 +23,6 @@ namespace whirl::analyses {
 placed_by_all_imbalances(const model::Case &scene, int order, const std::vector<double> &speeds,
                          std::vector<results::Sentence> &notes);
 
-/// Warns, of an answer with balls that stand against the imbalance of their own balancer, where
-/// [[imbalance]] entries make them stand elsewhere at each speed.
-void note_other_positions(const model::Rotor &rotor, std::vector<results::Sentence> &notes);
-
 /// Motions about such a position over a range of speeds.
 struct PlacedBands {
     states::BalancedRange range;

@@ -1,5 +1,6 @@
 #include "analyses/simulate.h"
 
+#include "analyses/limit_cycle.h"
 #include "balancers/kind.h"
 #include "linalg/check.h"
 #include "model/errors.h"
@@ -148,6 +149,8 @@ results::SimulateResult motion_from(const model::Case &scene, simulation::Motion
     if (!scene.rotor.balancers.empty())
         judge_balls(scene, motion.order, result);
     simulation::classify(scene, result);
+    if (scene.simulate.cycle)
+        add_limit_cycle(scene, motion, run, result);
     if (!failure.empty() && result.outcome != results::Outcome::growing)
         throw model::AnalysisFailure(failure);
     if (result.outcome == results::Outcome::growing && !scene.rotor.shaft.torque_has_potential())

@@ -74,6 +74,11 @@ struct ResponseSettings {
     SpeedRange frequencies{};            ///< of their excitation, rad/s
 };
 
+/// Entries of [simulate.cycle]: the limit cycle next to the end of the motion.
+struct CycleSettings {
+    std::optional<SpeedRange> speeds; ///< over which it is followed
+};
+
 /// Entries of [simulate].
 struct SimulateSettings {
     double time = 0;                               ///< s
@@ -90,10 +95,11 @@ struct SimulateSettings {
     std::vector<SuddenImbalance> imbalances;
     std::vector<StationForce> forces;
     std::optional<BaseMotion> base;
-    int output_points = 2000;          ///< of the time series
-    int modes = 0;                     ///< of the shaft that are kept; 0: as many as needed
-    double reduction_tolerance = 1e-3; ///< relative error that keeping few modes may cause
-    std::filesystem::path restart;     ///< file of an interrupted run to go on from, or empty
+    int output_points = 2000;           ///< of the time series
+    int modes = 0;                      ///< of the shaft that are kept; 0: as many as needed
+    double reduction_tolerance = 1e-3;  ///< relative error that keeping few modes may cause
+    std::optional<CycleSettings> cycle; ///< empty: none is looked for
+    std::filesystem::path restart;      ///< file of an interrupted run to go on from, or empty
 };
 
 /// A four-pendulum balancer in place of another one.

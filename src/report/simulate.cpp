@@ -12,9 +12,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <complex>
+#include <numbers>
+
 namespace whirl::report {
 
 using results::BalancerMotion;
+using results::FoundCycle;
+using results::LimitCycle;
 using results::MotionAudit;
 using results::OtherStart;
 using results::SimulateResult;
@@ -174,6 +180,91 @@ std::string waterfall_csv(const Waterfall &w, const Units &units) {
     return csv_table(waterfall_columns, points, units);
 }
 
+const Columns<LimitCycle> cycle_columns{
+    {"speed", OnPage("Spin speed", "{:.7g}"), InText("Speed", "{:.7g}"), InCsv("speed"),
+     Quantity::speed, &LimitCycle::speed},
+    {"kind", OnPage("Kind"), InText("kind"), InCsv("kind"), &LimitCycle::kind},
+    {"period", OnPage("Period", "{:.6g}"), InText("period", "{:.6g}"), InCsv("period"),
+     Quantity::time, &LimitCycle::period},
+    {OnPage("Turns of the balls in the rotor"), InText("turns of balls"),
+     [](const auto &cycle) {
+         return joined(cycle.turns, "; ", [](const std::vector<int> &turns) {
+             return joined(turns, " ", [](int turn) { return fmt::format("{}", turn); });
+         });
+     }},
+    {"largest", Quantity::amplitude, &LimitCycle::largest},
+    {"least", Quantity::amplitude, &LimitCycle::least},
+    {OnPage("Amplitude, largest", "{:.5g}"), InText("largest amplitude", "{:.5g}"),
+     InCsv("largest"), Quantity::amplitude,
+     [](const auto &cycle) { return std::ranges::max(cycle.largest); }},
+    {OnPage("Stability"), InText("stability"), InCsv("stability"),
+     [](const auto &cycle) {
+         return cycle.stable ? *cycle.stable ? "stable" : "unstable" : "neutral";
+     }},
+    {"growth", OnPage("Growth", "{:.4g}"), InText("growth", "{:.4g}"), InCsv("growth"),
+     Quantity::rate, &LimitCycle::growth},
+    {"multiplier_error", Quantity::number, &LimitCycle::multiplier_error},
+    {"defect", Quantity::number, &LimitCycle::defect}};
+
+Json cycle_row(const LimitCycle &cycle, const Units &units) {
+    Json json = json_row(cycle_columns, cycle, units);
+    json["turns"] = cycle.turns;
+    json["stable"] = cycle.stable ? Json(*cycle.stable) : Json();
+    json["multipliers"] = json_list(cycle.multipliers, [](std::complex<double> multiplier) {
+        return Json{{"re", multiplier.real()}, {"im", multiplier.imag()}};
+    });
+    return json;
+}
+
+Json cycle_json(const std::optional<FoundCycle> &found, const Units &units) {
+    if (!found)
+        return nullptr;
+    Json json = cycle_row(found->cycle, units);
+    json["away"] = found->away;
+    json["branch"] = json_list(
+        found->branch, [&units](const LimitCycle &cycle) { return cycle_row(cycle, units); });
+    json["first_end"] = found->first_end.empty() ? Json() : Json(found->first_end);
+    json["last_end"] = found->last_end.empty() ? Json() : Json(found->last_end);
+    return json;
+}
+
+/// How a branch ends, for readers.
+std::string end_text(const std::string &end) {
+    return end == "range"      ? "at the end of the speeds asked for"
+           : end == "standing" ? "where the period grows without bounds, towards balls that rest"
+           : end == "points"   ? "unfinished, after as many points as are followed"
+                               : "where it could not be followed on";
+}
+
+/// In sentences.
+std::string cycle_sentence(const FoundCycle &found, const Units &units) {
+    const LimitCycle &cycle = found.cycle;
+    std::string text = fmt::format(
+        "Limit cycle: it repeats itself after {} ({:.5g} turns of the rotor), amplitude {} to {}, "
+        "{}",
+        units.text(Quantity::time, cycle.period, 6),
+        cycle.period * std::abs(cycle.speed) / (2 * std::numbers::pi),
+        units.text(Quantity::amplitude, std::ranges::min(cycle.least), 5),
+        units.text(Quantity::amplitude, std::ranges::max(cycle.largest), 5),
+        !cycle.stable ? "neither stable nor unstable beyond the errors"
+        : *cycle.stable
+            ? "stable: what disturbs it dies out by " + units.text(Quantity::rate, -cycle.growth, 4)
+            : "unstable: what disturbs it grows by " + units.text(Quantity::rate, cycle.growth, 4));
+    constexpr double on_it = 0.02;
+    if (found.away > on_it)
+        text += fmt::format("; the motion ended {:.2g} of its size away from it", found.away);
+    for (const LimitCycle &point : found.branch)
+        if (!point.kind.empty())
+            text += fmt::format("; {} at {}", point.kind == "fold" ? "fold" : "border of stability",
+                                units.text(Quantity::speed, point.speed, 7));
+    if (!found.branch.empty())
+        text += fmt::format(
+            "; the branch begins {} ({}) and ends {} ({})", end_text(found.first_end),
+            units.text(Quantity::speed, found.branch.front().speed, 6), end_text(found.last_end),
+            units.text(Quantity::speed, found.branch.back().speed, 6));
+    return text;
+}
+
 /// How good the numbers are.
 const Columns<SimulateResult> quality_columns{
     {OnPage("Shapes of the shaft"),
@@ -207,6 +298,7 @@ Json json_of(const SimulateResult &result, const Units &units) {
     });
     json["balancers"] = json_rows(balancer_motion_columns, result.balancers, units);
     json["other_starts"] = json_rows(start_columns, result.other_starts, units);
+    json["cycle"] = cycle_json(result.cycle, units);
     json["stations"] = json_rows(station_columns, result.stations, units);
     json["steady"] = {{"speeds", written(units, Quantity::speed, result.steady.speeds)},
                       {"amplitude", written(units, Quantity::amplitude, result.steady.amplitudes)}};
@@ -259,6 +351,14 @@ std::vector<Section> sections_of(const SimulateResult &result, const Units &unit
     if (!result.other_starts.empty())
         sections.push_back(
             {"From other starts", page_table(start_columns, all_starts(result), units)});
+    if (result.cycle)
+        sections.push_back(
+            {"Limit cycle", element("p", cycle_sentence(*result.cycle, units) + ".") +
+                                page_table(cycle_columns,
+                                           result.cycle->branch.empty()
+                                               ? std::vector<LimitCycle>{result.cycle->cycle}
+                                               : result.cycle->branch,
+                                           units)});
     sections.push_back(
         {"How good the numbers are", page_properties(quality_columns, result, units)});
     return sections;
@@ -318,6 +418,8 @@ std::string text_of(const model::Case &scene, const SimulateResult &result, cons
             "from another start ({}): {}{}\n", text_angles(start.start_angles, units),
             results::outcome_name(start.outcome),
             start.residual_ratio ? fmt::format(", residual {:.4g}", *start.residual_ratio) : "");
+    if (result.cycle)
+        text += "\n" + cycle_sentence(*result.cycle, units) + "\n";
     return text + quality_text(result, units);
 }
 

@@ -280,6 +280,20 @@ model::Restart Run::restart() const {
     return restart;
 }
 
+Eigen::VectorXd Run::end_in_rotor_axes() const {
+    const Eigen::Index n = _motion.coordinates();
+    Eigen::VectorXd out = Eigen::Map<const Eigen::VectorXd>(_solver.state(), 2 * n);
+    const double turned = _motion.spin(_t, _solver.state()).angle;
+    const Eigen::Index r = _motion.parts().rotor.size();
+    for (const Eigen::Index first : {Eigen::Index{0}, n}) {
+        const Eigen::VectorXd x = out.segment(first, r);
+        const Eigen::VectorXd y = out.segment(first + r, r);
+        out.segment(first, r) = std::cos(turned) * x + std::sin(turned) * y;
+        out.segment(first + r, r) = std::cos(turned) * y - std::sin(turned) * x;
+    }
+    return out;
+}
+
 double Run::speed_at(double t) const {
     if (!_motion.parts().motor)
         return _motion.parts().spin.at(t, t).speed;

@@ -28,6 +28,11 @@ class Run {
     void fill(results::SimulateResult &result);
     [[nodiscard]] model::Restart restart() const;
 
+    /// Where it stands, in axes that turn with the rotor: the reduced rotor and the free angles,
+    /// then their velocities (those of the rotor in axes that stand still, seen from the rotor).
+    [[nodiscard]] Eigen::VectorXd end_in_rotor_axes() const;
+    [[nodiscard]] OdeMethod method() const { return _method; }
+
   private:
     /// Sizes below which an error does not matter, by kinds of unknowns.
     struct Scales {

@@ -1,8 +1,9 @@
 #include "states/limit_cycle.h"
 
-#include "linalg/check.h"
 #include "linalg/dense/general_eigen.h"
 #include "linalg/dense/least_squares.h"
+
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -25,15 +26,10 @@ constexpr double tolerance = 1e-11;
 constexpr double difference = 1e-5;
 /// What a cycle may fail to return by: what the integrator leaves over a period.
 constexpr double returned = 1e-8;
+/// Periods longer than this, in turns of the rotor, are not looked at.
+constexpr double longest = 400;
 /// Of multipliers about 1: which is less is not known.
 constexpr double least_margin = 1e-5;
-
-simulation::MovingParts at_constant_speed(simulation::MovingParts parts, double speed) {
-    parts.spin = simulation::Spin(speed);
-    for (simulation::FixedMass &mass : parts.fixed)
-        mass.from = 0; // all have come by now
-    return parts;
-}
 
 } // namespace
 
@@ -67,42 +63,50 @@ std::optional<bool> LimitCycle::stable() const {
     return largest < 1;
 }
 
-LimitCycles::LimitCycles(const simulation::MovingParts &parts, double speed, double moment,
-                         simulation::OdeMethod method)
-    : _motion(at_constant_speed(parts, speed)), _speed(speed), _moment(moment), _method(method) {
-    _motion.enter_piece(std::numeric_limits<double>::min());
+LimitCycles::LimitCycles(simulation::MovingParts parts, double moment, simulation::OdeMethod method)
+    : _parts(std::move(parts)), _moment(moment), _method(method) {
+    for (simulation::FixedMass &mass : _parts.fixed)
+        mass.from = 0; // all have come by now
 }
 
-Eigen::VectorXd LimitCycles::sizes(const Eigen::VectorXd &start) const {
-    const simulation::MovingParts &parts = _motion.parts();
-    const Index shapes = _motion.first_angle();
-    const Index n = _motion.coordinates();
-    const double fast = std::abs(_speed);
+simulation::RotorMotion LimitCycles::motion(double speed) const {
+    simulation::MovingParts parts = _parts;
+    parts.spin = simulation::Spin(speed);
+    simulation::RotorMotion out(std::move(parts));
+    out.enter_piece(std::numeric_limits<double>::min());
+    return out;
+}
+
+Eigen::VectorXd LimitCycles::sizes(const Eigen::VectorXd &start, double speed) const {
+    const Index shapes = 2 * _parts.rotor.size();
+    const Index n = start.size() / 2;
+    const double fast = std::abs(speed);
     const double p =
-        std::max(start.head(shapes).norm(), 0.01 * _moment / std::sqrt(parts.rotor.mass));
+        std::max(start.head(shapes).norm(), 0.01 * _moment / std::sqrt(_parts.rotor.mass));
     Eigen::VectorXd out = Eigen::VectorXd::Ones(2 * n);
     for (Index i = 0; i < shapes; ++i) // of all shapes the same energy
-        out(i) = p * fast / std::max(fast, parts.rotor.frequencies(i % parts.rotor.size()));
+        out(i) = p * fast / std::max(fast, _parts.rotor.frequencies(i % _parts.rotor.size()));
     out.segment(n, shapes).setConstant(p * fast);
     out.tail(n - shapes).setConstant(fast);
     return out;
 }
 
-void LimitCycles::follow(const Eigen::VectorXd &start, double time, int steps,
+void LimitCycles::follow(const Eigen::VectorXd &start, double speed, double time, int steps,
                          const Observer &at) const {
-    const Eigen::VectorXd scale = sizes(start);
+    const simulation::RotorMotion moving = motion(speed);
+    const Eigen::VectorXd scale = sizes(start, speed);
     const Index used = start.size();
-    const int r = _motion.parts().rotor.size();
+    const int r = _parts.rotor.size();
     simulation::OdeSolver solver(
-        {_motion.size(),
-         [this](double t, const double *y, double *rates) { _motion.rates(t, y, rates); },
+        {moving.size(),
+         [&moving](double t, const double *y, double *rates) { moving.rates(t, y, rates); },
          [&](const double * /*y*/, double *allowed) {
              Eigen::Map<Eigen::VectorXd>(allowed, used) = tolerance * scale;
-             std::fill(allowed + used, allowed + _motion.size(), HUGE_VAL); // energy: not read
+             std::fill(allowed + used, allowed + moving.size(), HUGE_VAL); // energy: not read
          },
-         {_speed, r, {0, _motion.coordinates()}}},
+         {speed, r, {0, moving.coordinates()}}},
         _method);
-    Eigen::VectorXd state = Eigen::VectorXd::Zero(_motion.size());
+    Eigen::VectorXd state = Eigen::VectorXd::Zero(moving.size());
     state.head(used) = start;
     solver.start(0, state.data());
     at(0, start);
@@ -110,9 +114,9 @@ void LimitCycles::follow(const Eigen::VectorXd &start, double time, int steps,
         const double stop = k == steps ? time : time * k / steps;
         while (solver.step(stop) < stop) {
         }
-        state = Eigen::Map<const Eigen::VectorXd>(solver.state(), _motion.size());
-        const double turned = std::remainder(_speed * stop, 2 * pi);
-        for (const Index first : {Index{0}, Index{_motion.coordinates()}}) {
+        state = Eigen::Map<const Eigen::VectorXd>(solver.state(), moving.size());
+        const double turned = std::remainder(speed * stop, 2 * pi);
+        for (const Index first : {Index{0}, used / 2}) {
             const Eigen::VectorXd x = state.segment(first, r);
             const Eigen::VectorXd y = state.segment(first + r, r);
             state.segment(first, r) = std::cos(turned) * x + std::sin(turned) * y;
@@ -122,101 +126,143 @@ void LimitCycles::follow(const Eigen::VectorXd &start, double time, int steps,
     }
 }
 
-Eigen::VectorXd LimitCycles::after(const Eigen::VectorXd &start, double time) const {
+Eigen::VectorXd LimitCycles::after(const LimitCycle &cycle) const {
     Eigen::VectorXd out;
-    follow(start, time, 1, [&out](double, const Eigen::VectorXd &state) { out = state; });
+    follow(cycle.start, cycle.speed, cycle.period, 1,
+           [&out](double, const Eigen::VectorXd &state) { out = state; });
     return out;
 }
 
-Eigen::VectorXd LimitCycles::rates(const Eigen::VectorXd &state) const {
-    Eigen::VectorXd whole = Eigen::VectorXd::Zero(_motion.size());
+Eigen::VectorXd LimitCycles::rates(const Eigen::VectorXd &state, double speed) const {
+    const simulation::RotorMotion moving = motion(speed);
+    Eigen::VectorXd whole = Eigen::VectorXd::Zero(moving.size());
     whole.head(state.size()) = state;
-    Eigen::VectorXd out(_motion.size());
-    _motion.rates(0, whole.data(), out.data());
-    const int r = _motion.parts().rotor.size();
-    for (const Index first : {Index{0}, Index{_motion.coordinates()}}) {
-        out.segment(first, r) += _speed * state.segment(first + r, r);
-        out.segment(first + r, r) -= _speed * state.segment(first, r);
+    Eigen::VectorXd out(moving.size());
+    moving.rates(0, whole.data(), out.data());
+    const int r = _parts.rotor.size();
+    for (const Index first : {Index{0}, state.size() / 2}) {
+        out.segment(first, r) += speed * state.segment(first + r, r);
+        out.segment(first + r, r) -= speed * state.segment(first, r);
     }
     return out.head(state.size());
 }
 
-std::optional<LimitCycle> LimitCycles::newton(LimitCycle cycle) const {
-    const Index n = _motion.coordinates();
-    const Index shapes = _motion.first_angle();
-    const Index size = 2 * n;
-    Eigen::VectorXd on = Eigen::VectorXd::Zero(size);
-    for (Index k = shapes; k < n; ++k)
-        on(k) = 2 * pi * cycle.turns[static_cast<std::size_t>(k - shapes)];
-    const Eigen::VectorXd scale = sizes(cycle.start);
-    Eigen::MatrixXd monodromy(size, size);
+Eigen::VectorXd LimitCycles::missed(const LimitCycle &cycle, const Eigen::VectorXd &sizes) const {
+    Eigen::VectorXd out = after(cycle) - cycle.start;
+    const Index shapes = 2 * _parts.rotor.size();
+    for (std::size_t i = 0; i < cycle.turns.size(); ++i)
+        out(shapes + static_cast<Index>(i)) -= 2 * pi * cycle.turns[i];
+    return out.cwiseQuotient(sizes);
+}
+
+LimitCycles::Derivative LimitCycles::derivative(const LimitCycle &cycle,
+                                                const Eigen::VectorXd &sizes) const {
+    const Index size = cycle.start.size();
+    Derivative out;
+    const auto central = [&](const auto &move) {
+        LimitCycle more = cycle;
+        move(more, difference);
+        LimitCycle less = cycle;
+        move(less, -difference);
+        return Eigen::VectorXd((missed(more, sizes) - missed(less, sizes)) / (2 * difference));
+    };
+    out.by_start.resize(size, size);
+    for (Index k = 0; k < size; ++k)
+        out.by_start.col(k) =
+            central([&](LimitCycle &of, double step) { of.start(k) += step * sizes(k); });
+    out.by_speed = central([](LimitCycle &of, double step) { of.speed *= 1 + step; });
+    out.by_period = cycle.period * rates(after(cycle), cycle.speed).cwiseQuotient(sizes);
+    out.along = rates(cycle.start, cycle.speed).cwiseQuotient(sizes) / std::abs(cycle.speed);
+    return out;
+}
+
+/// Steps of Newton's method with one derivative as long as it leads on. Across the motion: along it
+/// every start is one.
+/// @param tangent  with it the speed is free, and steps are across it; null: the speed is kept
+std::optional<LimitCycles::Corrected> LimitCycles::corrected(LimitCycle cycle,
+                                                             const Eigen::VectorXd &sizes,
+                                                             Derivative by,
+                                                             const Eigen::VectorXd *tangent) const {
+    const Index size = cycle.start.size();
+    const Index unknowns = size + (tangent ? 2 : 1);
     double last = HUGE_VAL;
-    constexpr int most = 15;
-    for (int step = 0; step < most; ++step) {
-        const Eigen::VectorXd end = after(cycle.start, cycle.period);
-        const Eigen::VectorXd left = (end - cycle.start - on).cwiseQuotient(scale);
+    int fresh = 0;
+    constexpr int most = 30;        // shots
+    constexpr int derivatives = 6;  // anew
+    constexpr double slow = 0.3;    // what is left of the defect after a step
+    constexpr double farthest = 10; // beside the sizes
+    for (int shots = 1; shots <= most; ++shots) {
+        const Eigen::VectorXd left = missed(cycle, sizes);
         cycle.defect = left.norm();
-        const bool there = cycle.defect < returned;
-        if (!there && (cycle.defect > 2 * last || cycle.defect > 10))
+        if (!(cycle.defect < farthest))
             return std::nullopt;
-        last = cycle.defect;
-        for (Index k = 0; k < size; ++k) {
-            Eigen::VectorXd moved = cycle.start;
-            moved(k) += difference * scale(k);
-            const Eigen::VectorXd more = after(moved, cycle.period);
-            moved(k) -= 2 * difference * scale(k);
-            monodromy.col(k) =
-                (more - after(moved, cycle.period)).cwiseQuotient(scale) / (2 * difference);
+        if (cycle.defect < returned) {
+            Corrected out{cycle, derivative(cycle, sizes), shots};
+            const Eigen::MatrixXd monodromy =
+                out.derivative.by_start + Eigen::MatrixXd::Identity(size, size);
+            Eigen::VectorXcd found = linalg::general_eigenvalues(monodromy);
+            std::sort(found.begin(), found.end(),
+                      [](const auto &a, const auto &b) { return std::abs(a) > std::abs(b); });
+            Index along = 0;
+            (found.array() - 1.0).abs().minCoeff(&along);
+            out.cycle.multiplier_error = std::abs(found(along) - 1.0);
+            out.cycle.multipliers.resize(size - 1);
+            out.cycle.multipliers << found.head(along), found.tail(size - 1 - along);
+            return out;
         }
-        if (there)
-            break;
-        if (step == most - 1)
-            return std::nullopt;
-        Eigen::MatrixXd A(size + 1, size + 1);
-        A.topLeftCorner(size, size) = monodromy - Eigen::MatrixXd::Identity(size, size);
-        A.topRightCorner(size, 1) = rates(end).cwiseQuotient(scale) / std::abs(_speed);
-        // Across the motion: along it every start is one.
-        A.bottomLeftCorner(1, size) =
-            (rates(cycle.start).cwiseQuotient(scale) / std::abs(_speed)).transpose();
-        A(size, size) = 0;
-        Eigen::VectorXd b(size + 1);
-        b << -left, 0;
+        if (cycle.defect > slow * last) {
+            if (++fresh > derivatives)
+                return std::nullopt;
+            by = derivative(cycle, sizes);
+        }
+        last = cycle.defect;
+        Eigen::MatrixXd A = Eigen::MatrixXd::Zero(unknowns, unknowns);
+        A.topLeftCorner(size, size) = by.by_start;
+        A.block(0, size, size, 1) = by.by_period;
+        A.block(size, 0, 1, size) = by.along.transpose();
+        if (tangent) {
+            A.block(0, size + 1, size, 1) = by.by_speed;
+            A.row(size + 1) = tangent->transpose();
+        }
+        Eigen::VectorXd b = Eigen::VectorXd::Zero(unknowns);
+        b.head(size) = -left;
         const Eigen::VectorXd x = linalg::least_squares(A, b);
-        cycle.start += x.head(size).cwiseProduct(scale);
-        cycle.period += x(size) / std::abs(_speed);
-        if (!x.allFinite() || !(cycle.period > 0))
+        if (!x.allFinite())
+            return std::nullopt;
+        cycle.start += x.head(size).cwiseProduct(sizes);
+        cycle.period *= 1 + x(size);
+        if (tangent)
+            cycle.speed *= 1 + x(size + 1);
+        if (!(cycle.period * std::abs(cycle.speed) > 0) ||
+            cycle.period * std::abs(cycle.speed) > 2 * pi * 2 * longest)
             return std::nullopt;
     }
-    Eigen::VectorXcd found = linalg::general_eigenvalues(monodromy);
-    std::sort(found.begin(), found.end(),
-              [](const auto &a, const auto &b) { return std::abs(a) > std::abs(b); });
-    Index along = 0;
-    (found.array() - 1.0).abs().minCoeff(&along);
-    cycle.multiplier_error = std::abs(found(along) - 1.0);
-    cycle.multipliers.resize(size - 1);
-    cycle.multipliers << found.head(along), found.tail(size - 1 - along);
-    return cycle;
+    return std::nullopt;
 }
 
-std::optional<LimitCycle> LimitCycles::refined(const LimitCycle &guess) const {
-    return newton(guess);
+double LimitCycles::distance(const Eigen::VectorXd &a, const Eigen::VectorXd &b,
+                             const Eigen::VectorXd &sizes) const {
+    Eigen::VectorXd apart = a - b;
+    for (Index k = 2 * _parts.rotor.size(); k < a.size() / 2; ++k)
+        apart(k) = std::remainder(apart(k), 2 * pi);
+    return apart.cwiseQuotient(sizes).norm();
 }
 
-std::optional<LimitCycle> LimitCycles::next_to(const Eigen::VectorXd &start) const {
-    const Index n = _motion.coordinates();
-    const Index shapes = _motion.first_angle();
-    constexpr int a_turn = 16;   // states looked at
-    constexpr int longest = 400; // turns of the rotor
-    const double step = 2 * pi / std::abs(_speed) / a_turn;
-    const Eigen::VectorXd scale = sizes(start);
+double LimitCycles::apart(const LimitCycle &cycle, const Eigen::VectorXd &state) const {
+    return distance(cycle.start, state, sizes(cycle.start, cycle.speed));
+}
+
+std::optional<LimitCycle> LimitCycles::next_to(const Eigen::VectorXd &start, double speed) const {
+    const Index n = start.size() / 2;
+    const Index shapes = 2 * _parts.rotor.size();
+    constexpr int a_turn = 16; // states looked at
+    const double step = 2 * pi / std::abs(speed) / a_turn;
+    const Eigen::VectorXd scale = sizes(start, speed);
     std::vector<double> away;
     std::vector<Eigen::VectorXd> angles;
-    follow(start, longest * a_turn * step, longest * a_turn,
+    follow(start, speed, longest * a_turn * step, static_cast<int>(longest * a_turn),
            [&](double, const Eigen::VectorXd &state) {
-               Eigen::VectorXd apart = state - start;
-               for (Index k = shapes; k < n; ++k)
-                   apart(k) = std::remainder(apart(k), 2 * pi);
-               away.push_back(apart.cwiseQuotient(scale).norm());
+               away.push_back(distance(state, start, scale));
                angles.emplace_back(state.segment(shapes, n - shapes));
            });
     const double farthest = *std::ranges::max_element(away);
@@ -233,6 +279,7 @@ std::optional<LimitCycle> LimitCycles::next_to(const Eigen::VectorXd &start) con
             continue;
         ++tried;
         LimitCycle guess;
+        guess.speed = speed;
         guess.start = start;
         // The least of the parabola through the squares, which is nearly one.
         const double before = away[k - 1] * away[k - 1];
@@ -244,10 +291,161 @@ std::optional<LimitCycle> LimitCycles::next_to(const Eigen::VectorXd &start) con
         for (Index i = 0; i < n - shapes; ++i)
             guess.turns.push_back(
                 static_cast<int>(std::lround((angles[k](i) - angles[0](i)) / (2 * pi))));
-        if (auto cycle = newton(guess))
-            return cycle;
+        if (const auto found = corrected(guess, scale, derivative(guess, scale), nullptr))
+            return found->cycle;
     }
     return std::nullopt;
+}
+
+/// A branch from one of its cycles one way.
+class LimitCycles::Following {
+  public:
+    Following(const LimitCycles &cycles, Corrected first, Eigen::VectorXd sizes, double from,
+              double to, int count)
+        : _cycles(cycles), _first(std::move(first)), _sizes(std::move(sizes)),
+          _from(std::min(from, to)), _to(std::max(from, to)), _count(count) {}
+
+    /// @param direction  of the speed at first
+    CycleBranch::End run(double direction, std::vector<BranchPoint> &out) {
+        Corrected here = _first;
+        const Index size = here.cycle.start.size();
+        Eigen::VectorXd tangent = Eigen::VectorXd::Zero(size + 2);
+        tangent(size + 1) = direction;
+        tangent = tangent_at(here, tangent);
+        const double wide = (_to - _from) / _count / std::abs(here.cycle.speed);
+        constexpr double bent = 0.25; // step of a motion as a whole, of its size
+        constexpr double least = 1e-4;
+        double length = std::min(bent, wide / std::max(std::abs(tangent(size + 1)), 1e-6));
+        while (static_cast<int>(out.size()) < 8 * _count) {
+            const std::optional<Corrected> next = stepped(here, tangent, length);
+            const Eigen::VectorXd turned = next ? tangent_at(*next, tangent) : tangent;
+            constexpr double straight = 0.9; // cosine between tangents
+            if (!next || turned.dot(tangent) < straight) {
+                length /= 2;
+                if (length < least * bent)
+                    return CycleBranch::End::lost;
+                continue;
+            }
+            if (next->cycle.speed < _from || next->cycle.speed > _to) {
+                add_end(here, next->cycle.speed < _from ? _from : _to, out);
+                return CycleBranch::End::range;
+            }
+            add_between(here, *next, tangent, turned, length, out);
+            out.push_back({next->cycle});
+            if (next->cycle.period * std::abs(next->cycle.speed) > 2 * pi * longest)
+                return CycleBranch::End::standing;
+            const double most = std::min(bent, wide / std::max(std::abs(turned(size + 1)), 1e-6));
+            length = std::min(most, next->shots <= 5 ? 1.6 * length : length);
+            here = *next;
+            tangent = turned;
+        }
+        return CycleBranch::End::points;
+    }
+
+  private:
+    const LimitCycles &_cycles;
+    Corrected _first;
+    Eigen::VectorXd _sizes;
+    double _from, _to;
+    int _count;
+
+    /// The part of a direction along the branch. Where other cycles are alike (masses that can
+    /// share out what they do) there are more ways on than one.
+    [[nodiscard]] static Eigen::VectorXd tangent_at(const Corrected &at,
+                                                    const Eigen::VectorXd &towards) {
+        const Derivative &by = at.derivative;
+        const Index size = by.by_start.rows();
+        Eigen::MatrixXd A = Eigen::MatrixXd::Zero(size + 1, size + 2);
+        A.topLeftCorner(size, size) = by.by_start;
+        A.block(0, size, size, 1) = by.by_period;
+        A.block(0, size + 1, size, 1) = by.by_speed;
+        A.block(size, 0, 1, size) = by.along.transpose();
+        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(A, Eigen::ComputeFullV);
+        constexpr double differences = 1e-5; // error of the derivative
+        Index rank = size + 1;
+        while (rank > 0 && svd.singularValues()(rank - 1) < differences)
+            --rank;
+        const Eigen::MatrixXd ways = svd.matrixV().rightCols(size + 2 - rank);
+        const Eigen::VectorXd out = ways * (ways.transpose() * towards);
+        return out.normalized();
+    }
+
+    [[nodiscard]] std::optional<Corrected>
+    stepped(const Corrected &from, const Eigen::VectorXd &tangent, double length) const {
+        const Index size = from.cycle.start.size();
+        LimitCycle guess = from.cycle;
+        guess.start += length * tangent.head(size).cwiseProduct(_sizes);
+        guess.period *= 1 + length * tangent(size);
+        guess.speed *= 1 + length * tangent(size + 1);
+        if (!(guess.period > 0))
+            return std::nullopt;
+        return _cycles.corrected(guess, _sizes, from.derivative, &tangent);
+    }
+
+    void add_end(const Corrected &from, double speed, std::vector<BranchPoint> &out) const {
+        LimitCycle guess = from.cycle;
+        guess.speed = speed;
+        if (const auto end = _cycles.corrected(guess, _sizes, from.derivative, nullptr))
+            out.push_back({end->cycle});
+    }
+
+    /// A fold or a border of stability between two points, by the secant method over the length.
+    void add_between(const Corrected &a, const Corrected &b, const Eigen::VectorXd &tangent,
+                     const Eigen::VectorXd &turned, double length,
+                     std::vector<BranchPoint> &out) const {
+        const Index speed = tangent.size() - 1;
+        const bool fold = (tangent(speed) < 0) != (turned(speed) < 0);
+        const bool border =
+            a.cycle.stable() && b.cycle.stable() && *a.cycle.stable() != *b.cycle.stable();
+        if (!fold && !border)
+            return;
+        const auto value = [&](const Corrected &at, const Eigen::VectorXd &along) {
+            return fold ? along(speed) : at.cycle.growth();
+        };
+        double low = 0;
+        double high = length;
+        double at_low = value(a, tangent);
+        double at_high = value(b, turned);
+        if ((at_low < 0) == (at_high < 0))
+            return;
+        std::optional<Corrected> found;
+        constexpr int most = 8;
+        for (int k = 0; k < most; ++k) {
+            const double middle = std::clamp(low - at_low * (high - low) / (at_high - at_low),
+                                             low + 0.02 * (high - low), high - 0.02 * (high - low));
+            auto point = stepped(a, tangent, middle);
+            if (!point)
+                return;
+            const double here = value(*point, tangent_at(*point, tangent));
+            const double before = found ? found->cycle.speed : a.cycle.speed;
+            found = std::move(point);
+            ((here < 0) == (at_low < 0) ? low : high) = middle;
+            ((here < 0) == (at_low < 0) ? at_low : at_high) = here;
+            constexpr double known = 1e-7;
+            if (std::abs(found->cycle.speed - before) < known * std::abs(before) && k > 2)
+                break;
+        }
+        out.push_back({found->cycle, fold ? BranchPoint::Kind::fold : BranchPoint::Kind::border});
+    }
+};
+
+CycleBranch LimitCycles::branch(const LimitCycle &cycle, double from, double to, int count) const {
+    const Eigen::VectorXd scale = sizes(cycle.start, cycle.speed);
+    const auto first = corrected(cycle, scale, derivative(cycle, scale), nullptr);
+    CycleBranch out;
+    if (!first) {
+        out.first = out.last = CycleBranch::End::lost;
+        out.points.push_back({cycle});
+        return out;
+    }
+    Following following(*this, *first, scale, from, to, count);
+    out.first = following.run(-1, out.points);
+    std::ranges::reverse(out.points);
+    out.points.push_back({first->cycle});
+    std::vector<BranchPoint> upwards;
+    out.last = following.run(1, upwards);
+    out.points.insert(out.points.end(), upwards.begin(), upwards.end());
+    return out;
 }
 
 } // namespace whirl::states

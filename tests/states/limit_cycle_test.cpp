@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
@@ -51,7 +52,7 @@ struct Rotor {
 
 LimitCycles cycles_of(const Rotor &rotor) {
     const simulation::MotionScene motion = simulation::motion_scene(rotor.scene());
-    return {motion.parts, rotor.speed, motion.moment, simulation::OdeMethod::explicit_high_order};
+    return {motion.parts, motion.moment, simulation::OdeMethod::explicit_high_order};
 }
 
 /// A ball that whirls slower than the rotor, next to its critical speed: the drag of the race
@@ -103,10 +104,9 @@ struct Stalled {
 /// All at (deflection, velocity) of the reduced rotor whose plane is deflected as asked.
 Eigen::VectorXd start_at(const LimitCycles &cycles, Complex deflection, Complex velocity,
                          const std::vector<double> &angles, double rate) {
-    const simulation::RotorMotion &motion = cycles.motion();
-    const reduction::Row &row = motion.parts().planes.front().w;
+    const reduction::Row &row = cycles.parts().planes.front().w;
     const Eigen::Index r = row.size();
-    const Eigen::Index n = motion.coordinates();
+    const Eigen::Index n = 2 * r + std::ssize(angles);
     Eigen::VectorXd out = Eigen::VectorXd::Zero(2 * n);
     const Eigen::VectorXd unit = row / row.squaredNorm();
     out.segment(0, r) = deflection.real() * unit;
@@ -125,18 +125,21 @@ void expect_cycle_is(const Stalled &stalled, const Rotor &rotor) {
     const LimitCycles cycles = cycles_of(rotor);
     const auto cycle = cycles.next_to(start_at(cycles, 0.99 * stalled.deflection,
                                                Complex(0, stalled.whirl) * stalled.deflection,
-                                               {0.0}, 0.999 * (stalled.whirl - rotor.speed)));
+                                               {0.0}, 0.999 * (stalled.whirl - rotor.speed)),
+                                      rotor.speed);
     ASSERT_TRUE(cycle);
     EXPECT_EQ(cycle->turns, std::vector<int>{-1});
     // The integrator's error, 1e-11 of the sizes of the motion a step, over some ten steps.
     EXPECT_NEAR(cycle->period, 2 * pi / (rotor.speed - stalled.whirl), 1e-8 * cycle->period);
-    const simulation::RotorMotion &motion = cycles.motion();
+    const reduction::Row &row = cycles.parts().planes.front().w;
     int states = 0;
-    cycles.follow(cycle->start, cycle->period, 12, [&](double, const Eigen::VectorXd &state) {
-        const Eigen::Vector2d w = motion.deflection(motion.parts().planes.front().w, state.data());
-        EXPECT_NEAR(w.norm(), std::abs(stalled.deflection), 1e-8 * w.norm());
-        ++states;
-    });
+    cycles.follow(cycle->start, cycle->speed, cycle->period, 12,
+                  [&](double, const Eigen::VectorXd &state) {
+                      const double w = std::hypot(state.head(row.size()).dot(row),
+                                                  state.segment(row.size(), row.size()).dot(row));
+                      EXPECT_NEAR(w, std::abs(stalled.deflection), 1e-8 * w);
+                      ++states;
+                  });
     EXPECT_EQ(states, 13);
     // The rotor's slopes add multipliers of their own; those of the plane are among all. Axes that
     // turn with the ball come back to those of the rotor a whole turn later, after a period.
@@ -168,6 +171,52 @@ TEST(LimitCycles, ABallThatStalledWhirlsAsInClosedForm) {
     EXPECT_GT(above.exponents(rotor).real().maxCoeff(), 1);
     expect_cycle_is(below, rotor);
     expect_cycle_is(above, rotor);
+}
+
+/// Speed of the rotor at which a ball whirls at w, by the torque about its race.
+double speed_of(const Rotor &rotor, double w) {
+    const Complex a = rotor.moment() * w * w /
+                      Complex(rotor.jeffcott.kx - rotor.mass() * w * w, rotor.jeffcott.c * w);
+    return w - rotor.moment() * w * w * a.imag() / (rotor.drag * rotor.radius * rotor.radius);
+}
+
+TEST(LimitCycles, ABranchTurnsWhereItDoesInClosedForm) {
+    // The speed has a maximum over the whirl speed next to the resonance: the ball breaks away.
+    // Further up a minimum, below which no ball whirls there. Both are folds.
+    const Rotor rotor;
+    const auto extreme = [&](double from, double to, double sign) {
+        return boost::math::tools::brent_find_minima(
+                   [&](double w) { return sign * speed_of(rotor, w); }, from, to, 50)
+            .first;
+    };
+    const double highest = extreme(290, 330, -1);
+    const double lowest = extreme(highest, 450, 1);
+    const LimitCycles cycles = cycles_of(rotor);
+    const Stalled below(rotor, 100, 316);
+    const auto cycle = cycles.next_to(start_at(cycles, 0.99 * below.deflection,
+                                               Complex(0, below.whirl) * below.deflection, {0.0},
+                                               0.999 * (below.whirl - rotor.speed)),
+                                      rotor.speed);
+    ASSERT_TRUE(cycle);
+    const double from = 380;
+    const double to = 640;
+    const CycleBranch branch = cycles.branch(*cycle, from, to, 20);
+    std::vector<double> folds;
+    for (const BranchPoint &point : branch.points) {
+        const double whirl = point.cycle.speed - 2 * pi / point.cycle.period;
+        EXPECT_NEAR(point.cycle.speed, speed_of(rotor, whirl), 1e-7 * point.cycle.speed);
+        if (point.kind == BranchPoint::Kind::fold)
+            folds.push_back(point.cycle.speed);
+    }
+    ASSERT_EQ(folds.size(), 2U);
+    // Next to an extreme the speed changes with the square of what the place is wrong by.
+    EXPECT_NEAR(folds[0], speed_of(rotor, highest), 1e-7 * folds[0]);
+    EXPECT_NEAR(folds[1], speed_of(rotor, lowest), 1e-7 * folds[1]);
+    EXPECT_EQ(branch.first, CycleBranch::End::range);
+    EXPECT_EQ(branch.last, CycleBranch::End::range);
+    EXPECT_EQ(branch.points.front().cycle.speed, from);
+    EXPECT_EQ(branch.points.back().cycle.speed, to);
+    EXPECT_EQ(branch.points.front().cycle.stable(), true);
 }
 
 } // namespace

@@ -91,6 +91,22 @@ void read_motor(CheckedTable &table, const model::Rotor &rotor, model::SimulateS
             table.fail(key, "expected only together with torque, got it alone");
 }
 
+/// Over which speeds a limit cycle is followed.
+void read_cycle(CheckedTable &table, model::CycleSettings &cycle) {
+    if (table.has("from") || table.has("to") || table.has("count")) {
+        model::SpeedRange &speeds = cycle.speeds.emplace();
+        speeds.from = table.number("from", Quantity::speed, Range::positive());
+        speeds.to = table.number("to", Quantity::speed, Range::positive());
+        speeds.count = table.whole_or("count", 41, 2, 10000);
+        if (speeds.to <= speeds.from)
+            table.fail("to",
+                       fmt::format("expected more than from = {}, got {}",
+                                   as_written(table.find("from"), speeds.from, "rad/s", speeds.to),
+                                   as_written(table.find("to"), speeds.to, "rad/s", speeds.from)));
+    }
+    table.refuse_unknown();
+}
+
 /// What the integration keeps and writes.
 void read_simulate_options(CheckedTable &table, model::Case &scene) {
     model::SimulateSettings &simulate = scene.simulate;
@@ -103,6 +119,9 @@ void read_simulate_options(CheckedTable &table, model::Case &scene) {
     if (std::ranges::all_of(scene.rotor.balancers, &model::Balancer::held) &&
         !table.has("reduction_tolerance"))
         simulate.reduction_tolerance = 1e-4; // without balls it is the largest error there is
+    if (auto cycle = table.table("cycle")) {
+        read_cycle(*cycle, simulate.cycle.emplace());
+    }
     if (const auto restart = table.text("restart"))
         simulate.restart = *restart;
 }
