@@ -434,15 +434,26 @@ Report describe(const model::Case &scene, const SimulateResult &result) {
         constexpr std::size_t most_curves = 64;
         return Json{{"angles", angle_curves(result, most_curves)}};
     };
-    if (result.waterfall) {
-        report.pictures = [&scene, &result](const Units &units) {
-            return std::vector<Picture>{{"waterfall",
-                                         waterfall_figure(scene, *result.waterfall, units),
-                                         [&result](const Units &units) {
-                                             return waterfall_csv(*result.waterfall, units);
-                                         }}};
+    const bool branch = result.cycle && !result.cycle->branch.empty();
+    if (result.waterfall || branch) {
+        report.pictures = [&scene, &result, branch](const Units &units) {
+            std::vector<Picture> pictures;
+            if (result.waterfall)
+                pictures.push_back({"waterfall", waterfall_figure(scene, *result.waterfall, units),
+                                    [&result](const Units &units) {
+                                        return waterfall_csv(*result.waterfall, units);
+                                    }});
+            if (branch)
+                pictures.push_back({"cycles", cycle_figure(scene, *result.cycle, units),
+                                    [&result](const Units &units) {
+                                        return csv_table(cycle_columns, result.cycle->branch,
+                                                         units);
+                                    }});
+            return pictures;
         };
-        report.pictures_heading = "Waterfall";
+        report.pictures_heading = !branch            ? "Waterfall"
+                                  : result.waterfall ? "Waterfall, limit cycles"
+                                                     : "Limit cycles over the speed";
         report.pictures_after = result.balancers.empty() ? 2 : 3;
     }
     return report;

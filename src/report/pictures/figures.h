@@ -33,6 +33,7 @@ struct SimulateResult;
 struct StabilityResult;
 struct SteadyStates;
 struct SweepResult;
+struct FoundCycle;
 struct Waterfall;
 struct WeightsResult;
 } // namespace whirl::results
@@ -161,6 +162,12 @@ struct ModeCurves {
 /// coloured by what the balls do, stable ones solid and unstable ones dashed, with their borders.
 [[nodiscard]] Figure states_figure(const model::Case &scene, const results::SteadyStates &states,
                                    const Units &units);
+
+/// Limit cycles along a branch: largest and least amplitude over a period over spin speed, with
+/// folds and borders of stability.
+/// @param found  with a branch
+[[nodiscard]] Figure cycle_figure(const model::Case &scene, const results::FoundCycle &found,
+                                  const Units &units);
 
 /// Where along the shaft one balancer, and two, would work: the criterion over position and speed
 /// with the rotor below it, and over two positions at one speed.

@@ -24,19 +24,16 @@ Keeps keeps(const SteadyState &state) {
     return !state.stable ? Keeps::neither : *state.stable ? Keeps::stable : Keeps::unstable;
 }
 
+std::optional<bool> known(Keeps which) {
+    return which == Keeps::neither ? std::nullopt : std::optional(which == Keeps::stable);
+}
+
 constexpr std::array<const char *, 5> kind_colours{"#007D5A", "#0072B2", "#D55E00", "#B0305C",
                                                    "#7A5200"};
 const char *colour_of(SteadyState::Kind kind) {
     return kind_colours.at(static_cast<std::size_t>(kind));
 }
 
-std::string branch_look(Keeps which, const char *colour) {
-    return fmt::format("with lines lw {} dt {} lc rgb '{}'", which == Keeps::stable ? 2.6 : 1.4,
-                       which == Keeps::stable     ? "1"
-                       : which == Keeps::unstable ? "(14,7)"
-                                                  : "(2,4)",
-                       colour);
-}
 std::string point_look(Keeps which, const char *colour) {
     return fmt::format("with points pt {} ps 0.7 lc rgb '{}'",
                        which == Keeps::stable     ? 7
@@ -142,11 +139,11 @@ Figure states_figure(const model::Case &scene, const SteadyStates &states, const
                                                                           : ", neither");
         names.push_back(name);
         if (lines)
-            curves.add_pieces(of.lines, branch_look(which, colour_of(kind)));
+            curves.add_pieces(of.lines, stability_look(known(which), colour_of(kind)));
         if (points)
             curves.add(of.points, point_look(which, colour_of(kind)));
         curves.add(fmt::format("NaN {} title {}",
-                               lines ? branch_look(which, colour_of(kind))
+                               lines ? stability_look(known(which), colour_of(kind))
                                      : point_look(which, colour_of(kind)),
                                plot_text(name)));
     }

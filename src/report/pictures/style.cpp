@@ -138,6 +138,14 @@ std::string line_look(const LineStyle &style, double width) {
     return fmt::format("with lines lc rgb '{}' lw {} dt {}", style.colour, width, style.dash);
 }
 
+std::string stability_look(std::optional<bool> stable, const std::string &colour) {
+    return fmt::format("with lines lw {} dt {} lc rgb '{}'", stable.value_or(false) ? 2.6 : 1.4,
+                       !stable   ? "(2,4)"
+                       : *stable ? "1"
+                                 : "(14,7)",
+                       colour);
+}
+
 Figure figure_of(int width, int height, const std::string &title, const std::string &subtitle,
                  const std::string &panels) {
     const double pixel = 1.0 / height;

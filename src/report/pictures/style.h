@@ -102,6 +102,9 @@ template <class Json> void to_json(Json &json, const NamedCurve &curve) {
 /// "with lines lc rgb '#0072B2' lw 2 dt 1"
 [[nodiscard]] std::string line_look(const LineStyle &style, double width);
 
+/// Of a branch of motions: solid where they are stable, dashed unstable, dotted neither.
+[[nodiscard]] std::string stability_look(std::optional<bool> stable, const std::string &colour);
+
 /// A figure of several panels below its bold heading and the grey line under that.
 [[nodiscard]] Figure figure_of(int width, int height, const std::string &title,
                                const std::string &subtitle, const std::string &panels);
