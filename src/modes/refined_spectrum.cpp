@@ -50,8 +50,11 @@ class RefinedSpectrum::Data {
   public:
     virtual ~Data() = default;
     virtual Spectrum modes(double speed, int wanted) = 0;
+    virtual Spectrum reduced_modes(double speed, int wanted) = 0;
+    [[nodiscard]] virtual double left_out() const = 0;
     virtual std::vector<WhirlMode> near(double speed, const std::vector<WhirlMode> &guesses) = 0;
     virtual void expect(const std::vector<double> &speeds, int wanted) = 0;
+    virtual void examine(const std::vector<double> &speeds, int wanted) = 0;
 };
 
 namespace {
@@ -103,6 +106,46 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
         return modes(speed, wanted, !_counted || !_counted->covers({speed, speed, wanted}));
     }
 
+    void examine(const std::vector<double> &speeds, int wanted) override {
+        Range range{std::ranges::min(speeds), std::ranges::max(speeds), wanted};
+        if (_examined && _examined->covers(range))
+            return;
+        if (_examined)
+            range = {std::min(range.from, _examined->from), std::max(range.to, _examined->to),
+                     std::max(range.wanted, _examined->wanted)};
+        for (const double end : {range.from, range.to})
+            if (!_examined || !_examined->covers({end, end, range.wanted}))
+                static_cast<void>(modes(end, range.wanted, true));
+        _examined = range;
+    }
+
+    Spectrum reduced_modes(double speed, int wanted) override {
+        try {
+            examine({speed}, wanted);
+        } catch (const linalg::SolverError &) { // no shapes do there
+            return modes(speed, wanted);
+        }
+        const ReducedForm *form = reduced(_basis, _examined->wanted);
+        const ZeroModes zeros = zero_modes(_d, results::Form::general, speed, speed);
+        std::vector<Root> roots = roots_of(*form, speed, wanted, zeros);
+        const std::optional<Choice> chosen =
+            choice(roots, centre(wanted), speed, wanted, form->is_whole());
+        if (!chosen)
+            throw linalg::SolverError("the shapes of the rotor miss some of its eigenvalues");
+        std::vector<WholeRoot> found;
+        for (const std::size_t i : chosen->wanted) {
+            const Root &root = roots[i];
+            found.push_back({root.value, form->lifted(root.right), form->lifted(root.left), 0,
+                             root.noise / std::abs(root.value)});
+        }
+        return spectrum_of(found, zeros, chosen->complete_radius, speed);
+    }
+
+    [[nodiscard]] double left_out() const override {
+        constexpr double between = 4; // allowance for other speeds
+        return between * _left_out;
+    }
+
     std::vector<WhirlMode> near(double speed, const std::vector<WhirlMode> &guesses) override {
         set(speed);
         std::vector<WhirlMode> out;
@@ -142,6 +185,8 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
         }
     };
     std::optional<Range> _counted;
+    std::optional<Range> _examined; ///< at its ends
+    double _left_out = 0;           ///< of eigenvalues of the shapes, relative, the largest seen
     /// How many modes no basis had, by speeds so far; 0: there were as many.
     std::map<double, int> _missed;
 
@@ -531,6 +576,8 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
                 return std::nullopt;
             counts = counts || std::abs(whole->value - root.value) > far * std::abs(root.value) ||
                      (real && (root.value.imag() == 0) != (whole->value.imag() == 0));
+            _left_out =
+                std::max(_left_out, std::abs(whole->value - root.value) / std::abs(root.value));
             root.value = whole->value;
             if (_collects) {
                 collect(whole->right);
@@ -613,7 +660,21 @@ void RefinedSpectrum::expect(const std::vector<double> &speeds, int wanted) {
         _data->expect(speeds, wanted);
 }
 
+void RefinedSpectrum::examine(const std::vector<double> &speeds, int wanted) {
+    try {
+        if (!speeds.empty())
+            _data->examine(speeds, wanted);
+    } catch (const linalg::SolverError &) { // said when this speed is asked for
+    }
+}
+
 Spectrum RefinedSpectrum::modes(double speed, int wanted) { return _data->modes(speed, wanted); }
+
+Spectrum RefinedSpectrum::reduced_modes(double speed, int wanted) {
+    return _data->reduced_modes(speed, wanted);
+}
+
+double RefinedSpectrum::left_out() const { return _data->left_out(); }
 
 std::vector<WhirlMode> RefinedSpectrum::near(double speed, const std::vector<WhirlMode> &guesses) {
     return _data->near(speed, guesses);

@@ -38,6 +38,17 @@ class RefinedSpectrum {
     /// @throws linalg::SolverError where they are not all found
     [[nodiscard]] Spectrum modes(double speed, int wanted);
 
+    /// At the slowest and the fastest of these speeds the planar shapes are examined: all modes
+    /// wanted are found on the whole rotor and counted, and left_out() measured.
+    void examine(const std::vector<double> &speeds, int wanted);
+
+    /// As modes(), of the rotor on planar shapes that were examined, no eigenvalue refined: for
+    /// what is discrete, as names of lines.
+    [[nodiscard]] Spectrum reduced_modes(double speed, int wanted);
+    /// By how much eigenvalues of reduced_modes() may be off, of their moduli: four times the most
+    /// that they were where they were examined.
+    [[nodiscard]] double left_out() const;
+
     /// Modes near guesses of their eigenvalues and shapes, one for each; none where they cannot be
     /// found from these.
     [[nodiscard]] std::vector<WhirlMode> near(double speed, const std::vector<WhirlMode> &guesses);

@@ -53,6 +53,13 @@ class SpectrumSolver {
     /// Whether modes are those of shapes refined on the whole rotor (refined_spectrum.h).
     [[nodiscard]] bool refines() const;
 
+    /// From now on damped forms of the fixed frame on planar shapes, refined nowhere but by near():
+    /// for what is discrete, as names of lines.
+    void take_reduced_roots() const;
+    /// By how much eigenvalues of such modes were off at the most where they were refined as well,
+    /// of their moduli; 0 of all others.
+    [[nodiscard]] double left_out() const;
+
     /// Form rotating: by a reduced rotor over the range of these speeds, where one suffices.
     void follow(const std::vector<double> &speeds, int wanted) const;
 
