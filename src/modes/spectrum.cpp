@@ -77,7 +77,7 @@ void SpectrumSolver::expect(const std::vector<double> &speeds, int wanted) const
         return;
     const int all = wanted + _data->most_zero_modes(speeds.front());
     if (_data->reduced_roots)
-        _data->refined().examine(speeds, all);
+        _data->refined().expect_reduced(speeds, all);
     else
         _data->refined().expect(speeds, all);
 }
@@ -104,8 +104,9 @@ Spectrum SpectrumSolver::damped(double speed, int wanted, Errors errors) const {
     const bool planar = _data->form == results::Form::planar_damped;
     if (refines()) {
         try {
-            Spectrum found = _data->reduced_roots ? _data->refined().reduced_modes(speed, wanted)
-                                                  : _data->refined().modes(speed, wanted);
+            const bool reduced = _data->reduced_roots || errors == Errors::of_right_vectors;
+            Spectrum found = reduced ? _data->refined().reduced_modes(speed, wanted)
+                                     : _data->refined().modes(speed, wanted);
             return _data->planar_as_real() ? as_planar(std::move(found), speed) : found;
         } catch (const linalg::SolverError &) { // all unknowns decide
         }

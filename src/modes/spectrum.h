@@ -35,6 +35,8 @@ class SpectrumSolver {
 
     /// The `wanted` whirl modes with the lowest frequencies (all, where there are fewer), and those
     /// of zero frequency, of free rigid motions, beside them.
+    /// @param errors  of right vectors: damped ones in the fixed frame are those of the reduced
+    ///                rotor, as after take_reduced_roots()
     /// @throws model::AnalysisFailure where they cannot be found.
     [[nodiscard]] Spectrum at(double speed, int wanted,
                               Errors errors = Errors::with_left_vectors) const;
