@@ -355,12 +355,13 @@ void drop_second_directions(std::vector<results::CriticalSpeed> &speeds, int wan
 results::CriticalResult critical_speeds(const model::Case &scene, bool map,
                                         const std::vector<results::ResponsePeak> *peaks) {
     results::CriticalResult result = critical_of(scene, true);
+    const ModesBeside modes(scene, result.model.order);
     if (result.model.formulation.form != results::Form::hill)
-        name_modes(result.critical_speeds, scene, result.model.order);
+        name_modes(result.critical_speeds, modes);
     add_margins(scene, result, peaks);
     if (map)
         result.map = map_of(scene, result.model);
-    note_growing_motions(scene, result.model);
+    note_growing_motions(modes, result.model);
     return result;
 }
 

@@ -210,7 +210,9 @@ void add_held(results::ModesResult &result, const model::Rotor &as_given,
             rotor, results::Form::rotating, 2 * wanted, critical_speeds.back().speed);
         for (const results::CriticalSpeed &critical : critical_speeds)
             for (const modes::WhirlMode &mode : found.modes) {
-                if (std::abs(mode.eigenvalue.imag() - critical.speed) > 1e-9 * critical.speed)
+                // Found again on other shapes: a drum on soft supports has it to 1e-7 alone.
+                const double rounding = 1e-9 + 10 * (mode.residual + mode.rounding);
+                if (std::abs(mode.eigenvalue.imag() - critical.speed) > rounding * critical.speed)
                     continue; // of another speed
                 const assembly::Planes planes(mode.shape);
                 const Eigen::VectorXcd w =

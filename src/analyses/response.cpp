@@ -548,7 +548,7 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
         note_balancers(scene.rotor, result);
         if (scene.operation && !result.nodes.empty())
             add_margins(result, scene);
-        note_growing_motions(scene, result.model);
+        note_growing_motions(ModesBeside(scene, result.model.order), result.model);
         return result;
     }
     result.speeds = model::required_speeds(scene).values();
@@ -576,10 +576,10 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
     }
     if (result.nodes.empty() && !result.gravity && result.forces.empty() && !result.receptance)
         return {}; // not process 0
-    name_modes(result.peaks, asked, result.model.order,
-               {1, 0, !synchronous_drive(scene).unbalanced});
+    const ModesBeside modes(asked, result.model.order);
+    name_modes(result.peaks, modes, {1, 0, !synchronous_drive(scene).unbalanced});
     for (results::ForceResponse &response : result.forces)
-        name_modes(response.peaks, asked, result.model.order,
+        name_modes(response.peaks, modes,
                    {response.multiple.value_or(0), response.frequency.value_or(0), false});
     add_resonances(result);
     note_bends(scene.rotor, result);
@@ -587,7 +587,7 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
         add_margins(result, scene);
     if (scene.operation && (!result.nodes.empty() || !result.forces.empty()))
         add_operating(result, d, scene);
-    note_growing_motions(scene, result.model);
+    note_growing_motions(modes, result.model);
     note_balancers(scene.rotor, result);
     return result;
 }

@@ -380,7 +380,7 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
             answer_for_placed_balls(scene, model.order, *placed, grid, result);
         else
             answer(scene, grid, model, result);
-        name_modes(result.ends, scene, model.form_of_lines, model.order);
+        name_modes(result.ends, ModesBeside(scene, model.order), model.form_of_lines);
         add_level1(scene, model, result);
         result.states = steady_states_of(scene, result.model.notes);
     };

@@ -2,7 +2,6 @@
 
 #include "assembly/frequency_scales.h"
 #include "ends/resolved_reach.h"
-#include "linalg/symmetric_eigen.h"
 #include "modes/roots/roots.h"
 #include "modes/zero_modes.h"
 #include "stability/motion_reach.h"
@@ -129,6 +128,12 @@ WholeMotion AllMotions::lifted(const Root &root, double speed) const {
     return {speed, root.value, _rotor.lifted(root.right), _rotor.lifted(root.left), root.rate};
 }
 
+std::optional<WholeMotion> AllMotions::of_whole(const WholeMotion &guess) const {
+    if (!_whole_at || _whole_at->speed != guess.speed)
+        _whole_at = WholeAt{guess.speed, _whole.at(guess.speed)};
+    return at_its_speed(_whole_at->problem, guess, _pencil);
+}
+
 void AllMotions::count_resolved() {
     _resolved = ends::resolved_up_to(_discretization, _shapes.get(), (_from + _to) / 2);
     _drives_all = true;
@@ -200,18 +205,13 @@ std::optional<double> AllMotions::least_log_dec(double speed, const FastestGrowi
         return std::nullopt;
     std::complex<double> value = found.value;
     if (std::abs(value - root) > same_root * std::abs(root)) {
-        const Eigen::VectorXcd any = any_vector();
-        const auto whole = of_whole(WholeMotion{speed, root, any, any, 0});
+        const auto whole = of_whole(
+            lifted(modes::with_vectors(_rotor.at(speed, _rotor.piece_of(speed)), root), speed));
         if (!whole || std::abs(whole->value - root) > same_root * std::abs(root))
             return std::nullopt;
         value = whole->value;
     }
     return -2 * std::numbers::pi * value.real() / value.imag();
-}
-
-Eigen::VectorXcd AllMotions::any_vector() const {
-    return linalg::deterministic_vector(static_cast<int>(_whole.mass().rows()))
-        .cast<std::complex<double>>();
 }
 
 /// From eigenvalues without vectors, refined on the whole rotor; nothing where a motion that counts
@@ -222,8 +222,8 @@ std::optional<FastestGrowing> AllMotions::by_values(double speed, double above,
     const double shift = shift_at(speed);
     std::optional<std::complex<double>> best;
     std::complex<double> least = 0;
-    for (const std::complex<double> &value :
-         modes::all_values(_rotor.at(speed, _rotor.piece_of(speed)), shift, _zeros)) {
+    const DenseProblem problem = _rotor.at(speed, _rotor.piece_of(speed));
+    for (const std::complex<double> &value : modes::all_values(problem, shift, _zeros)) {
         const double size = std::abs(value);
         const bool slow = within_reach(size);
         if (value.imag() < 0 || size > up_to || size <= above || (value.real() < 0 && !slow))
@@ -236,8 +236,7 @@ std::optional<FastestGrowing> AllMotions::by_values(double speed, double above,
     }
     if (!best)
         return std::nullopt;
-    const Eigen::VectorXcd any = any_vector();
-    const auto found = of_whole(WholeMotion{speed, *best, any, any, 0});
+    const auto found = of_whole(lifted(modes::with_vectors(problem, *best), speed));
     if (!found || std::abs(found->value - *best) > same_root * std::abs(*best) ||
         std::abs(found->value.real()) <= found->noise)
         return std::nullopt;

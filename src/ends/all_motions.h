@@ -59,9 +59,7 @@ class AllMotions {
     /// A root as a motion of the whole rotor to begin with.
     [[nodiscard]] WholeMotion lifted(const Root &root, double speed) const;
     /// The motion of the whole rotor next to that; nothing where none is found.
-    [[nodiscard]] std::optional<WholeMotion> of_whole(const WholeMotion &guess) const {
-        return at_its_speed(_whole, guess, _pencil);
-    }
+    [[nodiscard]] std::optional<WholeMotion> of_whole(const WholeMotion &guess) const;
     /// The same at all speeds of the range, 1/s: twice its largest speed, so that all whirls up to
     /// that speed are among them in rotating axes too, and as much more as leaves at least eight
     /// and brings it between two motions that are far apart all over the range.
@@ -117,6 +115,11 @@ class AllMotions {
     mutable std::optional<double> _reach; ///< once it was asked for
     int _zeros = 0;
     mutable modes::WholePencil<double> _pencil;
+    struct WholeAt {
+        double speed;
+        modes::QuadraticAt problem;
+    };
+    mutable std::optional<WholeAt> _whole_at; ///< the last speed: several roots are asked for there
     mutable std::optional<Spectrum> _with_signs; ///< the last one
 
     [[nodiscard]] double least_reach() const;
@@ -131,7 +134,6 @@ class AllMotions {
     [[nodiscard]] bool is_rough() const;
     [[nodiscard]] bool decides_decay(double size) const;
     [[nodiscard]] std::optional<WholeMotion> of_whole(const Root &root, double speed) const;
-    [[nodiscard]] Eigen::VectorXcd any_vector() const; ///< over the unknowns of the whole rotor
     [[nodiscard]] std::optional<FastestGrowing> by_values(double speed, double above,
                                                           double up_to) const;
 };

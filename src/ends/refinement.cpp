@@ -147,10 +147,9 @@ std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole, const W
     return std::nullopt;
 }
 
-std::optional<WholeMotion> at_its_speed(const modes::FormMatrices &whole, const WholeMotion &guess,
+std::optional<WholeMotion> at_its_speed(const modes::QuadraticAt &whole, const WholeMotion &guess,
                                         modes::WholePencil<double> &pencil) {
-    const modes::QuadraticAt problem = whole.at(guess.speed);
-    pencil.set(problem, std::max(std::abs(guess.value), 1e-300));
+    pencil.set(whole, std::max(std::abs(guess.value), 1e-300));
     auto found = pencil.refined({guess.value, guess.right, guess.left});
     if (!found)
         return std::nullopt;
@@ -158,9 +157,9 @@ std::optional<WholeMotion> at_its_speed(const modes::FormMatrices &whole, const 
         guess.speed, found->value, std::move(found->right), std::move(found->left), 0, 0};
     if (guess.value.imag() == 0) // of a real root both vectors are real but for rounding
         out.value = out.value.real();
-    const Forms f = forms(problem, out.value, out);
+    const Forms f = forms(whole, out.value, out);
     out.rate = -f.by_speed / f.by_root;
-    out.noise = noise_of(problem, out, f.by_root);
+    out.noise = noise_of(whole, out, f.by_root);
     return out;
 }
 

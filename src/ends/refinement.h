@@ -28,9 +28,10 @@ struct WholeMotion {
                                                      const WholeMotion &guess, bool at_zero);
 
 /// The root of the whole rotor next to `guess` at its speed.
+/// @param whole   at that speed
 /// @param pencil  keeps the order of elimination from one root to the next
 /// @returns nothing where it does not converge
-[[nodiscard]] std::optional<WholeMotion> at_its_speed(const modes::FormMatrices &whole,
+[[nodiscard]] std::optional<WholeMotion> at_its_speed(const modes::QuadraticAt &whole,
                                                       const WholeMotion &guess,
                                                       modes::WholePencil<double> &pencil);
 

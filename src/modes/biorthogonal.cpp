@@ -61,28 +61,6 @@ void fill(const Problem &problem, const Values<Scalar> &values, const Columns<Sc
     }
 }
 
-/// Left vectors by inverse iteration with the transposed problem next to each eigenvalue. Two
-/// steps from a shift 1e-7 off leave (1e-7 over the relative gap)^2 of the other modes.
-Eigen::MatrixXcd left_vectors(const QuadraticAt &problem, const Eigen::VectorXcd &values,
-                              const Eigen::MatrixXcd &X) {
-    linalg::QuadraticPattern Q(problem.M, problem.D, problem.K);
-    Eigen::MatrixXcd Y = problem.M * Eigen::MatrixXcd(X.conjugate());
-    linalg::SparseFactor<Complex> lu;
-    for (Eigen::Index i = 0; i < X.cols(); ++i) {
-        const Complex v = values(i) * (1 + 1e-7);
-        if (v == 0.0 || !lu.factorize(Q.at(v))) {
-            Y.col(i).setZero(); // not followed by this vector
-            continue;
-        }
-        Eigen::VectorXcd y = Y.col(i);
-        lu.solve_transposed(y);
-        y = problem.M.transpose() * y;
-        lu.solve_transposed(y);
-        Y.col(i) = y / y.cwiseAbs().maxCoeff();
-    }
-    return Y;
-}
-
 /// Vectors of equal eigenvalues may be mixed: makes left^T right the unit matrix where it can be.
 void separate_columns(Eigen::MatrixXcd &left, const Eigen::MatrixXcd &right) {
     const Eigen::MatrixXcd products = linalg::transposed_times(left, right);
@@ -150,13 +128,39 @@ ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXcd &values,
     return out;
 }
 
-ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXcd &values,
-                   const Eigen::MatrixXcd &vectors, bool mirrored) {
-    if (!mirrored)
-        return basis_of(problem, values, vectors, left_vectors(problem, values, vectors));
-    Eigen::MatrixXcd Y = vectors;
-    Y(Eigen::seqN(1, Y.rows() / 2, 2), Eigen::all) *= -1;
-    return basis_of(problem, values, vectors, Y);
+ModeBasis basis_of(const DenseQuadraticAt &problem, const Eigen::VectorXcd &values,
+                   const Eigen::MatrixXcd &vectors, const Eigen::MatrixXcd &left) {
+    ModeBasis out;
+    fill<Complex>(problem, values, vectors, left, out.complex_left, out.complex_right, out);
+    separate_columns(out.complex_left, out.complex_right);
+    return out;
+}
+
+Eigen::MatrixXcd mirrored_vectors(Eigen::MatrixXcd right) {
+    right(Eigen::seqN(1, right.rows() / 2, 2), Eigen::all) *= -1;
+    return right;
+}
+
+/// With the transposed problem: two steps from a shift 1e-7 off leave (1e-7 over the relative
+/// gap)^2 of the other modes.
+Eigen::MatrixXcd left_vectors(const QuadraticAt &problem, const Eigen::VectorXcd &values,
+                              const Eigen::MatrixXcd &X) {
+    linalg::QuadraticPattern Q(problem.M, problem.D, problem.K);
+    Eigen::MatrixXcd Y = problem.M * Eigen::MatrixXcd(X.conjugate());
+    linalg::SparseFactor<Complex> lu;
+    for (Eigen::Index i = 0; i < X.cols(); ++i) {
+        const Complex v = values(i) * (1 + 1e-7);
+        if (v == 0.0 || !lu.factorize(Q.at(v))) {
+            Y.col(i).setZero(); // not followed by this vector
+            continue;
+        }
+        Eigen::VectorXcd y = Y.col(i);
+        lu.solve_transposed(y);
+        y = problem.M.transpose() * y;
+        lu.solve_transposed(y);
+        Y.col(i) = y / y.cwiseAbs().maxCoeff();
+    }
+    return Y;
 }
 
 } // namespace whirl::modes

@@ -26,6 +26,16 @@ using QuadraticAt = QuadraticOf<double>;
 /// With complex symmetric matrices (form planar_damped), l itself in the place of v.
 using ComplexQuadraticAt = QuadraticOf<std::complex<double>>;
 
+/// Of a reduced rotor, what states and rates need.
+struct DenseQuadraticAt {
+    struct Rates {
+        Eigen::MatrixXcd D, K;
+    };
+    Eigen::MatrixXcd M, K;
+    Rates below, above;
+    bool smooth = true;
+};
+
 /// Right and left eigenvectors of some modes at one speed as states (x, v x), so that products
 /// left^T right of one speed are the unit matrix. With y the left vector of the problem itself,
 /// y^T Q(v) = 0, the left state is (K^T y, -v M^T y) / y^T (K - v^2 M) x: two modes of one problem
@@ -66,9 +76,16 @@ struct ModeBasis {
 [[nodiscard]] ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXcd &values,
                                  const Eigen::MatrixXcd &vectors, const Eigen::MatrixXcd &left);
 
-/// @param mirrored  the problem is its transpose seen in a mirror (y -> -y): the left vectors are
-///                  the right ones mirrored, else they are found by inverse iteration
-[[nodiscard]] ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXcd &values,
-                                 const Eigen::MatrixXcd &vectors, bool mirrored);
+[[nodiscard]] ModeBasis basis_of(const DenseQuadraticAt &problem, const Eigen::VectorXcd &values,
+                                 const Eigen::MatrixXcd &vectors, const Eigen::MatrixXcd &left);
+
+/// Left vectors of a problem that is its transpose seen in a mirror (y -> -y): the right ones
+/// mirrored.
+[[nodiscard]] Eigen::MatrixXcd mirrored_vectors(Eigen::MatrixXcd right);
+
+/// Left vectors by inverse iteration next to each eigenvalue.
+[[nodiscard]] Eigen::MatrixXcd left_vectors(const QuadraticAt &problem,
+                                            const Eigen::VectorXcd &values,
+                                            const Eigen::MatrixXcd &right);
 
 } // namespace whirl::modes

@@ -186,21 +186,32 @@ FormMatrices::Supports FormMatrices::support_change(double from, double to, Part
     return out;
 }
 
+FormMatrices::SupportRates FormMatrices::support_rates(double speed, Part part) const {
+    const auto rate_to = [&](double end) -> std::optional<Supports> {
+        if (!std::isfinite(end))
+            return std::nullopt;
+        Supports out = support_change(speed, end, part);
+        for (Sparse *A : {&out.D, &out.K, &out.Ks})
+            *A /= end - speed;
+        return out;
+    };
+    const auto [below, above] = neighbours(_discretization.rotor(), speed);
+    return {rate_to(below), rate_to(above)};
+}
+
 void FormMatrices::add_tables(QuadraticAt &problem, double speed, Part part) const {
     const Supports now = support_change(0, speed, part);
     problem.smooth = false;
-    problem.D += now.D;
-    problem.K += now.K + speed * now.Ks;
-    const auto [below, above] = neighbours(_discretization.rotor(), speed);
-    for (const auto &[rates, end] :
-         {std::pair(&problem.below, below), std::pair(&problem.above, above)}) {
-        rates->K += now.Ks;
-        if (!std::isfinite(end))
-            continue; // constant beyond the tables
-        const Supports change = support_change(speed, end, part);
-        const double length = end - speed;
-        rates->D += change.D / length;
-        rates->K += (change.K + speed * change.Ks) / length;
+    problem.D = sum(problem.D, 1, now.D);
+    problem.K = sum(problem.K, 1, sum(now.K, speed, now.Ks));
+    const SupportRates change = support_rates(speed, part);
+    for (const auto &[rates, of] :
+         {std::pair(&problem.below, &change.below), std::pair(&problem.above, &change.above)}) {
+        rates->K = sum(rates->K, 1, now.Ks);
+        if (!*of)
+            continue;
+        rates->D = sum(rates->D, 1, (*of)->D);
+        rates->K = sum(rates->K, 1, sum((*of)->K, speed, (*of)->Ks));
     }
 }
 

@@ -9,6 +9,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <optional>
 #include <vector>
 
 namespace whirl::modes {
@@ -51,6 +52,12 @@ class FormMatrices {
         Sparse D, K, Ks;
     };
     [[nodiscard]] Supports support_change(double from, double to, Part part) const;
+    /// Change of the supports with speed, towards lower and higher ones; none beyond the tables,
+    /// where they are constant.
+    struct SupportRates {
+        std::optional<Supports> below, above;
+    };
+    [[nodiscard]] SupportRates support_rates(double speed, Part part) const;
     [[nodiscard]] const assembly::Discretization &discretization() const { return _discretization; }
     [[nodiscard]] results::Form form() const { return _form; }
 

@@ -50,8 +50,15 @@ class RefinedSpectrum::Data {
   public:
     virtual ~Data() = default;
     virtual Spectrum modes(double speed, int wanted) = 0;
+    virtual Spectrum reduced_modes(double speed, int wanted) = 0;
+    [[nodiscard]] virtual double left_out() const = 0;
+    [[nodiscard]] virtual std::optional<ModeBasis> basis(double speed,
+                                                         const Eigen::VectorXcd &values,
+                                                         const Eigen::MatrixXcd &right,
+                                                         const Eigen::MatrixXcd &left) const = 0;
     virtual std::vector<WhirlMode> near(double speed, const std::vector<WhirlMode> &guesses) = 0;
     virtual void expect(const std::vector<double> &speeds, int wanted) = 0;
+    virtual void expect_reduced(const std::vector<double> &speeds, int wanted) = 0;
 };
 
 namespace {
@@ -96,11 +103,66 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
         if (solved.size() < 2)
             return;
         _counted = {solved.front(), solved.back(), range.wanted};
+        _examined = _counted;
         enrich(solved);
+        follow_on_shapes(range.wanted);
+    }
+
+    std::optional<ModeBasis> basis(double speed, const Eigen::VectorXcd &values,
+                                   const Eigen::MatrixXcd &right,
+                                   const Eigen::MatrixXcd &left) const override {
+        if (_following == nullptr)
+            return std::nullopt;
+        return _following->basis(speed, values, amplitudes(right), amplitudes(left));
     }
 
     Spectrum modes(double speed, int wanted) override {
         return modes(speed, wanted, !_counted || !_counted->covers({speed, speed, wanted}));
+    }
+
+    void examine(const std::vector<double> &speeds, int wanted) {
+        Range range{std::ranges::min(speeds), std::ranges::max(speeds), wanted};
+        if (_examined && _examined->covers(range))
+            return;
+        if (_examined)
+            range = {std::min(range.from, _examined->from), std::max(range.to, _examined->to),
+                     std::max(range.wanted, _examined->wanted)};
+        for (const double end : {range.from, range.to})
+            if (!_examined || !_examined->covers({end, end, range.wanted}))
+                static_cast<void>(modes(end, range.wanted, true));
+        _examined = range;
+    }
+
+    void expect_reduced(const std::vector<double> &speeds, int wanted) override {
+        examine(speeds, wanted);
+        follow_on_shapes(_examined->wanted);
+    }
+
+    Spectrum reduced_modes(double speed, int wanted) override {
+        try {
+            examine({speed}, wanted);
+        } catch (const linalg::SolverError &) { // no shapes do there
+            return modes(speed, wanted);
+        }
+        const ReducedForm *form = reduced(_basis, _examined->wanted);
+        const ZeroModes zeros = zero_modes(_d, results::Form::general, speed, speed);
+        std::vector<Root> roots = roots_of(*form, speed, wanted, zeros);
+        const std::optional<Choice> chosen =
+            choice(roots, centre(wanted), speed, wanted, form->is_whole());
+        if (!chosen)
+            throw linalg::SolverError("the shapes of the rotor miss some of its eigenvalues");
+        std::vector<WholeRoot> found;
+        for (const std::size_t i : chosen->wanted) {
+            const Root &root = roots[i];
+            found.push_back({root.value, form->lifted(root.right), form->lifted(root.left), 0,
+                             root.noise / std::abs(root.value)});
+        }
+        return spectrum_of(found, zeros, chosen->complete_radius, speed);
+    }
+
+    [[nodiscard]] double left_out() const override {
+        constexpr double between = 4; // allowance for other speeds
+        return between * _left_out;
     }
 
     std::vector<WhirlMode> near(double speed, const std::vector<WhirlMode> &guesses) override {
@@ -142,6 +204,8 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
         }
     };
     std::optional<Range> _counted;
+    std::optional<Range> _examined; ///< at its ends, that the shapes do
+    double _left_out = 0;           ///< of eigenvalues of the shapes, relative, the largest seen
     /// How many modes no basis had, by speeds so far; 0: there were as many.
     std::map<double, int> _missed;
 
@@ -191,6 +255,32 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
                 break;
         }
         return std::nullopt;
+    }
+
+    const ReducedForm *_following = nullptr; ///< on whose shapes modes are followed
+    Eigen::MatrixXd _forces;                 ///< metric times these shapes: amplitudes of vectors
+
+    /// From now on, until other speeds are expected: products are of vectors on the same shapes.
+    void follow_on_shapes(int wanted) {
+        _following = reduced(_basis, wanted);
+        if (_following != nullptr && _following->is_whole())
+            _following = nullptr;
+        if (_following != nullptr)
+            _forces = _shapes->metric() * _following->shapes().front();
+    }
+
+    [[nodiscard]] Eigen::MatrixXcd amplitudes(const Eigen::MatrixXcd &vectors) const {
+        const Eigen::Index r = _forces.cols();
+        Eigen::MatrixXcd out(planes * r, vectors.cols());
+        for (Eigen::Index plane = 0; plane < planes; ++plane) {
+            const Eigen::MatrixXcd of =
+                vectors(Eigen::seqN(plane, _forces.rows(), planes), Eigen::all);
+            out.middleRows(plane * r, r).real() =
+                linalg::transposed_times(_forces, Eigen::MatrixXd(of.real()));
+            out.middleRows(plane * r, r).imag() =
+                linalg::transposed_times(_forces, Eigen::MatrixXd(of.imag()));
+        }
+        return out;
     }
 
     std::optional<reduction::PlanarShapes> _shapes; ///< of the least basis
@@ -531,6 +621,8 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
                 return std::nullopt;
             counts = counts || std::abs(whole->value - root.value) > far * std::abs(root.value) ||
                      (real && (root.value.imag() == 0) != (whole->value.imag() == 0));
+            _left_out =
+                std::max(_left_out, std::abs(whole->value - root.value) / std::abs(root.value));
             root.value = whole->value;
             if (_collects) {
                 collect(whole->right);
@@ -613,7 +705,27 @@ void RefinedSpectrum::expect(const std::vector<double> &speeds, int wanted) {
         _data->expect(speeds, wanted);
 }
 
+void RefinedSpectrum::expect_reduced(const std::vector<double> &speeds, int wanted) {
+    try {
+        if (!speeds.empty())
+            _data->expect_reduced(speeds, wanted);
+    } catch (const linalg::SolverError &) { // said when this speed is asked for
+    }
+}
+
 Spectrum RefinedSpectrum::modes(double speed, int wanted) { return _data->modes(speed, wanted); }
+
+Spectrum RefinedSpectrum::reduced_modes(double speed, int wanted) {
+    return _data->reduced_modes(speed, wanted);
+}
+
+double RefinedSpectrum::left_out() const { return _data->left_out(); }
+
+std::optional<ModeBasis> RefinedSpectrum::basis(double speed, const Eigen::VectorXcd &values,
+                                                const Eigen::MatrixXcd &right,
+                                                const Eigen::MatrixXcd &left) const {
+    return _data->basis(speed, values, right, left);
+}
 
 std::vector<WhirlMode> RefinedSpectrum::near(double speed, const std::vector<WhirlMode> &guesses) {
     return _data->near(speed, guesses);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "assembly/discretization.h"
+#include "modes/biorthogonal.h"
 #include "modes/form_matrices.h"
 #include "modes/whirl_mode.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace whirl::modes {
@@ -37,6 +39,25 @@ class RefinedSpectrum {
     /// are as slow or grow: Im >= 0, of form planar_damped whirl set, zero modes beside them.
     /// @throws linalg::SolverError where they are not all found
     [[nodiscard]] Spectrum modes(double speed, int wanted);
+
+    /// At the slowest and the fastest of these speeds the planar shapes are examined: all modes
+    /// wanted are found on the whole rotor and counted, and left_out() measured.
+    void expect_reduced(const std::vector<double> &speeds, int wanted);
+
+    /// As modes(), of the rotor on planar shapes that were examined, no eigenvalue refined: for
+    /// what is discrete, as names of lines.
+    [[nodiscard]] Spectrum reduced_modes(double speed, int wanted);
+    /// By how much eigenvalues of reduced_modes() may be off, of their moduli: four times the most
+    /// that they were where they were examined.
+    [[nodiscard]] double left_out() const;
+
+    /// States and rates of modes on the planar shapes of the range expected last, for the products
+    /// by which modes are followed over it: these need no more than two or three digits. Nothing
+    /// where none was expected, or of a rotor of few unknowns.
+    /// @param right,left  y^T Q = 0, over the unknowns of the form
+    [[nodiscard]] std::optional<ModeBasis> basis(double speed, const Eigen::VectorXcd &values,
+                                                 const Eigen::MatrixXcd &right,
+                                                 const Eigen::MatrixXcd &left) const;
 
     /// Modes near guesses of their eigenvalues and shapes, one for each; none where they cannot be
     /// found from these.

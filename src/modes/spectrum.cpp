@@ -73,8 +73,13 @@ void SpectrumSolver::expect(const std::vector<double> &speeds, int wanted) const
     const bool planar = _data->form == results::Form::planar;
     if ((planar || _data->form == results::Form::hyperbolic) && !_data->tables)
         _data->at_speed(_data->symmetric, 0, planar).expect(static_cast<int>(speeds.size()));
-    if (refines() && !speeds.empty())
-        _data->refined().expect(speeds, wanted + _data->most_zero_modes(speeds.front()));
+    if (!refines() || speeds.empty())
+        return;
+    const int all = wanted + _data->most_zero_modes(speeds.front());
+    if (_data->reduced_roots)
+        _data->refined().expect_reduced(speeds, all);
+    else
+        _data->refined().expect(speeds, all);
 }
 
 bool SpectrumSolver::carries_over(bool follow) const {
@@ -83,6 +88,12 @@ bool SpectrumSolver::carries_over(bool follow) const {
 }
 
 void SpectrumSolver::take_all_unknowns() const { _data->all_unknowns = true; }
+
+void SpectrumSolver::take_reduced_roots() const { _data->reduced_roots = true; }
+
+double SpectrumSolver::left_out() const {
+    return refines() && _data->reduced_roots ? _data->refined().left_out() : 0;
+}
 
 bool SpectrumSolver::refines() const {
     return !_data->all_unknowns &&
@@ -93,7 +104,9 @@ Spectrum SpectrumSolver::damped(double speed, int wanted, Errors errors) const {
     const bool planar = _data->form == results::Form::planar_damped;
     if (refines()) {
         try {
-            Spectrum found = _data->refined().modes(speed, wanted);
+            const bool reduced = _data->reduced_roots || errors == Errors::of_right_vectors;
+            Spectrum found = reduced ? _data->refined().reduced_modes(speed, wanted)
+                                     : _data->refined().modes(speed, wanted);
             return _data->planar_as_real() ? as_planar(std::move(found), speed) : found;
         } catch (const linalg::SolverError &) { // all unknowns decide
         }

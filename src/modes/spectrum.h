@@ -35,6 +35,8 @@ class SpectrumSolver {
 
     /// The `wanted` whirl modes with the lowest frequencies (all, where there are fewer), and those
     /// of zero frequency, of free rigid motions, beside them.
+    /// @param errors  of right vectors: damped ones in the fixed frame are those of the reduced
+    ///                rotor, as after take_reduced_roots()
     /// @throws model::AnalysisFailure where they cannot be found.
     [[nodiscard]] Spectrum at(double speed, int wanted,
                               Errors errors = Errors::with_left_vectors) const;
@@ -52,6 +54,13 @@ class SpectrumSolver {
     void take_all_unknowns() const;
     /// Whether modes are those of shapes refined on the whole rotor (refined_spectrum.h).
     [[nodiscard]] bool refines() const;
+
+    /// From now on damped forms of the fixed frame on planar shapes, refined nowhere but by near():
+    /// for what is discrete, as names of lines.
+    void take_reduced_roots() const;
+    /// By how much eigenvalues of such modes were off at the most where they were refined as well,
+    /// of their moduli; 0 of all others.
+    [[nodiscard]] double left_out() const;
 
     /// Form rotating: by a reduced rotor over the range of these speeds, where one suffices.
     void follow(const std::vector<double> &speeds, int wanted) const;

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace whirl::modes {
 
@@ -66,17 +68,23 @@ struct Vectors {
     bool left_known = true;
 };
 
+/// Left vectors of the damped forms and of rotating axes.
+Eigen::MatrixXcd left_in(Form form, const FormMatrices &matrices, double speed, const Vectors &of) {
+    if (form == Form::planar_damped) // complex symmetric
+        return of.right;
+    // Modes that share a frequency at rest are turned among themselves, their left vectors not.
+    if (matrices.mirrored() && (form == Form::general || !of.left_known))
+        return mirrored_vectors(of.right);
+    return of.left_known ? of.left : left_vectors(matrices.at(speed), of.values, of.right);
+}
+
 ModeBasis basis_in(Form form, const FormMatrices &matrices, double speed, const Vectors &of) {
     if (form == Form::planar_damped)
         return basis_of(matrices.complex_at(speed), of.values, of.right);
-    const QuadraticAt problem = matrices.at(speed);
     if (form == Form::planar || form == Form::hyperbolic)
-        return basis_of(problem, Eigen::VectorXd(of.values.real()),
+        return basis_of(matrices.at(speed), Eigen::VectorXd(of.values.real()),
                         Eigen::MatrixXd(of.right.real()));
-    // Modes that share a frequency at rest are turned among themselves, their left vectors not.
-    const bool as_found = of.left_known && !(form == Form::general && matrices.mirrored());
-    return as_found ? basis_of(problem, of.values, of.right, of.left)
-                    : basis_of(problem, of.values, of.right, matrices.mirrored());
+    return basis_of(matrices.at(speed), of.values, of.right, left_in(form, matrices, speed, of));
 }
 
 } // namespace
@@ -97,7 +105,11 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
         if (of.left_known)
             of.left.col(i) = mode.left;
     }
-    ModeBasis out = basis_in(form, matrices, spectrum.speed, of);
+    std::optional<ModeBasis> reduced;
+    if (refines() && !_data->planar_as_real())
+        reduced = _data->refined().basis(spectrum.speed, of.values, of.right,
+                                         left_in(form, matrices, spectrum.speed, of));
+    ModeBasis out = reduced ? *std::move(reduced) : basis_in(form, matrices, spectrum.speed, of);
     if (form == Form::rotating) {
         out.aliases = {out.complex_right.conjugate()};
         out.ways_back = {0};

@@ -25,6 +25,7 @@
 #include <complex>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -179,22 +180,22 @@ class CoupledRotor {
     [[nodiscard]] Complex followed(double from, Complex value, double to, int halvings = 0) const {
         // 1/16384 of the range: roots that meet in less are continued by the nearest.
         constexpr int most_halvings = 14;
-        const ends::Spectrum before = _motions.at(_range.s(from));
-        const ends::Spectrum after = _motions.at(_range.s(to));
-        const ends::Root &root = before.nearest(value);
-        const ends::Branches branches = ends::followed(before, after);
+        const std::shared_ptr<const ends::Spectrum> before = at(from);
+        const std::shared_ptr<const ends::Spectrum> after = at(to);
+        const ends::Root &root = before->nearest(value);
+        const ends::Branches branches = ends::followed(*before, *after);
         for (const ends::Branch &branch : branches.branches)
             if (branch.from == &root && branch.cluster == 0)
                 return branch.to->value;
         if (halvings == most_halvings)
-            return after.nearest(root.value).value;
+            return after->nearest(root.value).value;
         const double middle = (from + to) / 2;
         return followed(middle, followed(from, value, middle, halvings + 1), to, halvings + 1);
     }
 
     /// As the whole rotor has it; none where it does not swing or is not found there.
     [[nodiscard]] std::optional<Complex> of_whole(double q, Complex value) const {
-        const ends::Root root = _motions.at(_range.s(q)).nearest(value);
+        const ends::Root root = at(q)->nearest(value);
         const auto whole = _motions.of_whole(_motions.lifted(root, _range.s(q)));
         constexpr double same = 0.01; // the reduced rotor is better than that
         Complex found = root.value;
@@ -211,6 +212,18 @@ class CoupledRotor {
   private:
     CouplingRange _range;
     ends::AllMotions _motions;
+    /// A step ends where the next one begins.
+    mutable std::map<double, std::shared_ptr<const ends::Spectrum>> _known;
+
+    [[nodiscard]] std::shared_ptr<const ends::Spectrum> at(double q) const {
+        constexpr std::size_t most = 20; // as deep as steps are halved
+        if (_known.size() > most)
+            _known.clear();
+        std::shared_ptr<const ends::Spectrum> &known = _known[q];
+        if (!known)
+            known = std::make_shared<const ends::Spectrum>(_motions.at(_range.s(q)));
+        return known;
+    }
 };
 
 /// A motion at a coupling, N/m.

@@ -118,11 +118,12 @@ SynchronousModes on_shapes(const SynchronousProblem &problem, int wanted, double
     constexpr int most_repeats = 2; // where some roots are in doubt
     // Planar unknowns that may all be taken at last, by the dense decomposition that it needs.
     const int few = problem.conservative() ? 200 : 60;
+    // In both planes a shape makes two motions, one of which gyroscopic moments may hold off.
+    const int at_rest = problem.pairs() ? wanted / 2 + 4 : wanted + 2;
     for (int repeats = 0;; shared = nullptr) {
         SharedShapes own;
         if (shared == nullptr)
-            own =
-                repeats > most_repeats ? all_shapes(d, reach) : shapes_up_to(d, reach, wanted + 2);
+            own = repeats > most_repeats ? all_shapes(d, reach) : shapes_up_to(d, reach, at_rest);
         const Eigen::MatrixXd &shapes = shared != nullptr ? shared->shapes : own.shapes;
         reach = shared != nullptr ? shared->reach : own.reach;
         SynchronousModes out = followed_modes(problem, roots, shapes, wanted, top);

@@ -29,7 +29,8 @@ bool comes_from_beyond(const Line &line, const std::vector<modes::Spectrum> &spe
 } // namespace
 
 ModeNames::ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRange &range, int modes,
-                     bool follow, const ModesToName &wanted) {
+                     bool follow, const ModesToName &wanted)
+    : _solver(&solver) {
     const std::vector<double> named_at = naming_speeds(range);
     const std::vector<double> nodes = followed_speeds(solver.discretization().rotor(), range);
     _speeds = nodes;
@@ -92,29 +93,51 @@ std::string ModeNames::of(double speed, std::size_t place) const {
     return k && place < _names[*k].size() ? _names[*k][place] : "";
 }
 
+double ModeNames::away(std::size_t k, std::size_t place, const modes::WhirlMode &mode,
+                       const Sought &sought) const {
+    const double step = sought.speed - _speeds[k];
+    const Eigen::VectorXcd &rates = step < 0 ? _rates[k].below : _rates[k].above;
+    const std::complex<double> rate = rates(static_cast<Eigen::Index>(place));
+    const bool known = std::isfinite(rate.real()) && std::isfinite(rate.imag());
+    return std::abs(mode.eigenvalue + (known ? rate * step : 0.0) - sought.value);
+}
+
 std::string ModeNames::nearest(double solved, const Sought &sought) const {
     const auto k = place_of(solved);
     if (!k)
         return "";
-    const double step = sought.speed - solved;
-    const Eigen::VectorXcd &rates = step < 0 ? _rates[*k].below : _rates[*k].above;
-    std::vector<std::pair<double, std::string>> near;
-    for (std::size_t i = 0; i < _spectra[*k].modes.size(); ++i) {
-        const modes::WhirlMode &mode = _spectra[*k].modes[i];
-        const std::complex<double> rate = rates(static_cast<Eigen::Index>(i));
-        const bool known = std::isfinite(rate.real()) && std::isfinite(rate.imag());
-        const double away = std::abs(mode.eigenvalue + (known ? rate * step : 0.0) - sought.value);
-        if (sought.qualifies(mode) && away < sought.within)
-            near.emplace_back(away, of(solved, i));
-    }
+    // A name is one of a few: eigenvalues that are off by that much decide it, unless two modes are
+    // about as near, or one is about as near as it may be. These are refined.
+    const double off = _solver->left_out() * std::abs(sought.value);
+    const double rounding = (sought.speed == solved ? 1e-9 : 1e-4) * std::abs(sought.value);
+    const std::vector<modes::WhirlMode> &modes = _spectra[*k].modes;
+    std::vector<Candidate> near;
+    for (std::size_t i = 0; i < modes.size(); ++i)
+        if (const double distance = away(*k, i, modes[i], sought);
+            sought.qualifies(modes[i]) && distance < sought.within + off)
+            near.push_back({distance, of(solved, i), i});
+    const auto best = [&near] { return *std::ranges::min_element(near, {}, &Candidate::away); };
+    const auto clear_by = [&](double slack) {
+        return std::ranges::all_of(near, [&](const Candidate &other) {
+            return other.name == best().name ||
+                   other.away - slack > sought.clear * (best().away + slack) + rounding;
+        });
+    };
     if (near.empty())
         return "";
-    const auto best = std::ranges::min_element(near);
-    const double rounding = (step == 0 ? 1e-9 : 1e-4) * std::abs(sought.value);
-    const bool sure = std::ranges::all_of(near, [&](const auto &other) {
-        return other.second == best->second || other.first > sought.clear * best->first + rounding;
-    });
-    return sure ? best->second : "";
+    if (off > 0 && !(best().away + off < sought.within && clear_by(off))) {
+        for (Candidate &candidate : near) {
+            const std::vector<modes::WhirlMode> refined =
+                _solver->near(solved, {modes[candidate.place]});
+            if (refined.empty())
+                return "";
+            candidate.away = away(*k, candidate.place, refined.front(), sought);
+        }
+        std::erase_if(near, [&](const Candidate &of) { return !(of.away < sought.within); });
+        if (near.empty())
+            return "";
+    }
+    return clear_by(0) ? best().name : "";
 }
 
 std::optional<ModeNames> mode_names(const modes::SpectrumSolver &solver,

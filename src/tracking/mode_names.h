@@ -30,6 +30,7 @@ class ModeNames {
   public:
     /// @param range   the speeds of the case
     /// @param modes   of its Campbell diagram
+    /// @param solver  must outlive this
     /// @param follow  as in spectra_at
     /// @throws model::AnalysisFailure where modes are not found, or not with the spectra allowed.
     ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRange &range, int modes,
@@ -55,12 +56,23 @@ class ModeNames {
     [[nodiscard]] std::string nearest(double solved, const Sought &sought) const;
 
   private:
+    const modes::SpectrumSolver *_solver;
     std::vector<double> _speeds;
     std::vector<modes::Spectrum> _spectra;
     std::vector<Rates> _rates;
     std::vector<std::vector<std::string>> _names; ///< of each mode at each speed
 
+    /// A mode that may be the one sought.
+    struct Candidate {
+        double away; ///< from the value sought, 1/s
+        std::string name;
+        std::size_t place;
+    };
+
     [[nodiscard]] std::optional<std::size_t> place_of(double speed) const;
+    /// @param modes  of the spectrum of that speed, some of them refined
+    [[nodiscard]] double away(std::size_t k, std::size_t place, const modes::WhirlMode &mode,
+                              const Sought &sought) const;
 };
 
 /// The names, or none where modes are not found.

@@ -179,8 +179,12 @@ class ModeFollower {
             return nullptr;
         --_budget;
         --_left_in_step;
+        // What is solved in between is not listed: the reduced rotor tells which mode becomes
+        // which.
+        const modes::Errors errors =
+            _solver.refines() ? modes::Errors::of_right_vectors : modes::Errors::with_left_vectors;
         try {
-            return node(_solver.at(middle, wanted));
+            return node(_solver.at(middle, wanted, errors));
         } catch (const model::AnalysisFailure &) { // a speed that nobody asked for
             return nullptr;
         }

@@ -205,6 +205,51 @@ TEST(RefinedModes, OneThatIsLeftOutIsMissed) {
     EXPECT_GT(seen, 200);
 }
 
+/// Those of the shapes alone: as many as of the state matrix, each no farther from one of these
+/// than is said to be left out, and refined the same.
+TEST(RefinedModes, ReducedOnesAreOffByWhatIsLeftOut) {
+    constexpr double rounding = 1e-6; // of dgeev, as above
+    tests::Random random(17);
+    double most = 0;
+    for (int draw = 0; draw < 12; ++draw) {
+        SCOPED_TRACE(draw);
+        const bool isotropic = draw % 2 == 0;
+        const model::Rotor rotor = sample_rotor(random, isotropic, isotropic ? 10 : 7);
+        const SpectrumSolver solver(rotor, isotropic ? Form::planar_damped : Form::general, 4);
+        solver.take_reduced_roots();
+        solver.expect(sweep(1500, 11), 8);
+        EXPECT_LT(solver.left_out(), 0.08); // else there would have been more shapes
+        most = std::max(most, solver.left_out());
+        for (const double speed : {210.0, 1130.0}) {
+            const Spectrum found = solver.at(speed, 8);
+            const std::vector<Complex> all = dense(solver.discretization(), speed);
+            ASSERT_EQ(found.modes.size(), 8U);
+            const auto nearest = [&all](Complex value) {
+                return *std::ranges::min_element(
+                    all, {}, [value](const Complex &other) { return std::abs(other - value); });
+            };
+            double last = 0;
+            for (const WhirlMode &mode : found.modes) {
+                const double off = std::abs(nearest(mode.eigenvalue) - mode.eigenvalue);
+                EXPECT_LE(off, (solver.left_out() + rounding) * std::abs(mode.eigenvalue))
+                    << mode.eigenvalue << " at " << speed;
+                last = std::max(last, mode.eigenvalue.imag());
+                for (const WhirlMode &refined : solver.near(speed, {mode}))
+                    EXPECT_LE(std::abs(nearest(refined.eigenvalue) - refined.eigenvalue),
+                              rounding * std::abs(refined.eigenvalue));
+            }
+            const auto slower = std::ranges::count_if(all, [&](const Complex &value) {
+                return value.imag() > real_axis * std::abs(value) &&
+                       value.imag() < (1 - 0.02) * last &&
+                       std::abs(value) < (1 - 0.02) * found.complete_radius;
+            });
+            EXPECT_LE(slower, 8);
+            EXPECT_GE(slower, 4);
+        }
+    }
+    EXPECT_GT(most, 1e-9); // some rotor was reduced
+}
+
 TEST(RefinedModes, AreThoseOfAllUnknowns) {
     tests::Random random(12);
     for (int draw = 0; draw < 20; ++draw) {

@@ -65,26 +65,38 @@ std::optional<results::Form> form_for_names(const model::Case &scene) {
 /// The names come beside the answer: spectra that may be solved for them alone.
 constexpr int most_more = 60;
 
-std::optional<tracking::ModeNames> names_of(const model::Case &scene, results::Form form, int order,
+std::optional<tracking::ModeNames> names_of(const ModesBeside &modes, results::Form form,
                                             tracking::ModesToName wanted) {
+    const model::Case &scene = modes.scene();
     if (form == results::Form::general)
         wanted.most_more = most_more;
-    const modes::SpectrumSolver solver(scene.rotor, form, order);
-    if (!scene.reduction)
-        solver.take_all_unknowns();
-    return tracking::mode_names(solver, *scene.speeds, scene.campbell.modes, scene.reduction,
-                                wanted);
+    return tracking::mode_names(modes.in(form), *scene.speeds, scene.campbell.modes,
+                                scene.reduction, wanted);
 }
 
 } // namespace
 
-void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const model::Case &scene,
-                int order) {
-    const auto form = critical_speeds.empty() ? std::nullopt : form_for_names(scene);
+ModesBeside::ModesBeside(const model::Case &scene, int order) : _scene(scene), _order(order) {}
+
+ModesBeside::~ModesBeside() = default;
+
+const modes::SpectrumSolver &ModesBeside::in(results::Form form) const {
+    if (!_solver || _solver->form() != form) {
+        _solver = std::make_unique<modes::SpectrumSolver>(_scene.rotor, form, _order);
+        if (_scene.reduction)
+            _solver->take_reduced_roots();
+        else
+            _solver->take_all_unknowns();
+    }
+    return *_solver;
+}
+
+void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const ModesBeside &modes) {
+    const auto form = critical_speeds.empty() ? std::nullopt : form_for_names(modes.scene());
     if (!form)
         return;
     const auto names =
-        names_of(scene, *form, order, {speeds_of(critical_speeds), true, tracking::near_spin});
+        names_of(modes, *form, {speeds_of(critical_speeds), true, tracking::near_spin});
     if (!names)
         return;
     std::vector<std::pair<std::complex<double>, results::Whirl>> values;
@@ -95,9 +107,9 @@ void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const mode
         critical_speeds[i].mode = std::move(found[i]);
 }
 
-void name_modes(std::vector<results::ResponsePeak> &peaks, const model::Case &scene, int order,
+void name_modes(std::vector<results::ResponsePeak> &peaks, const ModesBeside &modes,
                 const PeakDrive &drive) {
-    const auto form = peaks.empty() ? std::nullopt : form_for_names(scene);
+    const auto form = peaks.empty() ? std::nullopt : form_for_names(modes.scene());
     if (!form)
         return;
     const std::vector<double> solved = few_speeds(speeds_of(peaks));
@@ -106,7 +118,7 @@ void name_modes(std::vector<results::ResponsePeak> &peaks, const model::Case &sc
         return std::abs(spectrum.modes[place].eigenvalue - driven) <
                tracking::resonant * driven.imag();
     };
-    const auto names = names_of(scene, *form, order, {solved, false, near_drive});
+    const auto names = names_of(modes, *form, {solved, false, near_drive});
     if (!names)
         return;
     // What turns with an isotropic rotor on isotropic bearings drives no backward whirl.
@@ -167,18 +179,18 @@ bool at_an_end(std::complex<double> value, double speed,
 
 } // namespace
 
-void name_modes(std::vector<results::StabilityEnd> &ends, const model::Case &scene,
-                results::Form form, int order) {
+void name_modes(std::vector<results::StabilityEnd> &ends, const ModesBeside &modes,
+                results::Form form) {
     std::vector<double> speeds;
     for (const results::StabilityEnd &end : ends)
         if (end.kind == results::EndKind::pair)
             speeds.push_back(end.speed);
-    if (speeds.empty() || !has_lines(scene) || results::in_rotating_axes(form))
+    if (speeds.empty() || !has_lines(modes.scene()) || results::in_rotating_axes(form))
         return;
     const auto which = [&ends](const modes::Spectrum &spectrum, std::size_t place) {
         return at_an_end(spectrum.modes[place].eigenvalue, spectrum.speed, ends);
     };
-    const auto names = names_of(scene, form, order, {speeds, false, which, most_more});
+    const auto names = names_of(modes, form, {speeds, false, which, most_more});
     if (!names)
         return;
     for (results::StabilityEnd &end : ends)

@@ -7,15 +7,42 @@
 #include "results/stability.h"
 
 #include <cmath>
+#include <memory>
 #include <vector>
+
+namespace whirl::modes {
+class SpectrumSolver;
+}
 
 namespace whirl::analyses {
 
+/// Whirl modes of the rotor of a case for what is said beside its numbers: names, and whether
+/// motions grow. Damped ones are those of the reduced rotor, refined only where that decides
+/// something; by `reduction = "off"` of the whole one.
+class ModesBeside {
+  public:
+    /// @param scene  must outlive this
+    /// @param order  of the shaft elements
+    ModesBeside(const model::Case &scene, int order);
+    ~ModesBeside();
+    ModesBeside(const ModesBeside &) = delete;
+    ModesBeside &operator=(const ModesBeside &) = delete;
+    ModesBeside(ModesBeside &&) = delete;
+    ModesBeside &operator=(ModesBeside &&) = delete;
+
+    [[nodiscard]] const model::Case &scene() const { return _scene; }
+    /// Made for the form that is asked for last.
+    [[nodiscard]] const modes::SpectrumSolver &in(results::Form form) const;
+
+  private:
+    const model::Case &_scene;
+    int _order;
+    mutable std::unique_ptr<modes::SpectrumSolver> _solver;
+};
+
 /// Names the mode of each critical speed, where its line of the Campbell diagram is sure; none in
 /// rotating axes, nor with balancers, where following the lines takes seconds.
-/// @param order  of the shaft elements
-void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const model::Case &scene,
-                int order);
+void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const ModesBeside &modes);
 
 /// What drives the peaks whose modes are to be named.
 struct PeakDrive {
@@ -29,16 +56,14 @@ struct PeakDrive {
 };
 /// Names the mode that is nearest to resonance at each peak: the least |l - i frequency|; none
 /// where critical speeds get none.
-/// @param order  of the shaft elements
-void name_modes(std::vector<results::ResponsePeak> &peaks, const model::Case &scene, int order,
+void name_modes(std::vector<results::ResponsePeak> &peaks, const ModesBeside &modes,
                 const PeakDrive &drive = {});
 
 /// Names the mode that passes the imaginary axis at each end of kind pair; none at other ends,
 /// where a motion stands still or two meet, nor where critical speeds get none, nor where the lines
 /// of a large rotor can be followed neither on few shapes nor through few speeds.
-/// @param form   in which the lines are followed
-/// @param order  of the shaft elements
-void name_modes(std::vector<results::StabilityEnd> &ends, const model::Case &scene,
-                results::Form form, int order);
+/// @param form  in which the lines are followed
+void name_modes(std::vector<results::StabilityEnd> &ends, const ModesBeside &modes,
+                results::Form form);
 
 } // namespace whirl::analyses

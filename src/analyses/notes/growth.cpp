@@ -46,7 +46,12 @@ double growth_at(const modes::SpectrumSolver &solver, double speed, int wanted) 
     double out = 0;
     for (const double real : spectrum.growing)
         out = std::max(out, real);
-    for (const modes::WhirlMode &mode : spectrum.modes) {
+    for (const modes::WhirlMode &found : spectrum.modes) {
+        const double left_out = solver.left_out() * std::abs(found.eigenvalue);
+        modes::WhirlMode mode = found;
+        if (left_out > 0 && mode.eigenvalue.real() > -left_out)
+            for (modes::WhirlMode &refined : solver.near(speed, {found}))
+                mode = std::move(refined);
         // Of frequency or speed, where the solver states hardly any error: an undamped
         // rotor must not grow.
         constexpr double always = 1e-9;
@@ -60,7 +65,8 @@ double growth_at(const modes::SpectrumSolver &solver, double speed, int wanted) 
 
 } // namespace
 
-void note_growing_motions(const model::Case &scene, results::ModelSummary &model) {
+void note_growing_motions(const ModesBeside &beside, results::ModelSummary &model) {
+    const model::Case &scene = beside.scene();
     if (!may_grow(scene.rotor) || !scene.speeds)
         return;
     const std::vector<double> speeds = some_speeds(*scene.speeds);
@@ -70,8 +76,7 @@ void note_growing_motions(const model::Case &scene, results::ModelSummary &model
     try {
         model::Case free = scene;
         free.formulation = model::FormChoice::automatic;
-        const modes::SpectrumSolver solver(scene.rotor, modes::choose_formulation(free).form,
-                                           model.order);
+        const modes::SpectrumSolver &solver = beside.in(modes::choose_formulation(free).form);
         solver.expect(speeds, scene.campbell.modes);
         for (const double speed : speeds) {
             const double growth = growth_at(solver, speed, scene.campbell.modes);

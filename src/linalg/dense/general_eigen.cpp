@@ -19,11 +19,10 @@ void zgehrd_(const PetscBLASInt *n, const PetscBLASInt *low, const PetscBLASInt 
 void zunghr_(const PetscBLASInt *n, const PetscBLASInt *low, const PetscBLASInt *high,
              std::complex<double> *A, const PetscBLASInt *lda, const std::complex<double> *tau,
              std::complex<double> *work, const PetscBLASInt *room, PetscBLASInt *failed);
-void zlahqr_(const PetscBLASInt *schur, const PetscBLASInt *vectors, const PetscBLASInt *n,
-             const PetscBLASInt *low, const PetscBLASInt *high, std::complex<double> *H,
-             const PetscBLASInt *ldh, std::complex<double> *values, const PetscBLASInt *first,
-             const PetscBLASInt *last, std::complex<double> *Z, const PetscBLASInt *ldz,
-             PetscBLASInt *failed);
+void zhseqr_(const char *schur, const char *vectors, const PetscBLASInt *n, const PetscBLASInt *low,
+             const PetscBLASInt *high, std::complex<double> *H, const PetscBLASInt *ldh,
+             std::complex<double> *values, std::complex<double> *Z, const PetscBLASInt *ldz,
+             std::complex<double> *work, const PetscBLASInt *room, PetscBLASInt *failed);
 void ztrevc_(const char *side, const char *which, const PetscBLASInt *selected,
              const PetscBLASInt *n, std::complex<double> *T, const PetscBLASInt *ldt,
              std::complex<double> *left, const PetscBLASInt *ldl, std::complex<double> *right,
@@ -124,7 +123,6 @@ Eigen::VectorXcd general_eigenvalues(Eigen::MatrixXd A) {
 ComplexEigen general_eigen(Eigen::MatrixXcd A) {
     const auto n = static_cast<PetscBLASInt>(A.rows());
     const PetscBLASInt one = 1;
-    const PetscBLASInt yes = 1;
     const PetscBLASInt room = 34 * std::max<PetscBLASInt>(n, 1); // blocks of up to 33 columns
     PetscBLASInt failed = 0;
     Eigen::VectorXcd work(room);
@@ -137,8 +135,8 @@ ComplexEigen general_eigen(Eigen::MatrixXcd A) {
         A.col(j).tail(n - j - 2).setZero();
     ComplexEigen out{Eigen::VectorXcd(n), Eigen::MatrixXcd(n, n), Eigen::MatrixXcd(n, n), {}};
     if (failed == 0)
-        zlahqr_(&yes, &yes, &n, &one, &n, A.data(), &n, out.values.data(), &one, &n, Q.data(), &n,
-                &failed);
+        zhseqr_("S", "V", &n, &one, &n, A.data(), &n, out.values.data(), Q.data(), &n, work.data(),
+                &room, &failed);
     PetscBLASInt found = 0;
     Eigen::VectorXd real_work(std::max<PetscBLASInt>(n, 1));
     if (failed == 0)

@@ -149,6 +149,39 @@ template <class Scalar> DenseQuadratic<Scalar> ReducedForm::at(double speed) con
 template DenseQuadratic<double> ReducedForm::at(double) const;
 template DenseQuadratic<std::complex<double>> ReducedForm::at(double) const;
 
+ModeBasis ReducedForm::basis(double speed, const Eigen::VectorXcd &values,
+                             const Eigen::MatrixXcd &right, const Eigen::MatrixXcd &left) const {
+    const std::complex<double> i(0, 1);
+    const bool tables = _whole.discretization().rotor().bearings_depend_on_speed();
+    DenseQuadraticAt out;
+    out.M = _M.cast<std::complex<double>>();
+    out.smooth = !tables;
+    out.K = Eigen::MatrixXcd::Zero(_M.rows(), _M.cols());
+    for (Eigen::MatrixXcd *A : {&out.below.D, &out.below.K, &out.above.D, &out.above.K})
+        *A = out.K;
+    const auto add = [&](Part part, std::complex<double> factor) {
+        const Terms &terms = part == Part::real ? _real : _imaginary;
+        const FormMatrices::SupportRates change =
+            tables ? _whole.support_rates(speed, part) : FormMatrices::SupportRates{};
+        out.K += factor * at(speed, part).K;
+        for (const auto &[rates, of] :
+             {std::pair(&out.below, &change.below), std::pair(&out.above, &change.above)}) {
+            Eigen::MatrixXd D = terms.Ds;
+            Eigen::MatrixXd K = terms.Ks;
+            if (*of) {
+                add_few((*of)->D, 1, D);
+                add_few((*of)->K, 1, K);
+            }
+            rates->D += factor * D;
+            rates->K += factor * K;
+        }
+    };
+    add(Part::real, 1);
+    if (_planes == 1)
+        add(Part::imaginary, i);
+    return basis_of(out, values, right, left);
+}
+
 Eigen::VectorXcd ReducedForm::lifted(const Eigen::VectorXcd &reduced) const {
     if (is_whole())
         return reduced;

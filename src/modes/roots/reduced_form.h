@@ -1,5 +1,6 @@
 #pragma once
 
+#include "modes/biorthogonal.h"
 #include "modes/form_matrices.h"
 #include "modes/roots/roots.h"
 
@@ -29,6 +30,12 @@ class ReducedForm {
     template <class Scalar>
     [[nodiscard]] std::optional<Root> iterated(const DenseQuadratic<Scalar> &problem,
                                                Root guess) const;
+
+    /// States and rates of modes at a speed.
+    /// @param right,left  y^T Q = 0, over the amplitudes
+    [[nodiscard]] ModeBasis basis(double speed, const Eigen::VectorXcd &values,
+                                  const Eigen::MatrixXcd &right,
+                                  const Eigen::MatrixXcd &left) const;
 
     [[nodiscard]] const std::vector<Eigen::MatrixXd> &shapes() const { return _shapes; }
     [[nodiscard]] bool is_whole() const { return _shapes.empty(); }

@@ -1,8 +1,10 @@
 #include "modes/roots/roots.h"
 
 #include "linalg/check.h"
+#include "linalg/dense/complex_factors.h"
 #include "linalg/dense/general_eigen.h"
 #include "linalg/dense/products.h"
+#include "linalg/symmetric_eigen.h"
 #include "linalg/unit_scales.h"
 
 #include <Eigen/LU>
@@ -187,6 +189,25 @@ std::vector<Root> all_roots(const DenseQuadratic<Scalar> &unscaled, double shift
         out.push_back(std::move(root));
     }
     drop_zeros(out, zeros, [](const Root &root) { return std::abs(root.value); });
+    return out;
+}
+
+Root with_vectors(const DenseQuadratic<double> &p, Complex value) {
+    constexpr double offset = 1e-8; // of the value: far above its rounding, and nearer than others
+    constexpr int solves = 2;
+    const Complex l = value * (1 + offset);
+    linalg::ComplexFactors factors;
+    if (!factors.factorize((l * l * p.M.cast<Complex>() + l * p.D.cast<Complex>()).eval() +
+                           p.K.cast<Complex>()))
+        throw linalg::SolverError("the matrix beside an eigenvalue is singular");
+    Root out;
+    out.value = value;
+    out.right = linalg::deterministic_vector(static_cast<int>(p.M.rows())).cast<Complex>();
+    out.left = out.right;
+    for (int solve = 0; solve < solves; ++solve) {
+        out.right = factors.solution(std::move(out.right)).normalized();
+        out.left = factors.adjoint_solution(std::move(out.left)).normalized();
+    }
     return out;
 }
 

@@ -50,4 +50,9 @@ template <class Scalar>
 [[nodiscard]] std::vector<std::complex<double>> all_values(const DenseQuadratic<double> &problem,
                                                            double shift, int zeros);
 
+/// The eigenvalue with its vectors, by inverse iteration from both sides; without rate and noise.
+/// @param value  as all_values() has it
+/// @throws linalg::SolverError
+[[nodiscard]] Root with_vectors(const DenseQuadratic<double> &problem, std::complex<double> value);
+
 } // namespace whirl::modes

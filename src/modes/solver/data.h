@@ -42,7 +42,8 @@ struct SpectrumSolver::Data {
     std::unique_ptr<periodic::WholeRotor> series;        ///< form hill: single motions
     std::map<double, Spectrum> neighbours;               ///< with floquet: next to some speeds
     int refinement;
-    bool all_unknowns = false; ///< damped forms of the fixed frame: no shapes
+    bool all_unknowns = false;  ///< damped forms of the fixed frame: no shapes
+    bool reduced_roots = false; ///< the same: on shapes alone
 
     Data(const model::Rotor &rotor, results::Form which, int order, int parts, int harmonics,
          std::shared_ptr<const Eigen::MatrixXd> reduction_basis = nullptr)
