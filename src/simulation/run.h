@@ -26,6 +26,8 @@ class Run {
 
     /// Time, speed, series, integrator, audit, stations; amplitudes of balancers.
     void fill(results::SimulateResult &result);
+    /// Between two times at one speed.
+    [[nodiscard]] results::HeldMotion motion_between(double from, double until) const;
     [[nodiscard]] model::Restart restart() const;
 
   private:
@@ -55,6 +57,7 @@ class Run {
     [[nodiscard]] Eigen::VectorXd first_state() const;
     [[nodiscard]] std::vector<double> stops() const;
     void begin(const model::Restart *from);
+    void disturb(double time, Eigen::VectorXd &state) const;
     void pass_jump(double time);
     bool reach(double stop);
     void step(double stop);

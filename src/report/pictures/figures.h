@@ -18,6 +18,8 @@ struct CampbellMode;
 struct CampbellResult;
 struct CriticalMap;
 struct ForceResponse;
+struct HeldSweep;
+struct ManyStarts;
 struct HarmonicMotion;
 struct Level1;
 struct ModeShape;
@@ -160,6 +162,15 @@ struct ModeCurves {
 /// Steady states: the largest amplitude of the balancers' planes over spin speed, branch by branch,
 /// coloured by what the balls do, stable ones solid and unstable ones dashed, with their borders.
 [[nodiscard]] Figure states_figure(const model::Case &scene, const results::SteadyStates &states,
+                                   const Units &units);
+
+/// The same with the motions of a sweep in time over them, up and down.
+[[nodiscard]] Figure held_sweep_figure(const model::Case &scene, const results::HeldSweep &sweep,
+                                       const Units &units);
+
+/// Where motions end, over two of the angles at which their balls start: a coloured cell each of a
+/// grid, a point each of random starts; and the angles of the states.
+[[nodiscard]] Figure starts_figure(const model::Case &scene, const results::ManyStarts &starts,
                                    const Units &units);
 
 /// Where along the shaft one balancer, and two, would work: the criterion over position and speed
