@@ -3,6 +3,7 @@
 #include "balancers/kind.h"
 #include "balancing/free_balancers.h"
 #include "balancing/weights.h"
+#include "closed_form/dry_friction.h"
 #include "forced/imbalance_motions.h"
 #include "forced/response_places.h"
 #include "linalg/dense/singular_values.h"
@@ -78,6 +79,24 @@ std::vector<Capacity> capacities_of(const model::Rotor &rotor,
         for (const balancers::CircledMass &mass : kind->circled())
             capacity.longest = std::max(capacity.longest, mass.moment);
     }
+    return out;
+}
+
+/// The two balls that resist rolling where they are all that is free on an axisymmetric rotor:
+/// their mass, radius and friction; the rest of it depends on the speed. None of all others.
+std::optional<closed_form::DryBalls> dry_balls(const model::Rotor &rotor) {
+    if (rotor.balancers.size() != 1)
+        return std::nullopt;
+    const auto *balls = std::get_if<model::Balls>(&rotor.balancers.front().parts);
+    if (!balls || balls->rows.size() != 1)
+        return std::nullopt;
+    const model::BallRow &row = balls->rows.front();
+    if (row.n != 2 || row.rolling <= 0)
+        return std::nullopt;
+    closed_form::DryBalls out;
+    out.mass = row.mass;
+    out.radius = row.radius;
+    out.friction = 2 * row.rolling / row.diameter;
     return out;
 }
 
@@ -341,7 +360,8 @@ class SupplyFinder {
           _any_direction(!results::in_rotating_axes(s.formulation.form)),
           _motions(_rotor, s.order, s.formulation.form, sets()),
           _places(s, _motions.discretization()), _capacities(capacities_of(scene.rotor, s.planes)),
-          _active(places_of(s.planes, _capacities)) {}
+          _active(places_of(s.planes, _capacities)),
+          _dry(_any_direction && any_balancer() ? dry_balls(scene.rotor) : std::nullopt) {}
 
     void add() {
         std::vector<double> speeds = _s.speeds;
@@ -369,8 +389,9 @@ class SupplyFinder {
     Places _places;
     std::vector<Capacity> _capacities;
     std::vector<Place> _active;
-    Eigen::VectorXcd _weights;               ///< empty: none are known
-    std::vector<double> _idle_weight_speeds; ///< asked for, but a resonance, rad/s
+    std::optional<closed_form::DryBalls> _dry; ///< in the only active plane
+    Eigen::VectorXcd _weights;                 ///< empty: none are known
+    std::vector<double> _idle_weight_speeds;   ///< asked for, but a resonance, rad/s
     results::BalanceSupply _out;
 
     [[nodiscard]] std::size_t set_count() const {
@@ -596,6 +617,25 @@ class SupplyFinder {
         return sum;
     }
 
+    /// Where two balls that resist rolling rest.
+    /// @param at  the motions at a speed; none: there are none
+    void add_friction(const AtSpeed *at, const std::optional<Eigen::VectorXcd> &needed) {
+        if (!_dry)
+            return;
+        const Index plane = _active.front().planes.front();
+        std::optional<closed_form::DryRest> rest;
+        if (at && needed) {
+            closed_form::DryBalls balls = *_dry;
+            balls.K = 1.0 / at->forward(plane, 1 + plane) - 2 * balls.mass;
+            balls.imbalance = std::abs((*needed)(plane));
+            rest = closed_form::dry_rest(balls);
+        }
+        auto &out = _out.planes[static_cast<std::size_t>(plane)].friction;
+        out.push_back(
+            rest ? std::optional(results::RestWithFriction{rest->residual, rest->from, rest->to})
+                 : std::nullopt);
+    }
+
     void add_left(const Motions &motions, const std::optional<Eigen::VectorXcd> &factors,
                   LeftMotion::Values LeftMotion::*of) {
         const auto value = [&](Index row) -> std::optional<double> {
@@ -629,6 +669,7 @@ class SupplyFinder {
         const Found none{supply, {}, {}};
         add_needed(none, &PlaneSupply::needed);
         add_needed(none, &PlaneSupply::beside_weights);
+        add_friction(nullptr, std::nullopt);
         _out.with_balancers.push_back(supply);
         _out.with_both.push_back(supply);
         _out.works.push_back(false);
@@ -657,6 +698,7 @@ class SupplyFinder {
         _out.works.push_back(works(at.real_matrix(first_planes())));
         const Found alone = found(at, none);
         add_needed(alone, &PlaneSupply::needed);
+        add_friction(&at, alone.needed);
         _out.with_balancers.push_back(alone.supply);
         add_left(motions, at.factors(none), &LeftMotion::nothing);
         add_left(motions, factors(alone.supplied, none), &LeftMotion::balancers);

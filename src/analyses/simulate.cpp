@@ -1,12 +1,14 @@
 #include "analyses/simulate.h"
 
 #include "analyses/limit_cycle.h"
+#include "analyses/many_starts.h"
 #include "balancers/kind.h"
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "process/processes.h"
 #include "results/formulation.h"
 #include "simulation/equations.h"
+#include "simulation/held_motion.h"
 #include "simulation/linear_growth.h"
 #include "simulation/outcome.h"
 #include "simulation/parts_at_rest.h"
@@ -109,6 +111,28 @@ void note_overlaps(const model::Case &scene, results::SimulateResult &result) {
     }
 }
 
+/// Steady states beside the motions of a sweep, its jumps, and what a reader must know of it.
+void judge_sweep(const model::Case &scene, results::SimulateResult &result) {
+    results::HeldSweep &sweep = *result.sweep;
+    std::vector<double> speeds;
+    std::vector<results::HeldMotion *> motions;
+    for (results::HeldMotion &motion : sweep.motions) {
+        motions.push_back(&motion);
+        if (motion.up)
+            speeds.push_back(motion.speed);
+    }
+    sweep.states = match_states(scene, speeds, motions, result.model.notes);
+    simulation::find_jumps(sweep);
+    const auto restless =
+        std::ranges::count_if(sweep.motions, [](const auto &m) { return !m.settled; });
+    if (restless > 0)
+        result.model.notes.emplace_back(
+            "{} of {} motions of the sweep had not settled when the speed went on: a longer "
+            "simulate.sweep.hold would tell",
+            restless, sweep.motions.size());
+    note_unstable(motions, sweep.states, result.model.notes);
+}
+
 /// What is known of the motion beside its course: where the balls are, and what the eigenvalues
 /// promise.
 void judge_balls(const model::Case &scene, int order, results::SimulateResult &result) {
@@ -151,6 +175,8 @@ results::SimulateResult motion_from(const model::Case &scene, simulation::Motion
     simulation::classify(scene, result);
     if (scene.simulate.cycle)
         add_limit_cycle(scene, motion, run, result);
+    if (result.sweep)
+        judge_sweep(scene, result);
     if (!failure.empty() && result.outcome != results::Outcome::growing)
         throw model::AnalysisFailure(failure);
     if (result.outcome == results::Outcome::growing && !scene.rotor.shaft.torque_has_potential())
@@ -200,12 +226,28 @@ results::SimulateResult simulate_alone(const model::Case &scene) {
 }
 
 results::SimulateResult simulate(const model::Case &scene, const model::Restart *from) {
-    if (process::process_rank() != 0)
+    const bool first = process::process_rank() == 0;
+    if (!first && !scene.simulate.starts)
         return {};
     simulation::MotionScene motion = simulation::motion_scene(scene);
-    results::SimulateResult result = motion_from(scene, motion, from);
-    if (!result.restart)
-        add_other_starts(scene, motion, result);
+    results::SimulateResult result;
+    const auto one_motion = [&] {
+        simulation::MotionScene own = motion;
+        result = motion_from(scene, own, from);
+        if (!result.restart)
+            add_other_starts(scene, own, result);
+        return !result.restart;
+    };
+    if (!scene.simulate.starts) {
+        static_cast<void>(one_motion());
+        return result;
+    }
+    std::vector<Sentence> notes;
+    results::ManyStarts starts = many_starts(scene, motion, one_motion, notes);
+    if (!first || result.restart)
+        return result;
+    result.starts = std::move(starts);
+    result.model.notes.insert(result.model.notes.end(), notes.begin(), notes.end());
     return result;
 }
 

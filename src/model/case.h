@@ -10,6 +10,7 @@
 #include "model/sweep.h"
 #include "model/weights.h"
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -79,6 +80,22 @@ struct CycleSettings {
     std::optional<SpeedRange> speeds; ///< over which it is followed
 };
 
+/// A speed of [simulate.sweep], which the run-up of the settings leads to.
+struct HeldSpeed {
+    bool up = true;   ///< reached from the speed below
+    double speed = 0; ///< rad/s
+    double from = 0;  ///< when the rotor has it, s
+    double until = 0; ///< until when, s
+};
+
+/// Entries of [simulate.starts]: many motions from other angles, told by where they end.
+struct StartsSettings {
+    bool grid = false;               ///< over two angles; else all are drawn at random
+    int count = 0;                   ///< of motions; of a grid in each direction
+    int seed = 1;                    ///< of the random numbers
+    std::array<int, 2> angles{0, 1}; ///< of a grid: their places among those of all balancers
+};
+
 /// Entries of [simulate].
 struct SimulateSettings {
     double time = 0;                               ///< s
@@ -100,6 +117,8 @@ struct SimulateSettings {
     double reduction_tolerance = 1e-3;  ///< relative error that keeping few modes may cause
     std::optional<CycleSettings> cycle; ///< empty: none is looked for
     std::filesystem::path restart;      ///< file of an interrupted run to go on from, or empty
+    std::optional<StartsSettings> starts;
+    std::vector<HeldSpeed> held; ///< of [simulate.sweep], in their order; at the end of `time`
 };
 
 /// A four-pendulum balancer in place of another one.

@@ -63,6 +63,20 @@ struct Need {
     bool works = false;
 };
 
+/// Where balls that resist rolling rest at one speed.
+struct Rest {
+    std::string plane;
+    double speed = 0;
+    std::optional<double> residual, from, to;
+};
+
+const Columns<Rest> rest_columns{
+    {ForReaders("Plane"), &Rest::plane},
+    {ForReaders("Speed"), Quantity::speed, &Rest::speed},
+    {ForReaders("Left at most", "{:.4g}"), Quantity::amplitude, &Rest::residual},
+    {ForReaders("Balls rest from", "{:.5g}"), Quantity::angle, &Rest::from},
+    {ForReaders("to", "{:.5g}"), Quantity::angle, &Rest::to}};
+
 /// What a place does at one speed.
 struct Left {
     std::string of, name;
@@ -141,6 +155,25 @@ std::vector<Need> needs_of(const BalanceResult &result, const std::vector<std::s
     return out;
 }
 
+std::vector<Rest> rests_of(const BalanceResult &result, const std::vector<std::size_t> &speeds) {
+    std::vector<Rest> out;
+    for (std::size_t p = 0; p < result.planes.size(); ++p)
+        for (const std::size_t k : speeds)
+            if (const auto &friction = result.supply->planes[p].friction; !friction.empty()) {
+                out.push_back({model::name_or_number(result.planes[p].name, "plane", p),
+                               result.speeds[k],
+                               {},
+                               {},
+                               {}});
+                if (friction[k]) {
+                    out.back().residual = friction[k]->residual;
+                    out.back().from = friction[k]->from;
+                    out.back().to = friction[k]->to;
+                }
+            }
+    return out;
+}
+
 void add_left(const BalanceResult &result, const LeftAt &at, const std::vector<std::size_t> &speeds,
               std::vector<Left> &out) {
     for (const std::size_t k : speeds) {
@@ -178,6 +211,8 @@ Json names_json(const std::vector<results::Supply> &supplies) {
     return json_list(supplies, [](results::Supply of) { return results::supply_name(of); });
 }
 
+const char *rest_heading = "Rest positions by friction: a ball from the imbalance, while the other "
+                           "mirrors it; what is left in any of them";
 const char *needs_heading = "What the balancers must supply, and what there is of it";
 const char *left_heading = "What stays: with nothing, the best weights, the balancers, and both";
 
@@ -200,11 +235,9 @@ std::vector<const LeftAt *> places_for_readers(const BalanceSupply &supply, std:
 }
 
 Json plane_supply_json(const BalanceResult &result, std::size_t plane, const Units &units) {
-    Json out{{"needed", nullptr},
-             {"needed_beside_weights", nullptr},
-             {"capacity", nullptr},
-             {"least", nullptr},
-             {"weight", nullptr}};
+    Json out{{"needed", nullptr},   {"needed_beside_weights", nullptr},
+             {"capacity", nullptr}, {"least", nullptr},
+             {"weight", nullptr},   {"friction", nullptr}};
     if (!result.supply)
         return out;
     const PlaneSupply &of = result.supply->planes[plane];
@@ -213,6 +246,18 @@ Json plane_supply_json(const BalanceResult &result, std::size_t plane, const Uni
     out["capacity"] = written(units, Quantity::imbalance, of.capacity);
     if (of.capacity)
         out["least"] = written(units, Quantity::imbalance, of.least);
+    if (!of.friction.empty()) {
+        const auto list = [&](Quantity quantity, double results::RestWithFriction::*value) {
+            std::vector<std::optional<double>> values;
+            for (const auto &rest : of.friction)
+                values.push_back(rest ? std::optional((*rest).*value) : std::nullopt);
+            return written(units, quantity, values);
+        };
+        using results::RestWithFriction;
+        out["friction"] = {{"residual", list(Quantity::amplitude, &RestWithFriction::residual)},
+                           {"from", list(Quantity::angle, &RestWithFriction::from)},
+                           {"to", list(Quantity::angle, &RestWithFriction::to)}};
+    }
     if (of.weight)
         out["weight"] = {{"mr", written(units, Quantity::imbalance, std::abs(*of.weight))},
                          {"phase", written(units, Quantity::angle, direction(of.weight))}};
@@ -249,6 +294,8 @@ std::string supply_text(const BalanceResult &result, const Units &units) {
     return text_table(fmt::format("\n{}:\n", needs_heading), need_columns,
                       needs_of(result, chosen_speeds(result.speeds.size(), most_speeds)), units) +
            phase_convention(result.supply->lag) + "\n" +
+           text_table(fmt::format("\n{}:\n", rest_heading), rest_columns,
+                      rests_of(result, chosen_speeds(result.speeds.size(), most_speeds)), units) +
            text_table(fmt::format("\n{}:\n", left_heading), left_columns,
                       left_for_readers(result, most_places, most_speeds), units);
 }
@@ -257,12 +304,17 @@ std::vector<Section> supply_sections(const BalanceResult &result, const Units &u
     if (!result.supply)
         return {};
     constexpr std::size_t on_page = 21; // speeds
-    return {{needs_heading,
-             page_table(need_columns,
-                        needs_of(result, chosen_speeds(result.speeds.size(), on_page)), units) +
-                 element("p", phase_convention(result.supply->lag))},
-            {left_heading,
-             page_table(left_columns, left_for_readers(result, most_places, on_page), units)}};
+    std::vector<Section> out{
+        {needs_heading,
+         page_table(need_columns, needs_of(result, chosen_speeds(result.speeds.size(), on_page)),
+                    units) +
+             element("p", phase_convention(result.supply->lag))},
+        {left_heading,
+         page_table(left_columns, left_for_readers(result, most_places, on_page), units)}};
+    const std::vector<Rest> rests = rests_of(result, chosen_speeds(result.speeds.size(), on_page));
+    if (!rests.empty())
+        out.insert(out.begin() + 1, {rest_heading, page_table(rest_columns, rests, units)});
+    return out;
 }
 
 std::vector<TableFile> supply_tables(const BalanceResult &result) {

@@ -7,8 +7,10 @@
 #include "report/common/table.h"
 #include "report/common/units.h"
 #include "report/common/words.h"
+#include "report/held_motions.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
+#include "report/steady_states.h"
 
 #include <fmt/format.h>
 
@@ -290,6 +292,12 @@ const Columns<SimulateResult> quality_columns{
                 units.text(Quantity::angular_momentum, result.audit.momentum_scale, 4);
      }}};
 
+/// Steady states beside the motions.
+const std::optional<results::SteadyStates> &states_of(const SimulateResult &result) {
+    static const std::optional<results::SteadyStates> none;
+    return result.sweep ? result.sweep->states : result.starts ? result.starts->states : none;
+}
+
 Json json_of(const SimulateResult &result, const Units &units) {
     const MotionAudit &audit = result.audit;
     Json json = json_row(outcome_columns, result, units);
@@ -299,6 +307,12 @@ Json json_of(const SimulateResult &result, const Units &units) {
     json["balancers"] = json_rows(balancer_motion_columns, result.balancers, units);
     json["other_starts"] = json_rows(start_columns, result.other_starts, units);
     json["cycle"] = cycle_json(result.cycle, units);
+    json["sweep"] = sweep_json(result.sweep, units);
+    json["sweep_jumps"] = jumps_json(result.sweep, units);
+    json["sweep_hysteresis"] = hysteresis_json(result.sweep, units);
+    json["starts"] = starts_json(result.starts, units);
+    json["states"] = states_json(states_of(result), units);
+    json["state_borders"] = state_borders_json(states_of(result), units);
     json["stations"] = json_rows(station_columns, result.stations, units);
     json["steady"] = {{"speeds", written(units, Quantity::speed, result.steady.speeds)},
                       {"amplitude", written(units, Quantity::amplitude, result.steady.amplitudes)}};
@@ -343,6 +357,10 @@ std::vector<Section> sections_of(const SimulateResult &result, const Units &unit
     std::vector<Section> sections{
         {"How it ended", element("p", units.text(result.evidence)) +
                              page_properties(outcome_columns, result, units)}};
+    if (result.sweep)
+        sections.insert(sections.begin(), sweep_section(*result.sweep, units));
+    if (result.starts)
+        sections.insert(sections.begin(), starts_section(*result.starts, units));
     if (!result.balancers.empty())
         sections.push_back(
             {"Balancers", page_table(balancer_motion_columns, result.balancers, units)});
@@ -403,6 +421,13 @@ std::string quality_text(const SimulateResult &result, const Units &units) {
 }
 
 std::string text_of(const model::Case &scene, const SimulateResult &result, const Units &units) {
+    if (result.sweep || result.starts)
+        return heading(scene, fmt::format("Motion in time, {}, {} at the end",
+                                          units.text(Quantity::time, result.time),
+                                          units.text(Quantity::speed, result.speed))) +
+               (result.sweep ? sweep_text(*result.sweep, units) : outcome_text(result, units)) +
+               (result.starts ? starts_text(*result.starts, units) : "") +
+               quality_text(result, units);
     std::string text =
         heading(scene, fmt::format("Motion in time, {}, {} revolutions, {} at the end",
                                    units.text(Quantity::time, result.time),
@@ -435,9 +460,14 @@ Report describe(const model::Case &scene, const SimulateResult &result) {
         return Json{{"angles", angle_curves(result, most_curves)}};
     };
     const bool branch = result.cycle && !result.cycle->branch.empty();
-    if (result.waterfall || branch) {
+    const bool asked = result.sweep || result.starts;
+    if (asked || branch || result.waterfall)
         report.pictures = [&scene, &result, branch](const Units &units) {
             std::vector<Picture> pictures;
+            if (result.sweep)
+                pictures.push_back({"sweep", held_sweep_figure(scene, *result.sweep, units), {}});
+            if (result.starts)
+                pictures.push_back({"starts", starts_figure(scene, *result.starts, units), {}});
             if (result.waterfall)
                 pictures.push_back({"waterfall", waterfall_figure(scene, *result.waterfall, units),
                                     [&result](const Units &units) {
@@ -451,11 +481,16 @@ Report describe(const model::Case &scene, const SimulateResult &result) {
                                     }});
             return pictures;
         };
-        report.pictures_heading = !branch            ? "Waterfall"
-                                  : result.waterfall ? "Waterfall, limit cycles"
-                                                     : "Limit cycles over the speed";
-        report.pictures_after = result.balancers.empty() ? 2 : 3;
-    }
+    report.tables = [&result] {
+        std::vector<TableFile> tables;
+        if (result.sweep)
+            tables.push_back(sweep_table(*result.sweep));
+        if (result.starts)
+            tables.push_back(starts_table(*result.starts));
+        return tables;
+    };
+    report.pictures_heading = asked || branch ? "Further pictures" : "Waterfall";
+    report.pictures_after = asked ? 0 : result.balancers.empty() ? 2 : 3;
     return report;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/restart.h"
+#include "results/held_motion.h"
 #include "results/limit_cycle.h"
 #include "results/model_summary.h"
 #include "results/transient.h"
@@ -110,6 +111,8 @@ struct SimulateResult {
     std::vector<double> start_angles; ///< of all balls and pairs, rad
     std::vector<OtherStart> other_starts;
     std::optional<FoundCycle> cycle; ///< none: not asked for, or a note says why
+    std::optional<HeldSweep> sweep;   ///< over the speeds of [simulate.sweep]
+    std::optional<ManyStarts> starts; ///< of [simulate.starts]
     /// Wherever something is attached. Without balancers the series are theirs, in this order.
     std::vector<StationMotion> stations;
     SteadyCurves steady;

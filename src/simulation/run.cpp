@@ -6,6 +6,7 @@
 #include "process/progress.h"
 #include "reduction/damped_motions.h"
 #include "simulation/dry/dry_state.h"
+#include "simulation/held_motion.h"
 #include "simulation/restart.h"
 #include "simulation/scene_outside.h"
 #include "simulation/trend.h"
@@ -206,11 +207,24 @@ void Run::begin(const model::Restart *from) {
     _solver.start(_t, state.data(), from ? from->step : 0);
 }
 
+/// Where a speed of a sweep begins. Equal balls that lag together come so near to each other that
+/// rounding cannot part them again, and they would rest together in positions that no ball keeps.
+void Run::disturb(double time, Eigen::VectorXd &state) const {
+    constexpr double part = 1e-6; // rad: far above rounding, far below what counts
+    const bool begins = std::ranges::any_of(
+        _scene.simulate.held, [time](const model::HeldSpeed &held) { return held.from == time; });
+    if (!begins || _dry) // what touches or stands stays where it is
+        return;
+    for (int j = 0; j < _motion.parts().free_angles(); ++j)
+        state(_motion.first_angle() + j) += part * std::cos(2.4 * j); // no two alike
+}
+
 /// What begins to turn with the rotor, or leaves it, brings or takes energy of its own.
 void Run::pass_jump(double time) {
     Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(_solver.state(), _motion.size());
     const RotorMotion::Totals less = _motion.totals(time, state.data());
     _motion.enter_piece(std::nextafter(time, HUGE_VAL));
+    disturb(time, state);
     const RotorMotion::Totals more = _motion.totals(time, state.data());
     _before.energy = _before.energy - less.energy + more.energy;
     _before.momentum = _before.momentum - less.momentum + more.momentum;
@@ -337,6 +351,16 @@ void Run::fill(results::SimulateResult &result) {
     result.steps = counts.steps;
     result.rate_evaluations = counts.rates;
     fill_stations(result);
+    for (const model::HeldSpeed &held : _scene.simulate.held) {
+        if (held.until > _t) // interrupted, or it grew beyond all numbers
+            break;
+        if (!result.sweep)
+            result.sweep.emplace();
+        result.sweep->motions.push_back(
+            motion_between(held.until - told_by * (held.until - held.from), held.until));
+        result.sweep->motions.back().speed = held.speed;
+        result.sweep->motions.back().up = held.up;
+    }
     fill_series(result);
     if (_dry) {
         result.impacts = _dry->impacts();
@@ -352,6 +376,12 @@ void Run::fill(results::SimulateResult &result) {
         result.balancers.back().z = _scene.rotor.balancers[i].z;
         result.balancers.back().amplitude = _stations.final_amplitude(i);
     }
+}
+
+results::HeldMotion Run::motion_between(double from, double until) const {
+    // The mass eccentricity that all parts and imbalances make together.
+    const double eccentricity = 100 * _scales.displacement / std::sqrt(_motion.parts().rotor.mass);
+    return simulation::motion_between(_scene.rotor, _recorder.series(), from, until, eccentricity);
 }
 
 /// Of the balancers' planes; without any of all stations.

@@ -26,6 +26,8 @@ class Run {
 
     /// Time, speed, series, integrator, audit, stations; amplitudes of balancers.
     void fill(results::SimulateResult &result);
+    /// Between two times at one speed.
+    [[nodiscard]] results::HeldMotion motion_between(double from, double until) const;
     [[nodiscard]] model::Restart restart() const;
 
     /// Where it stands, in axes that turn with the rotor: the reduced rotor and the free angles,
@@ -60,6 +62,7 @@ class Run {
     [[nodiscard]] Eigen::VectorXd first_state() const;
     [[nodiscard]] std::vector<double> stops() const;
     void begin(const model::Restart *from);
+    void disturb(double time, Eigen::VectorXd &state) const;
     void pass_jump(double time);
     bool reach(double stop);
     void step(double stop);

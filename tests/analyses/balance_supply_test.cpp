@@ -6,6 +6,7 @@
 #include "analyses/simulate.h"
 #include "analyses/steady_states.h"
 #include "analyses/weights.h"
+#include "closed_form/dry_friction.h"
 #include "model/errors.h"
 #include "results/simulate.h"
 #include "support/balancer_scenes.h"
@@ -107,6 +108,36 @@ TEST(BalanceSupply, PlanesThatDependShareOut) {
                            *result.supply->planes[2].needed[k]),
                   1e-8 * 2e-3);
     }
+}
+
+// Two balls that resist rolling on a planar rotor: K = k/W^2 - M - 2 m + i c/W and the imbalance of
+// the disc go into the closed form of all positions in which both stand.
+TEST(BalanceSupply, FrictionLetsTwoBallsRestAsInClosedForm) {
+    RigidJeffcott rotor;
+    model::Case scene = rotor.scene();
+    scene.rotor.balancers = {ball_balancer(0.5, 2, 0.05, 0.1, 0.5)};
+    scene.rotor.imbalances = {imbalance_at(0.5, 0.004, 0.7)};
+    model::BallRow &race = row(scene.rotor.balancers.front());
+    race.diameter = 0.02;
+    race.rolling = 1e-5; // friction 2 * 1e-5 / 0.02
+    scene.speeds = model::SpeedRange{0, 900, 10};
+    const BalanceResult result = answer(scene);
+    ASSERT_TRUE(result.supply);
+    const auto &friction = result.supply->planes.front().friction;
+    ASSERT_EQ(friction.size(), 10U);
+    EXPECT_FALSE(friction.front()); // at rest
+    for (std::size_t i = 1; i < friction.size(); ++i) {
+        const double W = result.speeds[i];
+        const Complex K(1e6 / (W * W) - rotor.mass - 2 * 0.05, rotor.c / W);
+        const auto rest = closed_form::dry_rest({K, 0.05, 0.1, 1e-3, 0.004});
+        ASSERT_TRUE(rest && friction[i]) << W;
+        // K is a difference of terms up to 10 of its size, the response good to 1e-12.
+        EXPECT_NEAR(friction[i]->residual, rest->residual, 1e-9 * rest->residual) << W;
+        EXPECT_NEAR(friction[i]->from, rest->from, 1e-9) << W;
+        EXPECT_NEAR(friction[i]->to, rest->to, 1e-9) << W;
+    }
+    row(scene.rotor.balancers.front()).n = 3;
+    EXPECT_TRUE(answer(scene).supply->planes.front().friction.empty());
 }
 
 /// A planar rotor with n balls against an imbalance at its disc: k - M W^2 + i c W under W^2 U.

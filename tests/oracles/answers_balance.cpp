@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 namespace whirl::oracles {
 
@@ -369,12 +370,37 @@ Answer answer_at_rest(const Request &request) {
     no_answer("simulate: no oracle for " + request.path);
 }
 
+/// A sweep in time of two balls: they rest in the coincident state that keeps, while there is one.
+Answer answer_held(const Request &request) {
+    const std::string closed = "closed form of two balls at one angle";
+    const PlanarBallRotor planar = planar_ball_rotor(request.rotor);
+    const auto kept = [&planar](double speed) -> std::optional<Real> {
+        for (const PlanarState &state : planar_states(planar, speed))
+            if (state.kind == "coincident" && state.growing == 0)
+                return std::abs(state.deflection);
+        return std::nullopt;
+    };
+    if (request.path == "/sweep_jumps/0/from") {
+        std::size_t last = 0;
+        while (kept(request.rotor.held.at(last + 1)))
+            ++last;
+        return {closed, {request.rotor.held.at(last)}, {}, {}};
+    }
+    const int row = index_after(request.path, "/sweep/");
+    if (row >= 0 && ends_with(request.path, "/planes/0"))
+        if (const auto amplitude = kept(request.rotor.held.at(static_cast<std::size_t>(row))))
+            return {closed, {*amplitude}, {}, {}};
+    no_answer("simulate: no oracle for " + request.path);
+}
+
 } // namespace
 
 Answer answer_simulate(const Request &request) {
     const CaseRotor &rotor = request.rotor;
     if (rotor.balancers.empty())
         return answer_transient(request);
+    if (request.path.rfind("/sweep", 0) == 0)
+        return answer_held(request);
     const Balancer &balancer = rotor.balancers.front();
     const bool alike = std::all_of(rotor.supports.begin(), rotor.supports.end(), [](const auto &s) {
         return s.k[0][0] == s.k[1][1] && s.c[0][0] == s.c[1][1];

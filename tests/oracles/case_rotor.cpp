@@ -222,6 +222,13 @@ void read_analyses(const toml::table &root, CaseRotor &rotor) {
     if (const toml::node *starts = simulate.get("other_starts"))
         for (const toml::node &item : *starts->as_array())
             rotor.other_starts.push_back(lists(item));
+    const toml::table &sweep = part(simulate, "sweep");
+    const int held = static_cast<int>(number(sweep, "count"));
+    for (int k = 0; k < 2 * held - 1; ++k) {
+        const int place = k < held ? k : 2 * held - 2 - k;
+        rotor.held.push_back(number(sweep, "from") +
+                             (number(sweep, "to") - number(sweep, "from")) * place / (held - 1));
+    }
 }
 
 std::vector<double> numbers(const toml::node *list) {

@@ -37,6 +37,7 @@ struct CaseRotor {
     RunUp run_up;
     std::vector<std::vector<double>> ball_angles; ///< at the start, one list a balancer
     std::vector<std::vector<std::vector<double>>> other_starts;
+    std::vector<double> held; ///< rad/s, speeds of [simulate.sweep] in the order of time
     SampledCase samples;
     std::vector<SweptAxis> sweep;
     std::vector<Probe> probes;

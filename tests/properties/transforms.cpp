@@ -86,6 +86,11 @@ void scale(model::SimulateSettings &s, const Factors &f) {
         time *= f.time;
         speed *= f.speed;
     }
+    for (model::HeldSpeed &held : s.held) {
+        held.speed *= f.speed;
+        held.from *= f.time;
+        held.until *= f.time;
+    }
     if (s.torque)
         *s.torque *= f.moment;
     s.torque_slope *= f.inertia / f.time;

@@ -1,6 +1,7 @@
 // Balls that touch and balls that resist rolling, against closed forms of the same mechanics.
 
 #include "analyses/simulate.h"
+#include "closed_form/dry_friction.h"
 #include "input/case_file.h"
 #include "model/errors.h"
 #include "simulation/dry/dry_state.h"
@@ -139,6 +140,13 @@ TEST(Rolling, LeavesAResidualWithinTheSetOfEquilibria) {
         const double s = std::min(std::abs(std::sin(half)), std::abs(std::cos(half)));
         EXPECT_LE(whirl, friction * radius / (s - friction) * (1 + 1e-6)) << first;
         EXPECT_EQ(result.outcome, results::Outcome::balanced) << result.evidence;
+        // All positions in which both stand, in closed form (tests/closed_form).
+        const double k = 1e6 / (speed * speed) - rotor.mass - 2 * 0.05;
+        const auto rest =
+            closed_form::dry_rest({{k, rotor.c / speed}, 0.05, radius, friction, 0.006});
+        ASSERT_TRUE(rest);
+        EXPECT_LE(whirl, rest->residual * (1 + 1e-6)) << first;
+        EXPECT_GT(whirl, 0.01 * rest->residual) << first; // friction leaves something
     }
     EXPECT_EQ(standing, 6);
 }

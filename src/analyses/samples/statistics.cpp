@@ -1,5 +1,7 @@
 #include "analyses/samples/statistics.h"
 
+#include "analyses/random.h"
+
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/erf.hpp>
@@ -7,17 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
-#include <random>
 
 namespace whirl::analyses {
 
 namespace {
-
-/// Inside (0, 1), 2^52 places equally likely: with one bit more the last would round to 1. Own
-/// transforms, here and below: those of the standard library differ between compilers.
-double share_of(std::uint64_t bits) { return (static_cast<double>(bits >> 12U) + 0.5) * 0x1p-52; }
 
 double value_of(const model::UncertainInput &input, double share) {
     switch (input.distribution) {
@@ -71,8 +67,7 @@ void add_moments(const std::vector<double> &values, results::SampledAnswer &answ
 } // namespace
 
 std::vector<double> draw(const model::SamplesSettings &settings, int sample) {
-    std::seed_seq key{settings.seed, sample};
-    std::mt19937_64 bits(key);
+    std::mt19937_64 bits = bits_of(settings.seed, sample);
     std::vector<double> values;
     for (const model::UncertainInput &input : settings.vary)
         values.push_back(value_of(input, share_of(bits())));

@@ -1,8 +1,12 @@
+#include "balancers/kind.h"
 #include "input/sections.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace whirl::input {
 namespace {
@@ -44,6 +48,48 @@ std::vector<std::pair<double, double>> read_run_up(CheckedTable &table) {
     return points;
 }
 
+constexpr int points_a_hold = 120; ///< of the time series: forty tell the motion there
+constexpr int most_held = 10000;
+constexpr int most_grid = 1000;
+
+/// The speeds of [simulate.sweep], up and down again, behind the motion so far.
+void read_sweep_in_time(CheckedTable &table, model::SimulateSettings &simulate) {
+    const double from = table.number("from", Quantity::speed, Range::positive());
+    const double to = table.number("to", Quantity::speed, Range::positive());
+    const int count = table.whole("count", 2, most_held);
+    const auto hold = table.optional_number("hold", Quantity::time, Range::positive());
+    const auto turns = table.optional_number("turns", Quantity::number, Range::positive());
+    const auto ramp = table.optional_number("ramp", Quantity::time, Range::positive());
+    const bool down = table.flag_or("down", true);
+    table.refuse_unknown();
+    if (hold.has_value() == turns.has_value())
+        table.fail("hold",
+                   "expected either hold (time at each speed) or turns at each speed, got " +
+                       std::string(hold ? "both" : "neither"));
+    if (to <= from)
+        table.fail("to", fmt::format("expected more than from = {} rad/s, got {} rad/s", from, to));
+    if (!simulate.run_up.empty() && simulate.run_up.back().first > simulate.time)
+        table.fail(fmt::format("expected a run-up that ends before the sweep begins, at time = {} "
+                               "s, got one until {} s",
+                               simulate.time, simulate.run_up.back().first));
+    if (!(to > from) || hold.has_value() == turns.has_value())
+        return;
+    if (simulate.run_up.empty())
+        simulate.run_up = {{0, from}};
+    if (simulate.run_up.back().first < simulate.time)
+        simulate.run_up.emplace_back(simulate.time, simulate.run_up.back().second);
+    for (int k = 0; k < (down ? 2 * count - 1 : count); ++k) {
+        const bool up = k < count;
+        const int place = up ? k : 2 * count - 2 - k;
+        const double speed = from + (to - from) * place / (count - 1);
+        const double length = hold ? *hold : *turns * 2 * std::numbers::pi / speed;
+        const double reached = simulate.time + ramp.value_or(length / 4);
+        simulate.time = reached + length;
+        simulate.held.push_back({up, speed, reached, simulate.time});
+        simulate.run_up.insert(simulate.run_up.end(), {{reached, speed}, {simulate.time, speed}});
+    }
+}
+
 /// Lists of angles, one for each balancer.
 std::vector<std::vector<double>> angles_of(const CheckedEntry &list) {
     if (!list.node.is_list())
@@ -57,10 +103,39 @@ std::vector<std::vector<double>> angles_of(const CheckedEntry &list) {
     return angles;
 }
 
-void read_starts(CheckedTable &table, model::SimulateSettings &simulate) {
+/// [simulate.starts]; `angles`: two places among all angles that say where a motion starts.
+model::StartsSettings read_many_starts(CheckedTable &table, const model::Rotor &rotor) {
+    model::StartsSettings starts;
+    std::size_t all = 0;
+    for (const model::Balancer &b : rotor.balancers)
+        all += b.held ? 0 : balancers::kind_of(b)->start_angles();
+    if (all == 0)
+        table.fail("expected a case with balancers that are not held, got none");
+    starts.grid = table.choice("kind", {"random", "grid"}, 0) == 1;
+    starts.count = table.whole("count", 1, starts.grid ? most_grid : largest_count);
+    starts.seed = table.whole_or("seed", starts.seed, 0, std::numeric_limits<int>::max());
+    const auto list = table.entry("angles");
+    if (list && (!list->node.is_list() || list->items().size() != 2))
+        list->fail("expected the places of two angles, from 0, got " + shown(list->node));
+    else if (list)
+        for (std::size_t k = 0; k < 2; ++k)
+            starts.angles.at(k) =
+                list->items()[k].whole(0, static_cast<int>(std::max<std::size_t>(all, 1)) - 1);
+    if (starts.grid && all > 0 &&
+        (all < 2 || (list && starts.angles.front() == starts.angles.back())))
+        table.fail(list ? "angles" : "kind", "expected two angles that differ, of a balancer or of "
+                                             "two, for a grid");
+    table.refuse_unknown();
+    return starts;
+}
+
+void read_starts(CheckedTable &table, const model::Rotor &rotor,
+                 model::SimulateSettings &simulate) {
     if (const auto angles = table.entry("ball_angles"))
         simulate.ball_angles = angles_of(*angles);
     const auto others = table.entry("other_starts");
+    if (auto many = table.table("starts"))
+        simulate.starts = read_many_starts(*many, rotor);
     if (!others)
         return;
     if (!others->node.is_list())
@@ -107,12 +182,33 @@ void read_cycle(CheckedTable &table, model::CycleSettings &cycle) {
     table.refuse_unknown();
 }
 
+/// Points of the time series with which each speed of a sweep has enough of them.
+double points_of_sweep(const model::SimulateSettings &simulate) {
+    double shortest = simulate.time;
+    for (const model::HeldSpeed &held : simulate.held)
+        shortest = std::min(shortest, held.until - held.from);
+    return simulate.held.empty() ? 400 : std::ceil(points_a_hold * simulate.time / shortest);
+}
+
 /// What the integration keeps and writes.
 void read_simulate_options(CheckedTable &table, model::Case &scene) {
     model::SimulateSettings &simulate = scene.simulate;
     simulate.gravity = table.number_or("gravity", 0, Quantity::acceleration);
-    simulate.output_points =
-        table.whole_or("output_points", simulate.output_points, 400, largest_count);
+    const double points = points_of_sweep(simulate);
+    if (points > largest_count)
+        table.fail("sweep",
+                   fmt::format("expected a motion of at most {} points of the time series, "
+                               "{} a speed, got {:.0f}",
+                               largest_count, points_a_hold, points));
+    simulate.output_points = table.whole_or(
+        "output_points",
+        std::max(simulate.output_points, static_cast<int>(std::min(points, 1.0 * largest_count))),
+        400, largest_count);
+    if (simulate.output_points < points)
+        table.fail("output_points",
+                   fmt::format("expected at least {:.0f}, {} a speed of the sweep, "
+                               "got {}",
+                               points, points_a_hold, simulate.output_points));
     simulate.modes = table.whole_or("modes", 0, 0, 10000);
     simulate.reduction_tolerance = table.number_or(
         "reduction_tolerance", simulate.reduction_tolerance, Quantity::number, Range::inside(0, 1));
@@ -132,7 +228,12 @@ void read_simulate(CheckedTable &table, model::Case &scene) {
     model::SimulateSettings &simulate = scene.simulate;
     simulate.time = table.number("time", Quantity::time, Range::positive());
     simulate.run_up = read_run_up(table);
-    read_starts(table, simulate);
+    if (auto sweep = table.table("sweep")) {
+        if (table.has("torque"))
+            sweep->fail("expected a prescribed speed, got the torque of a motor");
+        read_sweep_in_time(*sweep, simulate);
+    }
+    read_starts(table, scene.rotor, simulate);
     simulate.tolerance =
         table.number_or("tolerance", simulate.tolerance, Quantity::number, Range::inside(0, 1));
     read_motor(table, scene.rotor, simulate);

@@ -18,6 +18,8 @@ struct CampbellMode;
 struct CampbellResult;
 struct CriticalMap;
 struct ForceResponse;
+struct HeldSweep;
+struct ManyStarts;
 struct HarmonicMotion;
 struct Level1;
 struct ModeShape;
@@ -168,6 +170,15 @@ struct ModeCurves {
 /// @param found  with a branch
 [[nodiscard]] Figure cycle_figure(const model::Case &scene, const results::FoundCycle &found,
                                   const Units &units);
+
+/// The same with the motions of a sweep in time over them, up and down.
+[[nodiscard]] Figure held_sweep_figure(const model::Case &scene, const results::HeldSweep &sweep,
+                                       const Units &units);
+
+/// Where motions end, over two of the angles at which their balls start: a coloured cell each of a
+/// grid, a point each of random starts; and the angles of the states.
+[[nodiscard]] Figure starts_figure(const model::Case &scene, const results::ManyStarts &starts,
+                                   const Units &units);
 
 /// Where along the shaft one balancer, and two, would work: the criterion over position and speed
 /// with the rotor below it, and over two positions at one speed.

@@ -2,6 +2,7 @@
 
 #include "report/pictures/operation.h"
 #include "report/pictures/style.h"
+#include "results/held_motion.h"
 #include "results/steady_states.h"
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 namespace whirl::report {
 
@@ -104,9 +106,10 @@ ByLook drawn_branches(const Units &units, const SteadyStates &states) {
 
 /// The top of the axis: all states, but for those beside a resonance that would press the others
 /// onto the axis.
-double top_of(const Units &units, const SteadyStates &states, bool &cut) {
+/// @param values  further amplitudes that are drawn
+double top_of(const Units &units, const SteadyStates &states, std::vector<double> values,
+              bool &cut) {
     constexpr double most = 12; // times the median
-    std::vector<double> values;
     for (const SteadyState &state : states.states)
         if (state.residual > 0)
             values.push_back(units(Quantity::amplitude, state.residual));
@@ -121,9 +124,9 @@ double top_of(const Units &units, const SteadyStates &states, bool &cut) {
     return 1.06 * (cut ? most * median : values.back());
 }
 
-} // namespace
-
-Figure states_figure(const model::Case &scene, const SteadyStates &states, const Units &units) {
+/// @param motions  curves that are drawn over those of the states, each in a style of its own
+Figure figure_with(const model::Case &scene, const SteadyStates &states, const Units &units,
+                   const std::string &title, const std::vector<NamedCurve> &motions) {
     constexpr int height = 660;
     const ByLook drawn = drawn_branches(units, states);
     const bool lines = states.speeds.size() > 1;
@@ -163,8 +166,20 @@ Figure states_figure(const model::Case &scene, const SteadyStates &states, const
             names.emplace_back(name);
         }
     }
+    std::vector<double> amplitudes;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        LineStyle style = series_style(i);
+        style.colour = i == 0 ? "#000000" : i == 1 ? "#C4347A" : "#8A8A8A";
+        curves.add(motions[i].points,
+                   fmt::format("with linespoints lc rgb '{}' lw 2 dt {} pt {} ps {}", style.colour,
+                               i < 2 ? "1" : "(2,3)", i == 0 ? 9 : 11, i < 2 ? "1.3" : "0"),
+                   plot_text(motions[i].name));
+        names.push_back(motions[i].name);
+        for (const PlotPoint &point : motions[i].points)
+            amplitudes.push_back(point.y.value_or(0));
+    }
     bool cut = false;
-    const double top = top_of(units, states, cut);
+    const double top = top_of(units, states, std::move(amplitudes), cut);
     const LegendedFigure figure = beside_legend(900, 1200, height, names);
     const Range x = speed_range(units, states.speeds);
     curves.add(operation_key(scene, units, x));
@@ -174,10 +189,36 @@ Figure states_figure(const model::Case &scene, const SteadyStates &states, const
         axes_beside_legend(units.label("Largest amplitude of a plane", Quantity::amplitude),
                            units.label("Spin speed", Quantity::speed)) +
         curves.script() + "unset object\nunset arrow\n";
-    return figure_of(figure.width, height, "Steady states: " + title_of(scene),
+    return figure_of(figure.width, height, title + ": " + title_of(scene),
                      std::string("solid: stable, dashed: unstable, dotted: neither or not known") +
                          (cut ? "; larger amplitudes are cut off" : ""),
                      panel);
+}
+
+} // namespace
+
+Figure states_figure(const model::Case &scene, const SteadyStates &states, const Units &units) {
+    return figure_with(scene, states, units, "Steady states", {});
+}
+
+Figure held_sweep_figure(const model::Case &scene, const results::HeldSweep &sweep,
+                         const Units &units) {
+    NamedCurve up{"motion, speed going up", {}};
+    NamedCurve down{"motion, speed going down", {}};
+    std::vector<double> speeds;
+    for (const results::HeldMotion &motion : sweep.motions) {
+        (motion.up ? up : down).points.push_back(drawn_at(units, motion.speed, motion.largest()));
+        if (motion.up)
+            speeds.push_back(motion.speed);
+    }
+    std::vector<NamedCurve> curves{up};
+    if (!down.points.empty()) {
+        down.points.insert(down.points.begin(), up.points.back()); // where it turns back
+        curves.push_back(down);
+    }
+    SteadyStates states = sweep.states.value_or(SteadyStates{});
+    states.speeds = speeds;
+    return figure_with(scene, states, units, "Sweep in time", curves);
 }
 
 } // namespace whirl::report
