@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -195,6 +196,13 @@ std::vector<results::SimulatedSpeed> simulated_speeds(const model::Case &scene,
     if (count == 0 || process::process_rank() != 0)
         return out;
     model::Case run = scene;
+    if (!run.simulate.held.empty()) // as long as the motion before the sweep
+        run.simulate.time =
+            std::prev(std::ranges::lower_bound(run.simulate.run_up, run.simulate.held.front().from,
+                                               {}, &std::pair<double, double>::first))
+                ->first;
+    run.simulate.held.clear();
+    run.simulate.starts.reset();
     run.simulate.run_up.clear();
     run.simulate.torque.reset();
     run.simulate.other_starts.clear();

@@ -23,8 +23,11 @@ namespace {
 
 const char *going(bool up) { return up ? "up" : "down"; }
 
-/// What balancers do where no steady state is known for it.
-const char *without_state(bool at_rest) { return at_rest ? "at rest elsewhere" : "moving"; }
+/// What balancers do that are in no steady state.
+/// @param known  there are states to compare with
+const char *without_state(bool at_rest, bool known) {
+    return !at_rest ? "moving" : known ? "at rest elsewhere" : "at rest";
+}
 
 /// "balanced", "coincident 2".
 std::string state_name(const SteadyStates &states, std::size_t place) {
@@ -57,7 +60,8 @@ struct HeldRow {
     [[nodiscard]] Json state() const {
         if (!balancers)
             return {};
-        return motion.state ? state_name(*states, *motion.state) : without_state(motion.at_rest);
+        return motion.state ? state_name(*states, *motion.state)
+                            : without_state(motion.at_rest, states != nullptr);
     }
     [[nodiscard]] const SteadyState *steady() const {
         return motion.state ? &states->states[*motion.state] : nullptr;
@@ -214,7 +218,8 @@ std::string starts_heading(const ManyStarts &starts) {
 } // namespace
 
 std::string end_name(const ManyStarts &starts, const MotionEnd &end) {
-    return end.state ? state_name(*starts.states, *end.state) : without_state(end.at_rest);
+    return end.state ? state_name(*starts.states, *end.state)
+                     : without_state(end.at_rest, starts.states.has_value());
 }
 
 Json sweep_json(const std::optional<HeldSweep> &sweep, const Units &units) {

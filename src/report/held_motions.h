@@ -29,7 +29,7 @@ namespace whirl::report {
 [[nodiscard]] TableFile starts_table(const results::ManyStarts &starts);
 
 /// "balanced", "coincident 2" (its branch, where several states do the same), "moving", "at rest
-/// elsewhere".
+/// elsewhere", "at rest" where no states are known.
 [[nodiscard]] std::string end_name(const results::ManyStarts &starts,
                                    const results::MotionEnd &end);
 

@@ -1,6 +1,7 @@
 // Sweeps in time and many starts, against steady states and steady responses, which no motion in
 // time enters, and published intervals.
 
+#include "analyses/balance.h"
 #include "analyses/many_starts.h"
 #include "analyses/simulate.h"
 #include "input/case_file.h"
@@ -124,6 +125,25 @@ TEST_F(SweepOfTwoBalls, DependsOnTheWayWhereBalanceIsNotReachedGoingUp) {
     for (const HeldMotion &motion : swept().motions)
         if (motion.speed >= from && motion.speed <= to)
             EXPECT_EQ(motion.at_rest, !motion.up) << motion.speed;
+}
+
+// The motions that balance asks for are as long as the motion before the sweep, and at one speed.
+TEST(Sweep, IsNoPartOfTheMotionsInBalance) {
+    const auto simulated = [](std::vector<std::string> settings) {
+        for (const char *setting : {"speeds.to=600", "speeds.count=3", "balance.simulated=1",
+                                    "balance.balanced_position=false"})
+            settings.emplace_back(setting);
+        return balance(two_balls(settings)).simulated;
+    };
+    const auto with = simulated({"simulate.starts.count=2"});
+    const auto without = simulated({"simulate.sweep="});
+    ASSERT_EQ(with.size(), 1U);
+    ASSERT_EQ(without.size(), 1U);
+    // More points of the time series, at which the integrator stops: nothing else. After the time
+    // of the sweep rounding would be left.
+    const double left = without.front().residual_ratio.value();
+    EXPECT_GT(left, 1e-6);
+    EXPECT_NEAR(with.front().residual_ratio.value(), left, 0.01 * left);
 }
 
 model::Case starts(const std::vector<std::string> &more) {

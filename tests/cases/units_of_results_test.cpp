@@ -424,6 +424,9 @@ const std::vector<Asked> commands{
     {"samples", {"samples.count=2"}},
     {"sweep", {}},
     {"simulate", {"speeds.count=1"}, {"runup_jeffcott", "rodrigues_two_plane"}},
+    {"simulate",
+     {"simulate.sweep.count=2", "simulate.sweep.hold=1", "simulate.starts.count=3"},
+     {"sweep_two_balls"}},
     {"accuracy", {}, {"friswell_5_9_1"}}};
 
 json read(const std::string &text) { return json::parse(text); }

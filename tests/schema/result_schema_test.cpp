@@ -51,6 +51,12 @@ INSTANTIATE_TEST_SUITE_P(
         "balance cases/jeffcott_two_balls --set speeds.count=3",
         "balance cases/jeffcott_two_balls --set speeds.count=3 --set balancer[0].n=3 "
         "--set bearing[0].c=0 --set bearing[1].c=0 --units us --json-units",
+        "balance cases/jeffcott_two_balls --set speeds.count=3 "
+        "--set balancer[0].rolling_resistance=1e-5",
+        "simulate cases/sweep_two_balls --set simulate.sweep.count=2 --set simulate.sweep.hold=1 "
+        "--set simulate.starts.count=3 --units us --json-units",
+        "simulate cases/sweep_two_balls --set simulate.sweep= --set simulate.starts.count=2 "
+        "--set simulate.starts.kind=grid",
         "balance cases/ring_jeffcott --set balance.simulated=1 --set speeds.count=5",
         "stability cases/twisted_shaft --set speeds.count=3 --set shaft.order=3",
         "stability cases/anisotropic_rotor --set speeds.count=5 --set map.x.path=speed "

@@ -195,16 +195,16 @@ void read_simulate_options(CheckedTable &table, model::Case &scene) {
     model::SimulateSettings &simulate = scene.simulate;
     simulate.gravity = table.number_or("gravity", 0, Quantity::acceleration);
     const double points = points_of_sweep(simulate);
+    simulate.output_points = table.whole_or(
+        "output_points",
+        std::max(simulate.output_points, static_cast<int>(std::min(points, 1.0 * largest_count))),
+        400, largest_count);
     if (points > largest_count)
         table.fail("sweep",
                    fmt::format("expected a motion of at most {} points of the time series, "
                                "{} a speed, got {:.0f}",
                                largest_count, points_a_hold, points));
-    simulate.output_points = table.whole_or(
-        "output_points",
-        std::max(simulate.output_points, static_cast<int>(std::min(points, 1.0 * largest_count))),
-        400, largest_count);
-    if (simulate.output_points < points)
+    else if (simulate.output_points < points)
         table.fail("output_points",
                    fmt::format("expected at least {:.0f}, {} a speed of the sweep, "
                                "got {}",
