@@ -1,13 +1,16 @@
 #include "closed_form/arrangement_interval.h"
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <functional>
 #include <map>
 #include <numbers>
 #include <random>
+#include <utility>
 
 namespace whirl::closed_form {
 
@@ -134,6 +137,14 @@ void scan_balanced(const std::vector<int> &counts, double capacity, const Visito
     }
 }
 
+/// Of a symmetric matrix without negative eigenvalues: singular where all groups are on one line.
+Eigen::Matrix2d pseudo_inverse(const Eigen::Matrix2d &A) {
+    constexpr double singular = 1e-15; // of the product of eigenvalues as large as their sum
+    const double trace = A.trace();
+    return A.determinant() > singular * trace * trace ? Eigen::Matrix2d(A.inverse())
+                                                      : Eigen::Matrix2d(A / (trace * trace));
+}
+
 /// Returns to balance by minimum-norm Newton steps on the group angles; false where that fails.
 bool restore_balance(GroupedPosition &position, double capacity) {
     for (int iteration = 0; iteration < 20; ++iteration) {
@@ -141,8 +152,9 @@ bool restore_balance(GroupedPosition &position, double capacity) {
         if (equations.residual.norm() < 1e-15)
             return true;
         const Eigen::VectorXd step =
-            equations.jacobian.jacobiSvd(Eigen::ComputeThinU | Eigen::ComputeThinV)
-                .solve(equations.residual);
+            equations.jacobian.transpose() *
+            (pseudo_inverse(equations.jacobian * equations.jacobian.transpose()) *
+             equations.residual);
         for (Eigen::Index g = 0; g < step.size(); ++g)
             position.angles[g] -= step[g];
     }
@@ -204,23 +216,8 @@ struct Candidate {
     GroupedPosition position;
 };
 
-/// Largest value of sign * modulus over positions of at most four groups.
-Candidate search_groups(const Target &target, double sign) {
-    std::vector<Candidate> candidates;
-    for (int groups = 2; groups <= std::min(4, target.balls); ++groups) {
-        for (const auto &counts : partitions(target.balls, groups)) {
-            std::map<int, Candidate> best;
-            scan_balanced(counts, target.capacity,
-                          [&](const GroupedPosition &position, int sector) {
-                              const double value = sign * modulus(target, position);
-                              const auto found = best.find(sector);
-                              if (found == best.end() || value > found->second.value)
-                                  best[sector] = {value, position};
-                          });
-            for (const auto &[sector, candidate] : best)
-                candidates.push_back(candidate);
-        }
-    }
+/// The best of some positions for the largest value of sign * modulus, polished.
+Candidate polished_best(std::vector<Candidate> candidates, const Target &target, double sign) {
     std::ranges::sort(candidates, std::greater{}, &Candidate::value);
     candidates.resize(std::min(candidates.size(), polished));
     for (Candidate &candidate : candidates) {
@@ -229,6 +226,32 @@ Candidate search_groups(const Target &target, double sign) {
         candidate.value = sign * modulus(target, candidate.position);
     }
     return *std::ranges::max_element(candidates, {}, &Candidate::value);
+}
+
+/// Largest values of modulus and of -modulus over positions of at most four groups.
+std::array<Candidate, 2> search_groups(const Target &target) {
+    constexpr std::array signs{1.0, -1.0};
+    std::array<std::vector<Candidate>, 2> candidates;
+    for (int groups = 2; groups <= std::min(4, target.balls); ++groups) {
+        for (const auto &counts : partitions(target.balls, groups)) {
+            std::array<std::map<int, Candidate>, 2> best;
+            scan_balanced(counts, target.capacity,
+                          [&](const GroupedPosition &position, int sector) {
+                              const double size = modulus(target, position);
+                              for (std::size_t k = 0; k < signs.size(); ++k) {
+                                  const double value = signs[k] * size;
+                                  const auto known = best[k].find(sector);
+                                  if (known == best[k].end() || value > known->second.value)
+                                      best[k][sector] = {value, position};
+                              }
+                          });
+            for (std::size_t k = 0; k < signs.size(); ++k)
+                for (const auto &[sector, candidate] : best[k])
+                    candidates[k].push_back(candidate);
+        }
+    }
+    return {polished_best(std::move(candidates[0]), target, signs[0]),
+            polished_best(std::move(candidates[1]), target, signs[1])};
 }
 
 /// Newton's method (minimum norm) for a balanced position with constant + factor * D = 0, from
@@ -284,8 +307,7 @@ std::optional<ArrangementInterval> modulus_interval(int balls, double capacity, 
     if (balls < 2 || !(capacity >= 1.0))
         return std::nullopt;
     const Target target{balls, capacity, constant, factor};
-    const Candidate largest = search_groups(target, 1.0);
-    const Candidate least = search_groups(target, -1.0);
+    const auto [largest, least] = search_groups(target);
     ArrangementInterval interval{-least.value, largest.value, least.position.ball_angles(),
                                  largest.position.ball_angles()};
     if (factor != 0.0) {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace whirl::tracking {
 
@@ -314,6 +315,28 @@ TEST(LockedWhirl, OverTheBandBetweenTheTwoCriticalSpeeds) {
             }
         }
     }
+}
+
+/// The same on a massless elastic shaft that is 1e8 times as stiff as its bearings: K to that part.
+/// Rounding of the stiff entries moves the ends by about epsilon times that ratio, and steps of an
+/// iteration get no smaller.
+TEST(LockedWhirl, OverItsBandWhereRoundingHidesDigits) {
+    const double dI = 0.2;
+    model::Rotor rotor = rigid_rotor(1, 1);
+    rotor.shaft.rigid = false;
+    // Simply supported with a moment at mid-span: tilt L/(12 EI), without shear.
+    const double EI = 2e11 * std::pow(0.02, 4) * std::numbers::pi / 64;
+    const double K = 1e-8 * 12 * EI / (2 * l);
+    for (model::Bearing &bearing : rotor.bearings)
+        bearing.rows[0].k = K / (2 * l * l) * Eigen::Matrix2d::Identity();
+    rotor.anisotropies = {{"", l, dI, 0.4}};
+    const double low = std::sqrt(K / (Id - Ip + dI));
+    const double high = std::sqrt(K / (Id - Ip - dI));
+    const modes::SpectrumSolver solver(rotor, Form::rotating, 4);
+    const std::vector<LockEnd> ends = lock_ends_over(solver, 0.8 * low, 1.2 * high, 4);
+    ASSERT_EQ(ends.size(), 2U);
+    EXPECT_NEAR(ends[0].speed / low, 1, 1e-6);
+    EXPECT_NEAR(ends[1].speed / high, 1, 1e-6);
 }
 
 } // namespace whirl::tracking

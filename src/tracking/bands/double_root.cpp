@@ -70,6 +70,7 @@ class Bordered {
 /// Q and its derivatives at one place, over scaled unknowns.
 struct Derivatives {
     Sparse Q, l, ll, s, ls;
+    Sparse sizes; ///< the moduli of what Q is a sum of
     Eigen::VectorXd scales;
 };
 
@@ -81,6 +82,7 @@ Derivatives derivatives(const modes::QuadraticAt &p, double value, double scale)
             of(2 * p.M),
             of(value * p.above.D + p.above.K),
             of(p.above.D),
+            of(value * value * p.M.cwiseAbs() + std::abs(value) * p.D.cwiseAbs() + p.K.cwiseAbs()),
             d};
 }
 
@@ -88,6 +90,7 @@ Derivatives derivatives(const modes::QuadraticAt &p, double value, double scale)
 struct Fold {
     Eigen::Vector2d values = Eigen::Vector2d::Zero();   ///< g, g_l
     Eigen::Matrix2d jacobian = Eigen::Matrix2d::Zero(); ///< over l, speed
+    double rounding = 0;                                ///< of g, by that of the entries of Q
 };
 
 class FoldSearch {
@@ -116,6 +119,8 @@ class FoldSearch {
         out.values << x(n), g_l;
         out.jacobian << g_l, -w.dot(Qs), -w.dot(Q.ll * v + 2.0 * (Q.l * x_l)),
             -w.dot(Q.ls * v + Q.l * x_s + Q.s * x_l);
+        out.rounding =
+            std::numeric_limits<double>::epsilon() * w.cwiseAbs().dot(Q.sizes * v.cwiseAbs());
         if (!out.values.allFinite() || !out.jacobian.allFinite() || !(w.norm() > 0))
             return std::nullopt;
         _c = v.normalized();
@@ -139,6 +144,7 @@ std::optional<DoubleRoot> double_root(const std::function<modes::QuadraticAt(dou
     // A guard: Newton's method is quadratic, steps limited to `reach` at first.
     constexpr int most = 30;
     constexpr double converged = 3e-13; // of the speed: some thousand units of rounding
+    constexpr double hidden = 1e-5;     // of the speed: noise that leaves five digits
     const double scale = std::abs(speed);
     FoldSearch search(problem_at, shape);
     double s = speed;
@@ -159,14 +165,16 @@ std::optional<DoubleRoot> double_root(const std::function<modes::QuadraticAt(dou
             return std::nullopt;
         const double moved = std::abs(step(1));
         const double turned = std::abs(step(0));
+        // g = g_s ds + g_ll dl^2 / 2, g_l = g_ll dl + g_ls ds: of g alone, at the double root.
+        const Eigen::Matrix2d &J = fold->jacobian;
+        const double noise = fold->rounding / std::abs(J(0, 1));
         // At the rounding of the root itself steps no longer shrink. Where motions hardly feel each
         // other the value settles after the speed.
-        const bool there = moved <= converged * scale || (moved < 1e-10 * scale && moved >= last);
-        if (there && (turned <= 1e-12 * scale || turned >= last_turned)) {
-            const Eigen::Matrix2d &J = fold->jacobian;
-            // g = g_s ds + g_ll dl^2 / 2
-            return DoubleRoot{s, l, J(0, 1) * J(1, 0) < 0, search.shape()};
-        }
+        const bool there =
+            moved <= converged * scale ||
+            (moved < std::max(1e-10 * scale, std::min(noise, hidden * scale)) && moved >= last / 4);
+        if (there && (turned <= 1e-12 * scale || turned >= last_turned / 4))
+            return DoubleRoot{s, l, noise, J(0, 1) * J(1, 0) < 0, search.shape()};
         last = moved;
         last_turned = turned;
     }

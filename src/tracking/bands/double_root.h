@@ -13,6 +13,7 @@ namespace whirl::tracking {
 struct DoubleRoot {
     double speed = 0;           ///< rad/s
     double value = 0;           ///< of both, 1/s
+    double noise = 0;           ///< how far rounding of the entries can move the speed, rad/s
     bool opens = false;         ///< they are real above the speed
     Eigen::VectorXd shape = {}; ///< of the motion there
 };
@@ -25,7 +26,7 @@ struct DoubleRoot {
 /// @param speed,value  rad/s and 1/s, to begin with
 /// @param shape        of the motion there
 /// @param reach        how far from `speed` to go, rad/s
-/// @returns nothing where there is none in reach
+/// @returns nothing where there is none in reach, or rounding hides where it is
 [[nodiscard]] std::optional<DoubleRoot>
 double_root(const std::function<modes::QuadraticAt(double)> &problem_at, double speed, double value,
             const Eigen::VectorXd &shape, double reach);

@@ -43,7 +43,8 @@ std::vector<DoubleRoot> roots_between(const modes::SpectrumSolver &solver, const
             if (root && root->speed > a.speed && root->speed < b.speed && whirls(*root) &&
                 std::ranges::none_of(out, [&](const DoubleRoot &other) {
                     // Without damping motions that grow and die out alike meet at one speed.
-                    return std::abs(other.speed - root->speed) < 1e-9 * std::abs(other.speed) &&
+                    return std::abs(other.speed - root->speed) <
+                               1e-9 * std::abs(other.speed) + 2 * root->noise &&
                            std::abs(other.value - root->value) < 1e-7 * std::abs(other.speed);
                 }))
                 out.push_back(*root);
@@ -57,25 +58,36 @@ LockEnd end_of(const DoubleRoot &root) {
     constexpr double offset = 1e-7;
     const double outwards = root.opens ? -1 : 1;
     const bool undamped = std::abs(root.value) <= resolved * std::abs(root.speed);
-    return {root.speed, root.speed + outwards * offset * std::abs(root.speed),
+    return {root.speed,
+            root.speed + outwards * std::max(offset * std::abs(root.speed), 10 * root.noise),
             undamped ? 0 : root.value, root.shape};
 }
 
-/// The roots account for the numbers at both borders and half way between each two neighbours.
+/// The roots account for the numbers at both borders, half way between each two neighbours, and
+/// next to each of them: what has left a band may be caught by another motion close by.
 bool explained(const modes::SpectrumSolver &solver, const Count &a, const Count &b, int wanted,
                const std::vector<DoubleRoot> &roots) {
-    constexpr double together = 1e-8; // as where motions meet that grow and die out alike
+    constexpr double together = 1e-8;   // as where motions meet that grow and die out alike
+    constexpr double next_to = 1. / 16; // of the part
     const auto opened =
         std::ranges::count_if(roots, [](const DoubleRoot &root) { return root.opens; });
     if (roots.empty() || a.motions + 2 * opened - std::ssize(roots) != b.motions)
         return false;
+    const double aside = next_to * (b.speed - a.speed);
     std::ptrdiff_t expected = a.motions;
     for (std::size_t i = 0; i <= roots.size(); ++i) {
         const double from = i == 0 ? a.speed : roots[i - 1].speed;
         const double to = i == roots.size() ? b.speed : roots[i].speed;
-        const bool at_one_speed = to - from < together * std::abs(to);
-        if (!at_one_speed && count_at(solver, (from + to) / 2, wanted).motions != expected)
-            return false;
+        std::vector<double> speeds;
+        if (to - from >= together * std::abs(to)) // else at one speed
+            speeds.push_back((from + to) / 2);
+        if (to - from > 2 * aside && i > 0)
+            speeds.push_back(from + aside);
+        if (to - from > 2 * aside && i < roots.size())
+            speeds.push_back(to - aside);
+        for (const double speed : speeds)
+            if (count_at(solver, speed, wanted).motions != expected)
+                return false;
         if (i < roots.size())
             expected += roots[i].opens ? 1 : -1;
     }

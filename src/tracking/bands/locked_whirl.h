@@ -34,7 +34,7 @@ struct Count {
 
 /// An end of a band of speeds over which a motion is locked.
 struct LockEnd {
-    double speed = 0;           ///< rad/s, relative 1e-11
+    double speed = 0;           ///< rad/s, relative 1e-11 or what rounding leaves
     double outside = 0;         ///< a speed close by at which the motion has left the band
     double real = 0;            ///< of the eigenvalue at the end, 1/s
     Eigen::VectorXd shape = {}; ///< form rotating: of the motion there
