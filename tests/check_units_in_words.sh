@@ -22,7 +22,6 @@ my @allowed = (
     ["src/report/pictures/campbell.cpp", "Whirl frequency (cycles/min)", "second axis where no unit is asked for"],
     ["src/report/accuracy.cpp", "ms", "wall times, which no entry of [units] changes"],
     ["src/report/accuracy.cpp", "Wall time (ms)", "the same"],
-    ["src/report/web/accuracy.js", "Wall time (ms)", "the same"],
     ["src/report/show.cpp", "m", "dimensionless masses of a paper"],
     ["src/report/restart_file.cpp", "{}, expected ", "mistakes of a file, which is in SI"],
     ["src/report/common/plot_jobs.cpp", "within {} s", "a limit of gnuplot's patience"],
@@ -39,7 +38,6 @@ my @allowed = (
     ["src/report/pictures/labels.cpp", "s", "plural"],
     ["src/linalg/", "N", "LAPACK's letters"],
     ["src/report/common/drawing.cpp", "\$s{}", "a name in a script"],
-    ["src/report/web/simulate.js", "s", "a group of curves"],
 );
 my $bad = 0;
 my @used;

@@ -365,6 +365,15 @@ UnstableBands unstable_bands_of(const model::Case &scene, const balancers::Arran
                              with_errors);
 }
 
+/// The case with the bearings of one clearance, without what is asked of it with `table` alone.
+model::Case scene_with_fit(model::Case scene, model::BearingFit fit) {
+    scene.rotor = model::with_fit(std::move(scene.rotor), fit);
+    scene.standard.reset();
+    scene.map.reset();
+    scene.states.reset();
+    return scene;
+}
+
 results::StabilityResult stability(const model::Case &scene, const CaseWith &with) {
     results::StabilityResult result;
     result.speeds = model::required_speeds(scene).values();
@@ -393,6 +402,12 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
     add_notes(scene, model, result);
     if (!placed)
         note_drives(model, result);
+    if (scene.standard)
+        for (const model::BearingFit fit : scene.standard->fits)
+            if (fit != model::BearingFit::given) {
+                result.clearances.push_back(stability(scene_with_fit(scene, fit), with));
+                result.clearances.back().fit = fit;
+            }
     return result;
 }
 

@@ -17,7 +17,8 @@ namespace whirl::analyses {
 
 /// Where motion is unstable: growth over the speeds of the case; all unstable bands in the range,
 /// ends refined (unstable_bands.h); critical and additional speeds; permissible anisotropies;
-/// intervals over the family of balanced positions; with [map] the growth over two entries.
+/// intervals over the family of balanced positions; with [map] the growth over two entries; with
+/// [standard] clearances the same with the bearings of each.
 /// Maps are collective under mpirun and complete on process 0.
 /// @throws model::BadInput without [speeds] or a balanced position; model::AnalysisFailure where
 /// eigenvalues are not found or a Hill series does not settle.

@@ -82,45 +82,37 @@ Families families_of(const AccuracyResult &result) {
     return families;
 }
 
-/// @param x  of the axis: a member or a function of the row
-std::string plots(const Families &families, const auto &x, bool legend) {
-    Curves drawn;
-    std::size_t index = 0;
-    for (const auto &[title, rows] : families) {
-        std::vector<PlotPoint> points;
-        for (const AccuracyRow &row : rows)
-            points.push_back({static_cast<double>(std::invoke(x, row)), row.true_error});
-        const LineStyle style = series_style(index++);
-        drawn.add(points,
-                  fmt::format("with linespoints lw 1.8 dt {} pt {} ps 1 lc rgb '{}'", style.dash,
-                              style.point, style.colour),
-                  legend ? plot_text(title) : "");
-    }
-    return families.empty() ? "set xrange [1:10]\nset yrange [1e-12:1]\nplot NaN notitle\n"
-                            : drawn.script();
-}
-
 /// True error over wall time and over unknowns, logarithmic, one line for each element family and
 /// order.
-Figure accuracy_figure(const model::Case &scene, const AccuracyResult &result, const Units &) {
-    const Families families = families_of(result);
-    return figure_of(1180, 600, "Speed and accuracy: " + title_of(scene),
-                     "largest relative error of the frequencies against " + result.reference,
-                     std::string("set logscale xy\nset format y '10^{%L}'\n") + grid +
-                         "set ylabel 'True relative error'\nset xlabel 'Unknowns'\nunset key\n" +
-                         panel_margins(0.075, 0.42, 0.115, 0.87) +
-                         plots(families, &AccuracyRow::unknowns, false) +
-                         "unset label\nunset ylabel\nset xlabel 'Wall time (ms)'\n"
-                         "set key at graph 1.03,1 left top reverse Left vertical samplen 3\n" +
-                         panel_margins(0.475, 0.82, 0.115, 0.87) +
-                         plots(families, in(1000, &AccuracyRow::seconds), true));
+Chart accuracy_chart(const model::Case &scene, const AccuracyResult &result, const Units &) {
+    Chart chart{"Speed and accuracy: " + title_of(scene),
+                "largest relative error of the frequencies against " + result.reference,
+                {}};
+    const auto add = [&](const std::string &title, const auto &x) {
+        ChartPanel panel{380,
+                         {.title = title, .logarithmic = true},
+                         {.title = "True relative error", .logarithmic = true},
+                         {}};
+        for (const auto &[name, rows] : families_of(result)) {
+            std::vector<PlotPoint> points;
+            for (const AccuracyRow &row : rows)
+                points.push_back({static_cast<double>(std::invoke(x, row)), row.true_error});
+            panel.curves.push_back(chart_curve(name, points, panel.curves.size()));
+            panel.curves.back().marker = 1;
+        }
+        chart.panels.push_back(panel);
+    };
+    add("Unknowns", &AccuracyRow::unknowns);
+    add("Wall time (ms)", in(1000, &AccuracyRow::seconds));
+    return chart;
 }
 
 } // namespace
 
 Report describe(const model::Case &scene, const AccuracyResult &result) {
-    return report_of<AccuracyResult>("accuracy", "Speed and accuracy", scene, result,
-                                     {json_of, csv_of, sections_of, text_of, accuracy_figure});
+    return report_of<AccuracyResult>(
+        "accuracy", "Speed and accuracy", scene, result,
+        {json_of, csv_of, sections_of, text_of, nullptr, accuracy_chart});
 }
 
 } // namespace whirl::report

@@ -400,7 +400,8 @@ std::vector<Picture> pictures_of(const model::Case &scene, const BalanceResult &
                                  const Units &units) {
     std::vector<Picture> pictures;
     if (result.supply)
-        pictures.push_back({"residual", residual_figure(scene, result, units), {}});
+        pictures.push_back(
+            {"residual", chart_figure(residual_chart(scene, result, units), scene, units), {}});
     if (result.states && !result.states->states.empty())
         pictures.push_back({"states", states_figure(scene, *result.states, units), {}});
     if (result.placement)

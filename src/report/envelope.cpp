@@ -64,6 +64,8 @@ std::string to_page_json(const Report &report) {
     const Units units = Units::of_readers(report.scene->units);
     Json json = whole_json(report, units);
     json["units"] = unit_names(units);
+    if (report.chart)
+        json["chart"] = chart_json(report.chart(units));
     if (report.drawn)
         json["drawn"] = report.drawn(units);
     return json_text(json);

@@ -98,9 +98,12 @@ std::string script_element(std::string_view script) {
     return std::string("<script>").append(script).append("</script>\n");
 }
 
-/// Whether a script of the page draws the diagram.
+/// The script that draws the diagram on the page; nothing: it is a still picture.
+std::string drawing_script(const Report &report) {
+    return embedded(report.chart ? "chart.js" : report.command + ".js");
+}
 bool moves(const Report &report) {
-    return !plotly_bundle().empty() && !embedded(report.command + ".js").empty();
+    return !plotly_bundle().empty() && !drawing_script(report).empty();
 }
 
 /// What stands between the head of a page and its foot, by the names in page.html.
@@ -119,7 +122,7 @@ std::map<std::string, std::string> main_of(const Report &report, const std::stri
                           "<div id=\"plot\"></div></figure>\n",
                           escaped_attribute(report.heading + ": " + title))
             : still;
-    if (!moves(report) && !embedded(report.command + ".js").empty())
+    if (!moves(report) && !drawing_script(report).empty())
         plot +=
             element("p", "This build has no Plotly, so the diagram is a still picture.", "note");
     const bool is_drawing = static_cast<bool>(report.drawing) || // the rotor itself
@@ -160,7 +163,7 @@ std::string to_html(const Report &report, const std::string &still, const std::s
     if (moves(report) || !of_space.empty()) // in a function of its own: names such as `top` belong
         scripts +=                          // to the window outside
             script_element("(function () {\n" + embedded("common.js") + of_space +
-                           (moves(report) ? embedded(report.command + ".js") : "") + "})();\n");
+                           (moves(report) ? drawing_script(report) : "") + "})();\n");
     std::map<std::string, std::string> values = main_of(report, still, pictures);
     values.insert({{"title", escaped(title_of(*report.scene))},
                    {"case", escaped(report.scene->name)},

@@ -4,6 +4,7 @@
 #include "report/common/drawing.h"
 #include "report/common/gnuplot.h"
 #include "report/common/units.h"
+#include "report/pictures/chart.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -92,6 +93,7 @@ struct Report {
         sections{};                                   ///< below the diagram of the page
     std::function<std::string(const Units &)> text{}; ///< for the terminal
     std::function<Figure(const Units &)> figure{};    ///< the main picture
+    std::function<Chart(const Units &)> chart{};      ///< its description, where it has one
     // What some commands have:
     std::function<Drawing(const Units &)> drawing{}; ///< in place of the figure
     std::function<std::vector<Picture>(const Units &)> pictures{};
@@ -117,6 +119,8 @@ template <class Result> struct Parts {
     std::vector<Section> (*sections)(const Result &, const Units &);
     std::string (*text)(const model::Case &, const Result &, const Units &);
     Figure (*figure)(const model::Case &, const Result &, const Units &);
+    /// The main picture by a description, in place of `figure`.
+    Chart (*chart)(const model::Case &, const Result &, const Units &) = nullptr;
 };
 
 /// The report of a result from its parts.
@@ -133,8 +137,13 @@ template <class Result>
     report.text = [&scene, &result, text = parts.text](const Units &units) {
         return text(scene, result, units);
     };
-    report.figure = [&scene, &result, figure = parts.figure](const Units &units) {
-        return figure(scene, result, units);
+    if (parts.chart)
+        report.chart = [&scene, &result, chart = parts.chart](const Units &units) {
+            return chart(scene, result, units);
+        };
+    report.figure = [&scene, &result, parts](const Units &units) {
+        return parts.chart ? chart_figure(parts.chart(scene, result, units), scene, units)
+                           : parts.figure(scene, result, units);
     };
     return report;
 }

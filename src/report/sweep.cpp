@@ -193,7 +193,7 @@ std::string sweep_text(const model::Case &scene, const SweepResult &result, cons
 Report describe(const model::Case &scene, const SweepResult &result) {
     return report_of<SweepResult>(
         "sweep", "Sweep", scene, result,
-        {sweep_json, sweep_csv, sweep_sections, sweep_text, sweep_figure});
+        {sweep_json, sweep_csv, sweep_sections, sweep_text, nullptr, sweep_chart});
 }
 
 } // namespace whirl::report

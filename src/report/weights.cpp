@@ -394,7 +394,8 @@ Report describe(const model::Case &scene, const WeightsResult &result) {
     if (result.influence_curves.empty())
         return report;
     report.pictures = [&](const Units &units) {
-        return std::vector<Picture>{{"influence", influence_figure(scene, result, units), {}}};
+        return std::vector<Picture>{
+            {"influence", chart_figure(influence_chart(scene, result, units), scene, units), {}}};
     };
     report.pictures_heading = "Influence over speed";
     report.tables = [&result] {

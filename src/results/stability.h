@@ -131,8 +131,21 @@ struct StabilityResult {
     std::vector<Interval> no_position; ///< rad/s, where they ask for one that there is not
     std::optional<ArrangementFamily> family;
     std::optional<StabilityMap> map;
-    std::optional<Level1> level1;       ///< where the case asks for it
-    std::optional<SteadyStates> states; ///< likewise
+    std::optional<Level1> level1;                     ///< where the case asks for it
+    std::optional<SteadyStates> states;               ///< likewise
+    model::BearingFit fit = model::BearingFit::given; ///< whose bearing tables these are of
+    /// With [standard] clearances: the same, but for map and states, with the tables of each.
+    std::vector<StabilityResult> clearances;
 };
+
+/// Largest growth at any speed, 1/s, of the motions that the elements resolve; NaN: not known.
+[[nodiscard]] double largest_growth(const StabilityResult &result);
+/// Unstable spin speeds of these motions, rad/s.
+[[nodiscard]] const std::vector<Interval> &unstable_speeds(const StabilityResult &result);
+
+/// Of a result and those with other clearances the one that is nearest to growing: unstable at
+/// some speed, else of the smallest critical cross coupling where one is asked for, else of the
+/// largest growth.
+[[nodiscard]] const StabilityResult &least_stable(const StabilityResult &result);
 
 } // namespace whirl::results

@@ -231,7 +231,7 @@ TEST(ResponseOrbits, no_limit_at_a_resonance_without_damping) {
     EXPECT_TRUE(told);
 }
 
-TEST(ResponseOrbits, without_being_told_where_the_machine_runs_and_at_the_peaks_between) {
+TEST(ResponseOrbits, without_being_told_where_the_machine_runs_and_at_the_resonances_between) {
     const OnPedestals rotor;
     model::Case scene = rotor.scene(50, 2500);
     const ResponseResult free = unbalance_response(scene);
@@ -244,13 +244,20 @@ TEST(ResponseOrbits, without_being_told_where_the_machine_runs_and_at_the_peaks_
     const double larger = peaks[0].value > peaks[1].value ? peaks[0].speed : peaks[1].speed;
     // Of stations that move alike, each with its own peak, rounding chooses.
     EXPECT_NEAR(free.orbits[0].speed / larger, 1, 1e-10);
-    const double smaller = peaks[0].value > peaks[1].value ? peaks[1].speed : peaks[0].speed;
-    scene.operation = model::Operation{0.9 * smaller, 1.1 * smaller, {}};
+    // Between the operating speeds at each resonance, judged by its largest peak of a station.
+    ASSERT_FALSE(free.resonances.empty());
+    const double resonance = free.resonances.front().peak.speed;
+    scene.operation = model::Operation{0.9 * resonance, 1.1 * resonance, {}};
     const ResponseResult held = unbalance_response(scene);
     ASSERT_EQ(held.orbits.size(), 3U);
     EXPECT_EQ(held.orbits[0].speed, scene.operation->from);
-    EXPECT_NEAR(held.orbits[1].speed / smaller, 1, 0.02); // the largest of those of one resonance
+    EXPECT_NEAR(held.orbits[1].speed / resonance, 1, 1e-6);
     EXPECT_EQ(held.orbits[2].speed, scene.operation->to);
+    // A flank is no resonance.
+    const results::ResponsePeak &smaller = peaks[0].value > peaks[1].value ? peaks[1] : peaks[0];
+    ASSERT_FALSE(smaller.resonance.has_value());
+    scene.operation = model::Operation{0.9 * smaller.speed, 1.1 * smaller.speed, {}};
+    EXPECT_EQ(unbalance_response(scene).orbits.size(), 2U);
     ASSERT_EQ(held.shapes.size(), 3U);
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_EQ(held.shapes[i].speed, held.orbits[i].speed);

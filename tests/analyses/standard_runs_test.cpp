@@ -8,6 +8,7 @@
 #include "analyses/response.h"
 #include "analyses/stability.h"
 #include "model/rpm.h"
+#include "model/variants.h"
 #include "support/scenes.h"
 
 #include <gtest/gtest.h>
@@ -197,6 +198,69 @@ TEST(StandardRuns, TablesOfClearancesAreCasesOfTheirOwn) {
         }
         expect_same(run, unbalance_response(plain));
     }
+}
+
+/// Value over limit, of a limit that is broken above all others.
+double use_of(const results::OperatingWorst &worst) {
+    return worst.value / worst.limit + (worst.pass.has_value() && !*worst.pass ? 1e3 : 0);
+}
+
+TEST(StandardRuns, TheWorstUsesMostOfALimit) {
+    const ResponseResult found = response_with_runs(with_tables());
+    std::size_t worst = 0;
+    double most = 0;
+    for (std::size_t i = 0; i < found.runs.size(); ++i)
+        for (const auto &one : found.runs[i].operating.worst)
+            if (use_of(one) > most) {
+                most = use_of(one);
+                worst = i;
+            }
+    ASSERT_GT(most, 0);
+    EXPECT_EQ(found.worst_run, worst);
+}
+
+/// With the bearings of one clearance and nothing of [standard].
+model::Case with_fit(model::Case scene, BearingFit fit) {
+    scene.rotor = model::with_fit(std::move(scene.rotor), fit);
+    scene.standard.reset();
+    return scene;
+}
+
+TEST(StandardRuns, StabilityOfEachClearanceIsThatOfACaseOfItsOwn) {
+    model::Case scene = analyses::over_operation(with_tables());
+    scene.level1 = model::Level1Settings{.z = 0.5, .anticipated = 1e4};
+    const auto all = analyses::stability(scene, {});
+    ASSERT_EQ(all.clearances.size(), 2U);
+    double largest = results::largest_growth(all);
+    double coupling = *all.level1->critical_cross_coupling;
+    for (std::size_t i : {0U, 1U}) {
+        const results::StabilityResult &one = all.clearances[i];
+        EXPECT_EQ(one.fit, i == 0 ? BearingFit::least : BearingFit::most);
+        const auto own = analyses::stability(with_fit(scene, one.fit), {});
+        ASSERT_EQ(one.growth.size(), own.growth.size());
+        for (std::size_t k = 0; k < own.growth.size(); ++k)
+            expect_close(one.growth[k], own.growth[k], "growth");
+        expect_close(*one.level1->critical_cross_coupling, *own.level1->critical_cross_coupling,
+                     "critical cross coupling");
+        // The tables tell the three apart: a case judged by one of them would be another.
+        EXPECT_GT(std::abs(*one.level1->critical_cross_coupling / coupling - 1), 1e-3);
+        largest = std::max(largest, results::largest_growth(one));
+        coupling = std::min(coupling, *one.level1->critical_cross_coupling);
+    }
+    EXPECT_EQ(*results::least_stable(all).level1->critical_cross_coupling, coupling);
+    // The checks are those of the worst, named.
+    const ResponseResult response = response_with_runs(scene);
+    const auto critical = analyses::critical_speeds(scene, false, &response.peaks);
+    const auto assessment = analyses::assess(scene, {&response, &critical, &all, {}, {}, {}});
+    const auto check = [&](const std::string &name) {
+        return *std::ranges::find(assessment.checks, name, &results::Check::name);
+    };
+    EXPECT_EQ(check("growth of free motions").value, largest);
+    const results::Check ratio = check("critical over anticipated cross coupling");
+    expect_close(*ratio.value, coupling / 1e4, "critical over anticipated");
+    EXPECT_NE(ratio.where.find("clearance " + model::fit_name(results::least_stable(all).fit)),
+              std::string::npos)
+        << ratio.where;
 }
 
 TEST(StandardRuns, ClearancesAloneHaveTheImbalancesOfTheCase) {

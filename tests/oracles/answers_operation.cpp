@@ -31,9 +31,8 @@ struct ProbePeak {
     double speed = 0, value = 0, amplification = 0;
 };
 
-/// The peak of a probe between two speeds, with its half-power points.
-ProbePeak probe_peak(const CaseRotor &rotor, const Probe &probe, double low, double high) {
-    const auto reading = [&](double speed) { return probe_reading(rotor, speed, probe); };
+/// The peak of a curve over speed between two speeds, with its half-power points.
+ProbePeak peak_between(const std::function<double(double)> &reading, double low, double high) {
     ProbePeak out;
     out.speed = top_between(reading, low, high);
     out.value = reading(out.speed);
@@ -62,7 +61,9 @@ ProbePeak lowest_peak(const CaseRotor &rotor) {
         for (int i = 1; i <= steps; ++i) {
             const double next = probe_reading(rotor, at(i), probe);
             if (here > before && here > next) {
-                const ProbePeak peak = probe_peak(rotor, probe, at(i - 2), at(i));
+                const ProbePeak peak =
+                    peak_between([&](double speed) { return probe_reading(rotor, speed, probe); },
+                                 at(i - 2), at(i));
                 if (peak.value > best.value)
                     best = peak;
                 break;
@@ -184,12 +185,94 @@ double log_dec(const Running &running, double w, double from, double to) {
     return -2 * std::numbers::pi * l.real() / l.imag();
 }
 
+// Of [standard]: rotors that are the same from either end, with two clearances of their bearings.
+
+/// "/runs/3/margins/0/speed": 3 and "/margins/0/speed".
+std::pair<std::size_t, std::string> entry_of(const std::string &path, const std::string &list) {
+    std::size_t used = 0;
+    const std::size_t index = std::stoul(path.substr(list.size()), &used);
+    return {index, path.substr(list.size() + used)};
+}
+
+CaseRotor with_clearance(CaseRotor rotor, std::size_t index) {
+    rotor.tables = rotor.tables_of_clearances.at(index);
+    return rotor;
+}
+
+double mass_of(const CaseRotor &rotor) {
+    double mass = 0;
+    for (const Segment &s : rotor.shaft)
+        mass += s.left.rho * std::numbers::pi / 4 * s.left.length *
+                (s.left.outer * s.left.outer - s.left.inner * s.left.inner);
+    for (const RigidDisc &disc : rotor.discs)
+        mass += disc.mass;
+    return mass;
+}
+
+/// Twice 4 W/N oz in, W in lb, N in rpm: of the whole rotor at mid-span, where its first bending
+/// mode deflects most because it is the same from either end.
+Imbalance first_bending(const CaseRotor &rotor) {
+    constexpr double lb = 0.45359237;
+    constexpr double ounce_inch = lb / 16 * 0.0254; // kg m
+    const double rpm = rotor.operation.to * 30 / std::numbers::pi;
+    return {rotor.length() / 2, 2 * 4 * (mass_of(rotor) / lb) / rpm * ounce_inch, 0};
+}
+
+/// The run `first bending`, the first with the least clearance; any other: with the largest.
+Answer of_run(const Request &request, std::size_t index, const std::string &path) {
+    Request own = request;
+    own.rotor = with_clearance(request.rotor, index == 0 ? 0 : 1);
+    own.rotor.imbalances = {first_bending(request.rotor)};
+    own.path = path;
+    if (path == "/unbalance/0/mr")
+        return {"4 W/N oz in by hand", {own.rotor.imbalances[0].mr}, {}, {}};
+    if (path == "/unbalance/0/z")
+        return {"symmetry", {own.rotor.imbalances[0].z}, {}, {}};
+    const std::string resonance = "/resonances/0/";
+    if (path.rfind(resonance, 0) != 0)
+        return answer_operation(own);
+    const auto middle = [&](double speed) {
+        return semi_major(own.rotor, speed, own.rotor.length() / 2);
+    };
+    const ProbePeak near = lowest_peak(own.rotor); // of the probes: at nearly the same speed
+    constexpr double around = 0.05;
+    return {"dense two-node elements, half-power points",
+            {number_of(path.substr(resonance.size()),
+                       peak_between(middle, (1 - around) * near.speed, (1 + around) * near.speed),
+                       own.rotor.operation)},
+            {},
+            {}};
+}
+
+/// The largest growth over the speeds of the case, of motions no faster than the rotor.
+double growth_of(const CaseRotor &rotor) {
+    double largest = -HUGE_VAL;
+    for (int i = 0; i < rotor.speed_count; ++i)
+        for (const Cplx l :
+             whirl_eigenvalues(dense_rotor(rotor.at_speed(rotor.speed(i))), rotor.speed(i)))
+            if (std::abs(l) <= rotor.speed(i))
+                largest = std::max(largest, l.real());
+    return largest;
+}
+
 } // namespace
 
 Answer answer_operation(const Request &request) {
     const CaseRotor &rotor = request.rotor;
     if (!rotor.classical)
         no_answer("operating speeds: two-node elements only");
+    if (request.path.rfind("/runs/", 0) == 0) {
+        const auto [index, rest] = entry_of(request.path, "/runs/");
+        return of_run(request, index, rest);
+    }
+    if (request.path.rfind("/clearances/", 0) == 0) {
+        const auto [index, rest] = entry_of(request.path, "/clearances/");
+        Request own = request;
+        own.rotor = with_clearance(rotor, index);
+        own.path = rest;
+        return rest == "/growth" ? Answer{"dense two-node elements", {growth_of(own.rotor)}, {}, {}}
+                                 : answer_operation(own);
+    }
     const std::string margins = "/margins/0/";
     if (request.path.rfind(margins, 0) == 0)
         return {

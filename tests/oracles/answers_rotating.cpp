@@ -137,7 +137,7 @@ Answer answer_balls(const CaseRotor &rotor, const std::string &path) {
 
 Answer answer_stability(const Request &request) {
     const CaseRotor &rotor = request.rotor;
-    if (request.path.rfind("/level1", 0) == 0)
+    if (request.path.rfind("/level1", 0) == 0 || request.path.rfind("/clearances", 0) == 0)
         return answer_operation(request);
     if (request.path.rfind("/state", 0) == 0)
         return answer_states(request);

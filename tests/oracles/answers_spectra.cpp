@@ -236,7 +236,7 @@ Answer of_forces(const Request &request) {
 
 Answer answer_response(const Request &request) {
     const CaseRotor &rotor = request.rotor;
-    if (request.path.rfind("/margins", 0) == 0)
+    if (request.path.rfind("/margins", 0) == 0 || request.path.rfind("/runs", 0) == 0)
         return answer_operation(request);
     if (request.path == "static" || request.path.rfind("twice", 0) == 0)
         return under_weight(request);

@@ -136,6 +136,14 @@ void read_attached(const toml::table &root, const std::filesystem::path &folder,
         rotor.tables.push_back(table);
         rotor.mounts.push_back(mount_of(*t));
     }
+    if (const toml::array *clearances = part(root, "standard")["clearances"].as_array())
+        for (const toml::node &clearance : *clearances) {
+            std::vector<SpeedTable> &tables = rotor.tables_of_clearances.emplace_back();
+            for (const toml::table *t : tables_of(root, "bearing"))
+                tables.push_back(speed_table_of(
+                    (folder / word(*t, "table_" + clearance.value_or<std::string>(""))).string(),
+                    number(*t, "z")));
+        }
     for (const toml::table *t : tables_of(root, "seal")) {
         if (t->contains("table"))
             throw std::runtime_error("the oracles read seals without tables");

@@ -20,6 +20,8 @@ struct CaseRotor {
     std::vector<RigidDisc> discs;  ///< the fluid of seals among them: point masses
     std::vector<Support> supports; ///< as they are at rest
     std::vector<SpeedTable> tables;
+    /// Of the bearings with [standard] clearances, in the order of the case; empty without.
+    std::vector<std::vector<SpeedTable>> tables_of_clearances;
     std::vector<Mount> mounts; ///< of each support
     std::vector<InertialAnisotropy> anisotropies;
     std::vector<Balancer> balancers;

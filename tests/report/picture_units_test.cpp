@@ -140,7 +140,7 @@ TEST(PictureUnits, OfAResponseAreThoseOfPeaksAndForces) {
     peak.lower = 190;
     result.peaks = {peak};
     const auto figure = [&](const Units &units) {
-        return response_figure(sample_case(), result, units);
+        return chart_figure(response_chart(sample_case(), result, units), sample_case(), units);
     };
     using enum Quantity;
     expect_scaled(figure, {{speed, amplitude}, {speed, number}, {speed, force}});
@@ -165,7 +165,7 @@ TEST(PictureUnits, OfAMotionTellPeaksFromDeflections) {
     result.stations[0].z = 0.5;
     result.stations[0].peak = {3e-5, 1, 100, false};
     const auto figure = [&](const Units &units) {
-        return stations_figure(sample_case(), result, units);
+        return chart_figure(simulate_chart(sample_case(), result, units), sample_case(), units);
     };
     using enum Quantity;
     expect_scaled(figure, {{number, amplitude}, {number, deflection}});

@@ -64,6 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
         "--set map.y.path=anisotropy[0].dI --set map.y.from=0 --set map.y.to=0.01 "
         "--set map.y.count=2",
         "response cases/compressor_margins --set standard.unbalance=api617 --set speeds.count=5",
+        "stability cases/api617_clearances --set speeds.count=5",
         "samples cases/uncertain_jeffcott --set samples.count=5", "sweep cases/uncertain_jeffcott",
         "sweep cases/uncertain_jeffcott --set sweep.y= --set sweep.x.count=3",
         "weights cases/weights_fan",

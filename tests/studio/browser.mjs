@@ -1,8 +1,16 @@
 // Chromium without a window, driven through its DevTools protocol over a pipe: needs no package.
 import { spawn } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
+import { accessSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+
+// Its name; where none is installed the program ends with status 77.
+export function whichBrowser() {
+  const name = ["chromium", "chromium-browser", "google-chrome"].find(own =>
+    process.env.PATH.split(":").some(folder => { try { accessSync(folder + "/" + own); return true; } catch { return false; } }));
+  if (!name) { console.log("no browser is installed"); process.exit(77); }
+  return name;
+}
 
 export class Browser {
   #next = 1;

@@ -1,12 +1,8 @@
 // A hundred random edits by clicks and keys: none leaves the page broken.
 // Usage: node clicks.mjs PROGRAM CASE [edits] [seed]; status 1 where one does.
-import { accessSync } from "node:fs";
-import { Browser, quiet, studio } from "./browser.mjs";
+import { Browser, quiet, studio, whichBrowser } from "./browser.mjs";
 
 const [program, scene, edits = "100", seed = "1"] = process.argv.slice(2);
-const name = ["chromium", "chromium-browser", "google-chrome"].find(own =>
-  process.env.PATH.split(":").some(folder => { try { accessSync(folder + "/" + own); return true; } catch { return false; } }));
-if (!name) { console.log("no browser is installed"); process.exit(77); }
 
 // Numbers from 0 to 1 that follow from the seed: a linear congruential generator modulo 2^32.
 let state = Number(seed);
@@ -14,7 +10,7 @@ const random = () => { state = (Math.imul(state, 1664525) + 1013904223) >>> 0; r
 const one = list => list[Math.floor(random() * list.length)];
 
 const whirl = await studio(program, [scene]);
-const browser = new Browser(name);
+const browser = new Browser(whichBrowser());
 let failed = 0;
 const complain = text => { console.log(text); failed = 1; };
 try {

@@ -1,4 +1,6 @@
 #!/bin/sh
-# clicks.mjs where Node is installed; status 77 where it is not.
+# A script of clicks where Node is installed; status 77 where it is not. usage: clicks.sh SCRIPT WHIRL CASE
 command -v node > /dev/null || { echo "no Node is installed"; exit 77; }
-exec node "$(dirname "$0")/clicks.mjs" "$@"
+script=$1
+shift
+exec node "$(dirname "$0")/$script" "$@"

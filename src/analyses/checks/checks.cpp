@@ -368,8 +368,9 @@ void add_margins(std::vector<Check> &checks, const model::Case &scene, const Com
 
 const char *const growth_check = "growth of free motions";
 
-/// Growth of free motions, over all operating speeds.
-Check of_stability(const model::Case &scene, const Computed &computed) {
+/// Growth of free motions, over all operating speeds. @param result  none: not computed
+Check of_stability(const model::Case &scene, const results::StabilityResult *result,
+                   const Sentence &no_stability) {
     Check check;
     check.name = growth_check;
     check.quantity = model::Quantity::rate;
@@ -379,9 +380,8 @@ Check of_stability(const model::Case &scene, const Computed &computed) {
         reset(check, why);
         return check;
     };
-    const results::StabilityResult *result = computed.stability;
     if (result == nullptr)
-        return undecided(or_else(computed.no_stability, "stability was not computed"));
+        return undecided(or_else(no_stability, "stability was not computed"));
     const double low = scene.operation->from;
     const double high = operation::top_speed(*scene.operation);
     const bool resolved = result->resolved_up_to.has_value();
@@ -450,15 +450,15 @@ Check of_stability(const model::Case &scene, const Computed &computed) {
     return check;
 }
 
-void add_level1(std::vector<Check> &checks, const model::Case &scene, const Computed &computed) {
+void add_level1(std::vector<Check> &checks, const model::Case &scene,
+                const results::StabilityResult *result, const Sentence &no_stability) {
     if (!scene.level1)
         return;
     const char *const source = "API 617, level I";
-    const results::StabilityResult *result = computed.stability;
     const results::Level1 *found = result != nullptr && result->level1 ? &*result->level1 : nullptr;
     Sentence why;
     if (found == nullptr)
-        why = result == nullptr ? or_else(computed.no_stability, "stability was not computed")
+        why = result == nullptr ? or_else(no_stability, "stability was not computed")
                                 : Sentence("added cross coupling was not computed");
     else if (!found->anticipated)
         why = "the case does not say which cross coupling is anticipated";
@@ -481,6 +481,52 @@ void add_level1(std::vector<Check> &checks, const model::Case &scene, const Comp
         apply(doubt_of_rotor(scene), check);
         checks.push_back(std::move(check));
     }
+}
+
+/// Growth and level I of one clearance of the bearings.
+std::vector<Check> of_free_motions(const model::Case &scene, const results::StabilityResult *result,
+                                   const Sentence &no_stability) {
+    std::vector<Check> checks{of_stability(scene, result, no_stability)};
+    add_level1(checks, scene, result, no_stability);
+    return checks;
+}
+
+/// Of two of one kind; where the limit is 0, of which there is no share, by the value.
+bool worse(const Check &one, const Check &other) {
+    if (badness(one) != badness(other))
+        return badness(one) < badness(other);
+    const double a = one.value.value_or(-infinite);
+    const double b = other.value.value_or(-infinite);
+    return one.at_least ? a < b : a > b;
+}
+
+/// Of each the worst of all clearances, named where there are several.
+void add_free_motions(std::vector<Check> &checks, model::Case scene, const Computed &computed) {
+    std::vector<Check> worst = of_free_motions(scene, computed.stability, computed.no_stability);
+    const model::Rotor rotor = scene.rotor;
+    const bool several = computed.stability != nullptr && !computed.stability->clearances.empty();
+    const auto name = [several](std::vector<Check> &all, model::BearingFit fit) {
+        for (Check &check : all)
+            if (several)
+                check.where += Sentence("{}clearance {}", check.where.empty() ? "" : ", ",
+                                        model::fit_name(fit));
+    };
+    name(worst, model::BearingFit::given);
+    for (std::size_t k = 0; several && k < computed.stability->clearances.size(); ++k) {
+        const results::StabilityResult &one = computed.stability->clearances[k];
+        scene.rotor = model::with_fit(rotor, one.fit);
+        std::vector<Check> own = of_free_motions(scene, &one, {});
+        name(own, one.fit);
+        // What level I asks for differs with what it finds (region B): by name.
+        for (Check &check : own) {
+            const auto same = std::ranges::find(worst, check.name, &Check::name);
+            if (same == worst.end())
+                worst.push_back(std::move(check));
+            else if (worse(check, *same))
+                *same = std::move(check);
+        }
+    }
+    checks.insert(checks.end(), worst.begin(), worst.end());
 }
 
 const char *const shaft_name = "vibration of the shaft";
@@ -738,8 +784,7 @@ results::Assessment assess(const model::Case &scene, const Computed &computed) {
         add_margins(out.checks, scene, computed);
         add_vibration(out.checks, scene, computed);
         add_touching(out.checks, scene, computed);
-        out.checks.push_back(of_stability(scene, computed));
-        add_level1(out.checks, scene, computed);
+        add_free_motions(out.checks, scene, computed);
     } else {
         add_without_operation(out.checks, computed.stability);
     }
@@ -748,9 +793,8 @@ results::Assessment assess(const model::Case &scene, const Computed &computed) {
         if (check.pass.value_or(false) && ((check.value && std::isnan(*check.value)) ||
                                            (check.limit && std::isnan(*check.limit))))
             reset(check, "the value is not a number");
-    const auto rank = [](const Check &check) { return !check.pass ? 1 : *check.pass ? 2 : 0; };
-    std::ranges::stable_sort(out.checks, {}, rank);
-    const int worst = rank(out.checks.front());
+    std::ranges::stable_sort(out.checks, {}, badness);
+    const int worst = badness(out.checks.front()).first;
     out.verdict = worst == 0   ? results::Judgement::fails
                   : worst == 1 ? results::Judgement::incomplete
                                : results::Judgement::passes;

@@ -1,6 +1,7 @@
 #include "analyses/orbits/response_orbits.h"
 
 #include "modes/orbits.h"
+#include "results/resonances.h"
 
 #include <fmt/format.h>
 
@@ -22,44 +23,29 @@ constexpr const char *in_clearance = "clearance"; // of peaks that are taken out
 
 const char *kind_of(const model::Bearing &bearing) { return bearing.seal ? "seal" : "bearing"; }
 
-/// One resonance peaks at slightly different speeds along the shaft: largest peaks first, those
-/// between the half-power points of one taken, or so near, are the same.
-bool same_resonance(const ResponsePeak &taken, double speed) {
-    constexpr double near = 0.02; // of the speed
-    const double below = taken.lower ? taken.speed - *taken.lower : 0;
-    const double above = taken.upper ? *taken.upper - taken.speed : 0;
-    return std::abs(speed - taken.speed) <= std::max({below, above, near * std::abs(taken.speed)});
-}
-
-/// Where the machine runs, at its slowest, normal and fastest, and the largest peaks of stations
-/// between, one a resonance; without operating speeds the largest of all peaks. Ascending.
-std::vector<double> usual_speeds(const model::Case &scene, const std::vector<ResponsePeak> &peaks) {
+/// Where the machine runs, at its slowest, normal and fastest, and the largest resonances of
+/// stations between; without operating speeds the largest of all. Ascending.
+std::vector<double> usual_speeds(const model::Case &scene, std::vector<ResponsePeak> peaks) {
     constexpr std::size_t most = 6;
-    std::vector<const ResponsePeak *> largest;
-    for (const ResponsePeak &peak : peaks)
-        if (peak.of == "station" && std::isfinite(peak.value))
-            largest.push_back(&peak);
-    std::ranges::stable_sort(largest, [](const auto *a, const auto *b) {
-        return a->value > b->value * (1 + 1e-9); // not for rounding to choose among equal ones
+    std::vector<ResponsePeak> largest;
+    for (const results::Resonance &one : results::resonances_of(peaks))
+        if (one.peak.of == "station" && std::isfinite(one.peak.value))
+            largest.push_back(one.peak);
+    std::ranges::stable_sort(largest, [](const ResponsePeak &a, const ResponsePeak &b) {
+        return a.value > b.value * (1 + 1e-9); // not for rounding to choose among equal ones
     });
     if (!scene.operation)
-        return largest.empty() ? std::vector<double>{} : std::vector{largest.front()->speed};
+        return largest.empty() ? std::vector<double>{} : std::vector{largest.front().speed};
     const model::Operation &operation = *scene.operation;
     std::vector<double> speeds{operation.from};
     for (const double speed : {operation.normal.value_or(operation.to), operation.to})
         if (speed > speeds.back())
             speeds.push_back(speed);
-    std::vector<const ResponsePeak *> taken;
-    for (const ResponsePeak *peak : largest) {
-        const double speed = std::abs(peak->speed);
-        if (speed > operation.from && speed < operation.to && taken.size() < most &&
-            std::ranges::none_of(taken, [peak](const ResponsePeak *other) {
-                return same_resonance(*other, peak->speed);
-            }))
-            taken.push_back(peak);
-    }
-    for (const ResponsePeak *peak : taken)
-        speeds.push_back(peak->speed);
+    std::erase_if(largest, [&operation](const ResponsePeak &peak) {
+        return !(std::abs(peak.speed) > operation.from && std::abs(peak.speed) < operation.to);
+    });
+    for (std::size_t i = 0; i < std::min(largest.size(), most); ++i)
+        speeds.push_back(largest[i].speed);
     std::ranges::sort(speeds);
     return speeds;
 }

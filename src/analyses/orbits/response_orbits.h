@@ -37,8 +37,8 @@ void watch_clearances(forced::Watched &all, const assembly::Discretization &d);
                                                                  std::size_t other_quantities);
 
 /// Orbits and deflected shapes at the speeds of the case, without any at the operating speeds and
-/// at peaks of stations between them, without these at the largest peak. And the largest orbit in
-/// each clearance over the range, with a note where it is too large.
+/// at resonances of stations between them, without these at the largest resonance. And the largest
+/// orbit in each clearance over the range, with a note where it is too large.
 ///
 /// @param nodes  as of the response, with their names
 /// @param peaks  of clearance_peaks

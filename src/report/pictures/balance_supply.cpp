@@ -1,11 +1,7 @@
 #include "report/balance_supply.h"
 #include "report/pictures/figures.h"
 
-#include "report/pictures/operation.h"
-#include "report/pictures/style.h"
 #include "results/balance.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,18 +14,15 @@ using results::LeftMotion;
 
 namespace {
 
-constexpr int left_panel_height = 230; // pixels
-constexpr int left_panel_gap = 64;
-constexpr int left_head_height = 100;
 constexpr std::size_t most_left_panels = 4;
 /// Values further below the largest are drawn at this share of it: nothing is left.
 constexpr double drawn_zero = 1e-4;
 
-constexpr const char *nothing_look = "lw 1.6 lc rgb '#8A8A8A'";
-constexpr const char *weights_look = "lw 1.8 dt (7,3) lc rgb '#0072B2'";
-constexpr const char *balancers_look = "lw 2.2 lc rgb '#007D5A'";
-constexpr const char *both_look = "lw 1.8 dt (3,3) lc rgb '#D55E00'";
-constexpr const char *idle_look = "lw 1.3 dt (2,3) lc rgb '#58A890'";
+const LineStyle nothing_look{"nothing", "#8A8A8A", "1", 7};
+const LineStyle weights_look{"best weights", "#0072B2", "(7,3)", 7};
+const LineStyle idle_look{"balanced position that does not keep", "#58A890", "(2,3)", 7};
+const LineStyle balancers_look{"balancers", "#007D5A", "1", 7};
+const LineStyle both_look{"weights and balancers", "#D55E00", "(3,3)", 7};
 
 double largest_of(const LeftMotion &motion) {
     double largest = 0;
@@ -57,48 +50,59 @@ std::vector<PlotPoint> left_points(const Units &units, const std::vector<double>
     return points;
 }
 
-std::string left_panel(const model::Case &scene, const Units &units, const BalanceResult &result,
-                       const LeftAt &left, bool legend, Range x) {
-    const results::BalanceSupply &supply = *result.supply;
-    const double largest = largest_of(left.amplitude);
-    const double bottom = drawn_zero * units(Quantity::amplitude, largest);
-    const char *lines = result.speeds.size() == 1 ? "points pt 7" : "lines";
-    std::vector<bool> idle;
-    for (const bool works : supply.works)
-        idle.push_back(!works);
-    Curves drawn;
-    const auto add = [&](const LeftMotion::Values &values, const char *look, const char *title,
-                         const std::vector<bool> &shown = {}) {
-        drawn.add(left_points(units, result.speeds, values, bottom, shown),
-                  fmt::format("with {} {}", lines, look), legend ? fmt::format("'{}'", title) : "");
-    };
-    if (largest > 0) {
-        add(left.amplitude.nothing, nothing_look, "nothing");
-        add(left.amplitude.weights, weights_look, "best weights");
-        add(left.amplitude.balancers, idle_look, "balanced position that does not keep", idle);
-        add(left.amplitude.balancers, balancers_look, "balancers", supply.works);
-        add(left.amplitude.both, both_look, "weights and balancers", supply.works);
-    } else {
-        drawn.add("NaN with lines lc rgb '#8A8A8A' title 'nothing moves'");
-    }
-    drawn.add(operation_key(scene, units, x));
-    return operation_band(scene, units, x) + grid + (largest > 0 ? logarithmic_y : linear_y) +
-           (largest > 0 ? fmt::format("set yrange [{}:{}]\n", 0.5 * bottom,
-                                      2 * units(Quantity::amplitude, largest))
-                        : std::string("set yrange [0:1]\n")) +
-           "set title " + plot_text(place_text(units, left.name, left.z)) + " offset 0,-0.6\n" +
-           "set ylabel " + axis_text(units, "Amplitude", Quantity::amplitude) + "\nunset xlabel\n" +
-           (legend ? legend_beside : "unset key\n") + drawn.script() +
-           "unset object\nunset arrow\nunset title\nunset label\n";
+/// Lines over the speeds; of one speed points.
+void take(ChartPanel &panel, const BalanceResult &result, std::vector<PlotPoint> points,
+          const LineStyle &style, double width, const std::string &name) {
+    const bool point = result.speeds.size() == 1;
+    panel.curves.push_back({name, std::move(points), style, point ? 0 : width, point ? 1.0 : 0.0});
 }
 
-std::string need_panel(const model::Case &scene, const Units &units, const BalanceResult &result,
-                       Range x) {
+ChartAxis speeds_of(const Units &units, const BalanceResult &result) {
+    ChartAxis axis = chart_axis(units, "Spin speed", Quantity::speed);
+    const Range range = speed_range(units, result.speeds);
+    axis.low = range.low;
+    axis.high = range.high;
+    return axis;
+}
+
+ChartPanel left_panel(const Units &units, const BalanceResult &result, const LeftAt &left,
+                      bool legend) {
+    const std::vector<bool> &works = result.supply->works;
+    std::vector<bool> idle = works;
+    idle.flip();
+    const double bottom = drawn_zero * units(Quantity::amplitude, largest_of(left.amplitude));
+    ChartPanel panel{230,
+                     speeds_of(units, result),
+                     chart_axis(units, "Amplitude", Quantity::amplitude),
+                     {},
+                     place_text(units, left.name, left.z)};
+    panel.x.title.clear();
+    const auto add = [&](const LeftMotion::Values &values, const LineStyle &style, double width,
+                         const std::vector<bool> &shown = {}) {
+        take(panel, result, left_points(units, result.speeds, values, bottom, shown), style, width,
+             legend ? style.name : "");
+    };
+    add(left.amplitude.nothing, nothing_look, 1.6);
+    add(left.amplitude.weights, weights_look, 1.8);
+    add(left.amplitude.balancers, idle_look, 1.3, idle);
+    add(left.amplitude.balancers, balancers_look, 2.2, works);
+    add(left.amplitude.both, both_look, 1.8, works);
+    panel.y.logarithmic = bottom > 0;
+    panel.y.low = 0.5 * bottom;
+    panel.y.high = bottom > 0 ? 2 * units(Quantity::amplitude, largest_of(left.amplitude)) : 1;
+    return panel;
+}
+
+ChartPanel need_panel(const Units &units, const BalanceResult &result) {
     const results::BalanceSupply &supply = *result.supply;
     const bool shares = std::ranges::all_of(supply.planes, [](const results::PlaneSupply &plane) {
         return plane.capacity && *plane.capacity > 0;
     });
-    Curves drawn;
+    ChartPanel panel{230,
+                     speeds_of(units, result),
+                     shares ? ChartAxis{.title = "Needed over capacity"}
+                            : chart_axis(units, "Needed", Quantity::imbalance),
+                     {}};
     double largest = 0;
     for (std::size_t p = 0; p < supply.planes.size(); ++p) {
         const results::PlaneSupply &plane = supply.planes[p];
@@ -111,48 +115,31 @@ std::string need_panel(const model::Case &scene, const Units &units, const Balan
             if (need && supply.works[k])
                 largest = std::max(largest, unit * std::abs(*need));
         }
-        drawn.add(points,
-                  result.speeds.size() == 1
-                      ? fmt::format("with points pt 7 lc rgb '{}'", series_style(p).colour)
-                      : line_look(series_style(p), 2),
-                  plot_text(model::name_or_number(result.planes[p].name, "plane", p)));
+        take(panel, result, std::move(points), series_style(p), 2,
+             model::name_or_number(result.planes[p].name, "plane", p));
     }
     if (shares)
-        drawn.add("1 with lines lw 1.4 dt (8,4) lc rgb '#B0305C' title 'all there is'");
-    const double top = std::max(1.25 * largest, shares ? 1.25 : 0);
-    return operation_band(scene, units, x) + grid + linear_y +
-           (top > 0 ? fmt::format("set yrange [0:{}]\n", top) : std::string("set yrange [0:*]\n")) +
-           "set ylabel " +
-           (shares ? plot_text("Needed over capacity")
-                   : axis_text(units, "Needed", Quantity::imbalance)) +
-           "\nset xlabel " + axis_text(units, "Spin speed", Quantity::speed) + "\n" +
-           legend_beside + drawn.script() + "unset object\nunset arrow\n";
+        panel.curves.push_back({"all there is",
+                                {{*panel.x.low, 1}, {*panel.x.high, 1}},
+                                {"", "#B0305C", "(8,4)", 7},
+                                1.4});
+    panel.y.low = 0;
+    if (const double top = std::max(1.25 * largest, shares ? 1.25 : 0); top > 0)
+        panel.y.high = top;
+    return panel;
 }
 
 } // namespace
 
-Figure residual_figure(const model::Case &scene, const BalanceResult &result, const Units &units) {
-    const std::vector<const LeftAt *> places = places_for_readers(*result.supply, most_left_panels);
-    const int panels = static_cast<int>(places.size()) + 1;
-    const int height = left_head_height + panels * (left_panel_height + left_panel_gap);
-    std::vector<std::string> names{"balanced position that does not keep"};
-    for (const results::BalancePlane &plane : result.planes)
-        names.push_back(plane.name);
-    const LegendedFigure figure = beside_legend(880, 1100, height, names);
-    const Range x = speed_range(units, result.speeds);
-    const auto place = [&](int index) {
-        const int top = left_head_height + index * (left_panel_height + left_panel_gap);
-        return figure.panel(top, top + left_panel_height);
-    };
-    std::string script = fmt::format("set xrange [{}:{}]\n", x.low, x.high);
-    for (std::size_t i = 0; i < places.size(); ++i)
-        script +=
-            place(static_cast<int>(i)) + left_panel(scene, units, result, *places[i], i == 0, x);
-    script += place(panels - 1) + need_panel(scene, units, result, x);
-    return figure_of(figure.width, height, "What weights and balancers leave: " + title_of(scene),
-                     "weights: the best in the same planes; balancers and both where the "
-                     "criterion holds; at the bottom: nothing is left",
-                     script);
+Chart residual_chart(const model::Case &scene, const BalanceResult &result, const Units &units) {
+    Chart chart{"What weights and balancers leave: " + title_of(scene),
+                "weights: the best in the same planes; balancers and both where the criterion "
+                "holds; at the bottom: nothing is left",
+                {}};
+    for (const LeftAt *left : places_for_readers(*result.supply, most_left_panels))
+        chart.panels.push_back(left_panel(units, result, *left, chart.panels.empty()));
+    chart.panels.push_back(need_panel(units, result));
+    return chart;
 }
 
 } // namespace whirl::report

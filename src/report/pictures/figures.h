@@ -6,6 +6,7 @@
 #include "report/common/drawing.h"
 #include "report/common/gnuplot.h"
 #include "report/common/units.h"
+#include "report/pictures/chart.h"
 #include "report/pictures/style.h"
 
 #include <string>
@@ -52,20 +53,20 @@ namespace whirl::report {
 [[nodiscard]] bool grows(const results::CampbellMode &mode, std::size_t index);
 
 /// Unbalance response over spin speed: amplitudes (logarithmic), phases and bearing forces.
-[[nodiscard]] Figure response_figure(const model::Case &scene,
-                                     const results::ResponseResult &result, const Units &units);
+[[nodiscard]] Chart response_chart(const model::Case &scene, const results::ResponseResult &result,
+                                   const Units &units);
 
 /// The same under forces of one frequency.
-[[nodiscard]] Figure force_figure(const model::Case &scene, const std::vector<double> &speeds,
-                                  const results::ForceResponse &response, const Units &units);
+[[nodiscard]] Chart force_chart(const model::Case &scene, const std::vector<double> &speeds,
+                                const results::ForceResponse &response, const Units &units);
 /// "2x" or "50 Hz": the frequency of forces.
 [[nodiscard]] std::string excitation_text(const Units &units,
                                           const results::ForceResponse &response);
 
 /// Deflections over forces over the frequency: amplitudes (logarithmic) and phases.
-[[nodiscard]] Figure receptance_figure(const model::Case &scene,
-                                       const results::ReceptanceResponse &response,
-                                       const Units &units);
+[[nodiscard]] Chart receptance_chart(const model::Case &scene,
+                                     const results::ReceptanceResponse &response,
+                                     const Units &units);
 /// "xx, 0.8 m to 0.5 m"
 [[nodiscard]] std::string direction_text(const Units &units, const std::string &direction,
                                          double from, double to);
@@ -73,8 +74,8 @@ namespace whirl::report {
 /// Motion under the weight over spin speed: radius of the circle at twice the spin speed
 /// (logarithmic), the deflection that stands still, bearing forces at twice the spin speed.
 /// @param result  with the response to gravity
-[[nodiscard]] Figure gravity_figure(const model::Case &scene, const results::ResponseResult &result,
-                                    const Units &units);
+[[nodiscard]] Chart gravity_chart(const model::Case &scene, const results::ResponseResult &result,
+                                  const Units &units);
 
 /// Indices of the nodes that are drawn: all of them, or of many those with names first, filled up
 /// with others that are spread along the shaft.
@@ -113,19 +114,10 @@ struct ModeCurves {
 
 /// Motion over time: amplitudes at the balancers, below them the angles of balls or pendulums in
 /// the rotor (for balls that lag: their speed over that of the rotor), and the speed where it
-/// changes.
-[[nodiscard]] Figure simulate_figure(const model::Case &scene,
-                                     const results::SimulateResult &result, const Units &units);
-
-/// Its lower curves: angles of balls or pendulums in the rotor, in degrees, or for balls that lag
-/// their speed over that of the rotor; over time. @param most  of them
-[[nodiscard]] std::vector<NamedCurve> angle_curves(const results::SimulateResult &result,
-                                                   std::size_t most);
-
-/// Motion of a rotor without balancers: amplitudes of the stations over time, their peaks marked;
-/// where the speed changes over it too, beside the steady response, else deflections over time.
-[[nodiscard]] Figure stations_figure(const model::Case &scene,
-                                     const results::SimulateResult &result, const Units &units);
+/// changes. Without balancers amplitudes of the stations, their peaks marked; where the speed
+/// changes over it too, beside the steady response, else deflections over time.
+[[nodiscard]] Chart simulate_chart(const model::Case &scene, const results::SimulateResult &result,
+                                   const Units &units);
 
 /// Spectra one behind the other, over speed where that only rises or only falls, else over time;
 /// multiples of the spin speed as lines.
@@ -134,9 +126,8 @@ struct ModeCurves {
 
 /// Relative differences between model and rigid closed forms, logarithmic: over the stiffness of
 /// the shaft, with a guide of slope -1 and the stiffness of 1 %, and over the number of elements.
-[[nodiscard]] Figure rigid_limit_figure(const model::Case &scene,
-                                        const results::RigidLimitResult &result,
-                                        const Units &units);
+[[nodiscard]] Chart rigid_limit_chart(const model::Case &scene,
+                                      const results::RigidLimitResult &result, const Units &units);
 
 /// One panel an answer, for the first of them: histogram of the samples, quantiles with their
 /// intervals, and the case as it is.
@@ -145,8 +136,8 @@ struct ModeCurves {
 
 /// Answers over the first entry: a panel for those of one kind, a curve each; with two entries a
 /// panel an answer, a curve for each value of the second.
-[[nodiscard]] Figure sweep_figure(const model::Case &scene, const results::SweepResult &result,
-                                  const Units &units);
+[[nodiscard]] Chart sweep_chart(const model::Case &scene, const results::SweepResult &result,
+                                const Units &units);
 
 /// Bands over spin speed for each plane and for all together, flexible above rigid, and below them
 /// the eigenvalues of the joint form, coloured by their sign, on an axis that is logarithmic away
@@ -157,8 +148,8 @@ struct ModeCurves {
 /// What stays over spin speed, a panel a probe (without any: a bearing or plane): with nothing, the
 /// best weights, the balancers and both; below, what the planes need over what they can supply.
 /// @param result  with an answer to what the balancers supply
-[[nodiscard]] Figure residual_figure(const model::Case &scene, const results::BalanceResult &result,
-                                     const Units &units);
+[[nodiscard]] Chart residual_chart(const model::Case &scene, const results::BalanceResult &result,
+                                   const Units &units);
 
 /// Steady states: the largest amplitude of the balancers' planes over spin speed, branch by branch,
 /// coloured by what the balls do, stable ones solid and unstable ones dashed, with their borders.
@@ -225,7 +216,7 @@ struct ModeCurves {
 
 /// Response to a unit weight over speed, a pair of panels a plane: amplitudes (logarithmic) and
 /// phases of what moves. @param result  with the influence over speed
-[[nodiscard]] Figure influence_figure(const model::Case &scene,
-                                      const results::WeightsResult &result, const Units &units);
+[[nodiscard]] Chart influence_chart(const model::Case &scene, const results::WeightsResult &result,
+                                    const Units &units);
 
 } // namespace whirl::report

@@ -1,7 +1,5 @@
 #include "report/pictures/figures.h"
 
-#include "report/pictures/operation.h"
-#include "report/pictures/style.h"
 #include "results/pendulum.h"
 
 #include <fmt/format.h>
@@ -21,16 +19,14 @@ constexpr double highest_efficiency = 4;
 constexpr const char *efficiency_meaning =
     "shaft deflection with the balancer at work over that with the pendulums held";
 
-/// Axes of one panel or more, with the legend at the right and a line where the balancer neither
-/// helps nor harms.
-std::string efficiency_axes(Range x, const std::string &x_name) {
-    return grid + axes_over(x, {0, highest_efficiency}) +
-           fmt::format(
-               "set xlabel {}\nset ylabel 'Efficiency n'\n"
-               "set key at graph 1.02,1 left top reverse Left vertical samplen 2.5 spacing 1.3\n"
-               "set arrow from graph 0,first 1 to graph 1,first 1 nohead lc rgb '#555555' dt "
-               "(4,4)\n",
-               plot_text(x_name));
+/// A panel of efficiencies, with a line where the balancer neither helps nor harms.
+ChartPanel efficiency_panel(int height, ChartAxis x, Range range, const std::string &heading) {
+    x.low = range.low;
+    x.high = range.high;
+    ChartPanel panel{
+        height, x, {.title = "Efficiency n", .low = 0, .high = highest_efficiency}, {}, heading};
+    panel.curves.push_back({"", {{range.low, 1}, {range.high, 1}}, {"", "#555555", "(4,4)", 7}, 1});
+    return panel;
 }
 
 /// Efficiencies over the speed, with gaps where they are far off the picture.
@@ -60,21 +56,21 @@ std::vector<PlotPoint> motion_points(const Units &units, const results::Pendulum
 }
 
 /// The steady motions, kind by kind, those that there are: a legend names nothing else.
-void add_motions(const Units &units, const results::PendulumBalance &balancer, Curves &drawn) {
+void add_motions(const Units &units, const results::PendulumBalance &balancer, ChartPanel &panel) {
     struct Kind {
         bool stable, collision;
-        const char *look, *title;
+        LineStyle style;
+        double size;
     };
-    static constexpr Kind kinds[] = {
-        {true, false, "pt 7 ps 0.7 lc rgb '#007D5A'", "'flexible, stable'"},
-        {false, false, "pt 6 ps 0.8 lw 1.3 lc rgb '#D55E00'", "'flexible, unstable'"},
-        {true, true, "pt 5 ps 0.6 lc rgb '#3C97CF'", "'stable, pendulums collide'"},
-        {false, true, "pt 2 ps 0.6 lc rgb '#A8527F'", "'unstable, pendulums collide'"}};
+    static const Kind kinds[] = {
+        {true, false, {"flexible, stable", "#007D5A", "1", 7}, 0.7},
+        {false, false, {"flexible, unstable", "#D55E00", "1", 6}, 0.8},
+        {true, true, {"stable, pendulums collide", "#3C97CF", "1", 5}, 0.6},
+        {false, true, {"unstable, pendulums collide", "#A8527F", "1", 2}, 0.6}};
     for (const Kind &kind : kinds) {
-        const std::vector<PlotPoint> points =
-            motion_points(units, balancer, kind.stable, kind.collision);
+        std::vector<PlotPoint> points = motion_points(units, balancer, kind.stable, kind.collision);
         if (!points.empty())
-            drawn.add(points, std::string("with points ") + kind.look, kind.title);
+            panel.curves.push_back({kind.style.name, std::move(points), kind.style, 0, kind.size});
     }
 }
 
@@ -84,29 +80,28 @@ Figure pendulum_figure(const model::Case &scene, const results::PendulumBalance 
                        const Units &units) {
     const Range x = speed_range(units, balancer.speeds);
     const double threshold = units(Quantity::speed, balancer.threshold * balancer.omega_0);
-    Curves drawn;
-    drawn.add(efficiencies(balancer.speeds, units.factor(Quantity::speed), balancer.approximate, 3),
-              "with lines lw 2 dt (12,5) lc rgb '#7A7A7A'", "'planar, small angles'");
-    drawn.add(efficiencies(balancer.speeds, units.factor(Quantity::speed), balancer.planar, 3),
-              "with lines lw 2 lc rgb '#B77F00'", "'planar, exact'");
-    add_motions(units, balancer, drawn);
-    drawn.add(fmt::format("{:.6g} with lines dt (2,4) lc rgb '#007D5A' title 'fast rotation "
-                          "1/(1 + ρ)'",
-                          balancer.limit));
-    drawn.add(operation_key(scene, units, x));
-    constexpr int height = 620;
-    return figure_of(
-        1080, height, "Four-pendulum balancer: " + title_of(scene),
-        fmt::format("z = {}, ρ = {}; {}", drawn_value(units, Quantity::length, balancer.z, 4),
-                    drawn_number(balancer.rho, 4), efficiency_meaning),
-        panel_margins(0.075, 0.74, 70.0 / height, 1 - 75.0 / height) +
-            operation_band(scene, units, x) +
-            efficiency_axes(x, units.label("Spin speed", Quantity::speed)) +
-            upright(threshold, "lc rgb '#5B2A86' dt (2,4)") +
-            fmt::format("set label 'threshold' at first {:.9g},{} left offset 0.5,0 textcolor "
-                        "'#5B2A86'\n",
-                        threshold, 0.95 * highest_efficiency) +
-            drawn.script());
+    ChartPanel panel =
+        efficiency_panel(475, chart_axis(units, "Spin speed", Quantity::speed), x, "");
+    const auto add = [&](const std::string &name, std::vector<PlotPoint> points,
+                         const std::string &colour, const std::string &dash, double width) {
+        panel.curves.push_back({name, std::move(points), {"", colour, dash, 7}, width});
+    };
+    const double speed = units.factor(Quantity::speed);
+    add("planar, small angles", efficiencies(balancer.speeds, speed, balancer.approximate, 3),
+        "#7A7A7A", "(12,5)", 2);
+    add("planar, exact", efficiencies(balancer.speeds, speed, balancer.planar, 3), "#B77F00", "1",
+        2);
+    add_motions(units, balancer, panel);
+    add("fast rotation 1/(1 + ρ)", {{x.low, balancer.limit}, {x.high, balancer.limit}}, "#007D5A",
+        "(2,4)", 1);
+    if (threshold >= x.low && threshold <= x.high)
+        add("threshold", {{threshold, 0}, {threshold, highest_efficiency}}, "#5B2A86", "(2,4)", 1);
+    return chart_figure(
+        {"Four-pendulum balancer: " + title_of(scene),
+         fmt::format("z = {}, ρ = {}; {}", drawn_value(units, Quantity::length, balancer.z, 4),
+                     drawn_number(balancer.rho, 4), efficiency_meaning),
+         {panel}},
+        scene, units);
 }
 
 namespace {
@@ -124,24 +119,25 @@ std::vector<PlotPoint> exact_points(const PendulumCurve &of, bool stable) {
 }
 
 /// @param title_of_curve  in the legend
-std::string panel(const std::string &heading, const std::vector<PendulumCurve> &curves,
-                  const auto &title_of_curve) {
-    Curves drawn;
+ChartPanel curves_panel(const std::string &heading, Range x,
+                        const std::vector<PendulumCurve> &curves, const auto &title_of_curve) {
+    ChartPanel panel = efficiency_panel(375, {.title = "Spin speed / resonance"}, x, heading);
+    const std::string stable = "1", unstable = "(2,2)";
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const PendulumCurve &curve = curves[i];
-        const std::string colour = series_style(i).colour;
-        drawn.add(exact_points(curve, true), fmt::format("with lines lw 2.4 lc rgb '{}'", colour),
-                  plot_text(title_of_curve(curve)));
-        drawn.add(exact_points(curve, false),
-                  fmt::format("with lines lw 1.8 dt (2,2) lc rgb '{}'", colour));
-        drawn.add(efficiencies(curve.ratios, 1, curve.approximate, 2),
-                  "with lines lw 0.8 lc rgb '#8A8A8A'");
+        panel.curves.push_back(
+            chart_curve(title_of_curve(curve), exact_points(curve, true), i, 2.4, stable));
+        panel.curves.push_back(chart_curve("", exact_points(curve, false), i, 1.8, unstable));
+        panel.curves.push_back({"",
+                                efficiencies(curve.ratios, 1, curve.approximate, 2),
+                                {"", "#8A8A8A", stable, 7},
+                                0.8});
     }
     // The three ways of drawing, once.
-    drawn.add("NaN with lines lw 2.4 lc rgb '#555555' title 'exact, stable'");
-    drawn.add("NaN with lines lw 1.8 dt (2,2) lc rgb '#555555' title 'exact, unstable'");
-    drawn.add("NaN with lines lw 0.8 lc rgb '#8A8A8A' title 'small angles'");
-    return fmt::format("set title {} offset 0,-0.5\n", plot_text(heading)) + drawn.script();
+    panel.curves.push_back({"exact, stable", {}, {"", "#555555", stable, 7}, 2.4});
+    panel.curves.push_back({"exact, unstable", {}, {"", "#555555", unstable, 7}, 1.8});
+    panel.curves.push_back({"small angles", {}, {"", "#8A8A8A", stable, 7}, 0.8});
+    return panel;
 }
 
 std::string design_title(const Units &units, const PendulumCurve &of) {
@@ -156,26 +152,20 @@ std::string damping_title(const PendulumCurve &of) {
 
 Figure pendulum_designs_figure(const model::Case &scene, const results::PendulumBalance &balancer,
                                const Units &units) {
-    const bool both = !balancer.designs.empty();
-    const LegendedFigure room{1080, 0.075, 0.70, both ? 1010 : 560};
     const auto &shown = balancer.dampings.front();
-    std::string panels =
-        efficiency_axes({shown.ratios.front(), shown.ratios.back()}, "Spin speed / resonance");
-    if (both)
-        panels += room.panel(105, 480) +
-                  panel("Designs, external damping " + damping_title(balancer.designs.front()),
-                        balancer.designs,
-                        [&](const PendulumCurve &of) { return design_title(units, of); }) +
-                  "unset label\n";
-    panels += room.panel(both ? 590 : 105, both ? 940 : 490) +
-              panel("External damping, ρ = " + drawn_number(shown.rho, 4), balancer.dampings,
-                    damping_title);
-    return figure_of(room.width, room.height,
-                     "Efficiency of the pendulum balancer: " + title_of(scene),
-                     fmt::format("planar rotor, z = {}, h = {}; {}",
-                                 drawn_value(units, Quantity::length, balancer.z, 4),
-                                 drawn_number(balancer.hinge_damping, 3), efficiency_meaning),
-                     panels);
+    const Range x{shown.ratios.front(), shown.ratios.back()};
+    Chart chart{"Efficiency of the pendulum balancer: " + title_of(scene),
+                fmt::format("planar rotor, z = {}, h = {}; {}",
+                            drawn_value(units, Quantity::length, balancer.z, 4),
+                            drawn_number(balancer.hinge_damping, 3), efficiency_meaning),
+                {}};
+    if (!balancer.designs.empty())
+        chart.panels.push_back(curves_panel(
+            "Designs, external damping " + damping_title(balancer.designs.front()), x,
+            balancer.designs, [&](const PendulumCurve &of) { return design_title(units, of); }));
+    chart.panels.push_back(curves_panel("External damping, ρ = " + drawn_number(shown.rho, 4), x,
+                                        balancer.dampings, damping_title));
+    return chart_figure(chart, scene, units);
 }
 
 } // namespace whirl::report

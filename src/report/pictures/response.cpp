@@ -1,8 +1,7 @@
 #include "report/pictures/figures.h"
 
 #include "report/common/words.h"
-#include "report/pictures/operation.h"
-#include "report/pictures/style.h"
+#include "report/pictures/chart.h"
 #include "report/response/marks.h"
 #include "results/response.h"
 
@@ -10,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace whirl::report {
 
@@ -29,36 +29,6 @@ std::vector<PlotPoint> over_speed(const Units &units, const std::vector<double> 
         if (!std::isfinite(*point.y) || *point.y <= 0) // the response at rest is zero, which a
             point.y.reset();                           // logarithmic axis has no place for
     return points;
-}
-
-/// Logarithmic axis over the curves, at most three powers of ten down from the largest value of the
-/// smallest of them and six from that of all, so that the start from rest does not squeeze the
-/// peaks; with room for the names of these.
-Range logarithmic_range(const std::vector<NamedCurve> &curves) {
-    double high = 0;
-    double low = HUGE_VAL;
-    double smallest = HUGE_VAL; // of the largest values
-    for (const NamedCurve &curve : curves) {
-        double largest = 0;
-        for (const PlotPoint &point : curve.points)
-            if (point.y) {
-                largest = std::max(largest, *point.y);
-                low = std::min(low, *point.y);
-            }
-        high = std::max(high, largest);
-        if (largest > 0)
-            smallest = std::min(smallest, largest);
-    }
-    if (high <= 0)
-        high = low = smallest = 1;
-    low = std::max({low, 1e-3 * smallest, 1e-6 * high});
-    const double power = std::pow(10, std::floor(std::log10(high)) + 1);
-    return {std::pow(10, std::floor(std::log10(low))), high > 0.5 * power ? 2 * power : power};
-}
-
-std::string logarithmic_axis(const std::vector<NamedCurve> &curves) {
-    const Range y = logarithmic_range(curves);
-    return logarithmic_y + fmt::format("set ytics auto\nset yrange [{}:{}]\n", y.low, y.high);
 }
 
 /// At most `count` of a list, evenly spread, with its first and last.
@@ -101,72 +71,52 @@ std::vector<std::size_t> drawn_nodes(const HarmonicMotion &result) {
 
 namespace {
 
-/// A panel over the spin speed: the name and the kind of its axis, curves with and without names.
-struct SpeedPanel {
-    std::string label;
-    std::string axis;
-    std::vector<NamedCurve> curves;
-};
-SpeedPanel logarithmic_panel(const std::string &label, const std::vector<NamedCurve> &curves) {
-    return {label, logarithmic_axis(curves), curves};
+/// The index-th curve, with a mark here and there.
+ChartCurve marked(const std::string &name, std::vector<PlotPoint> points, std::size_t index,
+                  bool on_page) {
+    ChartCurve curve = chart_curve(name, std::move(points), index);
+    curve.marker = 0.8;
+    curve.every = std::max<std::size_t>(1, curve.points.size() / 9);
+    curve.on_page = on_page;
+    return curve;
 }
 
-Curves curves_of(const SpeedPanel &panel) {
-    Curves drawn;
-    for (std::size_t i = 0; i < panel.curves.size(); ++i) {
-        const auto &[name, points] = panel.curves[i];
-        const LineStyle style = series_style(i);
-        drawn.add(points,
-                  fmt::format("with linespoints lc rgb '{}' lw 1.8 dt {} pt {} ps 0.8 "
-                              "pointinterval {}",
-                              style.colour, style.dash, style.point,
-                              std::max<std::size_t>(1, points.size() / 9)),
-                  name.empty() ? "" : plot_text(name));
-    }
-    return drawn;
+/// Logarithmic: at most three powers of ten down from the largest value of the smallest curve and
+/// six from that of all, so that the start from rest does not squeeze the peaks.
+ChartPanel logarithmic_panel(int height, const ChartAxis &x, ChartAxis y,
+                             std::vector<ChartCurve> curves) {
+    span_decades(y, curves, 1e-6, 1e-3);
+    return {height, x, y, std::move(curves)};
 }
 
-/// What panels are over: the spin speed, or the frequency of a force.
-struct Along {
-    std::string label;
-    Range range;
-    bool speed = true;
-};
-Along along_speeds(const Units &units, const std::vector<double> &speeds) {
-    return {units.label("Spin speed", Quantity::speed), speed_range(units, speeds)};
+ChartPanel phase_panel(const Units &units, const ChartAxis &x, const std::string &what,
+                       std::vector<ChartCurve> curves) {
+    ChartAxis y = chart_axis(units, what, Quantity::angle);
+    y.low = -190;
+    y.high = 190;
+    y.step = 90;
+    return {240, x, y, std::move(curves)};
 }
 
-/// Up to three panels one below the other.
-/// @param marks  in the first one
-Figure stacked(const model::Case &scene, const Units &units, const Along &along,
-               const std::string &heading, const std::string &subtitle,
-               const std::vector<SpeedPanel> &panels, const PeakMarks &marks) {
-    struct Place {
-        int top, bottom, height; ///< of the panel; of the figure where it is the last; pixels
-    };
-    constexpr Place places[] = {{75, 430, 500}, {460, 700, 780}, {730, 975, 1040}};
-    std::vector<std::string> names{marks.name};
-    if (along.speed)
-        names.emplace_back("operating speeds");
-    for (const SpeedPanel &panel : panels)
-        for (const NamedCurve &curve : panel.curves)
-            names.push_back(curve.name);
-    const LegendedFigure room = beside_legend(842, 1080, places[panels.size() - 1].height, names);
-    const Range &x = along.range;
-    std::string script = grid + (along.speed ? operation_band(scene, units, x) : "") +
-                         fmt::format("set xrange [{}:{}]\n{}", x.low, x.high, marks.before);
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-        Curves drawn = curves_of(panels[i]);
-        if (i == 0) {
-            drawn.add(marks.plots);
-            if (along.speed)
-                drawn.add(operation_key(scene, units, x));
-        }
-        script += panels[i].axis + room.panel(places[i].top, places[i].bottom) +
-                  axes_beside_legend(panels[i].label, i + 1 == panels.size() ? along.label : "") +
-                  drawn.script() + (i == 0 ? marks.after : "") + "unset label\n";
-    }
-    return figure_of(room.width, room.height, heading + title_of(scene), subtitle, script);
+/// The name of the lowest axis stands for all.
+Chart stacked(const std::string &title, const std::string &subtitle,
+              std::vector<ChartPanel> panels) {
+    for (std::size_t i = 0; i + 1 < panels.size(); ++i)
+        panels[i].x.title.clear();
+    return {title, subtitle, std::move(panels)};
+}
+
+ChartAxis along_speeds(const Units &units, const std::vector<double> &speeds) {
+    ChartAxis axis = chart_axis(units, "Spin speed", Quantity::speed);
+    const Range range = speed_range(units, speeds);
+    axis.low = range.low;
+    axis.high = range.high;
+    return axis;
+}
+
+ChartCurve mark_curve(const std::string &name, std::vector<PlotPoint> points, int point,
+                      double size) {
+    return {name, std::move(points), {"", "#000000", "1", point}, 0, size};
 }
 
 /// The values at the speeds of the case, or those of the i-th dense curve where there is one.
@@ -184,71 +134,102 @@ std::string name_or(const std::string &name, const char *kind) {
 /// Forces in the bearings: `largest` of each over the speeds of the case.
 /// @param before  dense curves of other places in front of theirs
 template <class Bearing>
-std::vector<NamedCurve> forces_of(const Units &units, const std::vector<Bearing> &bearings,
+std::vector<ChartCurve> forces_of(const Units &units, const std::vector<Bearing> &bearings,
                                   std::vector<double> Bearing::*largest,
                                   const results::ResponseCurves &curves, std::size_t before,
                                   const std::vector<double> &speeds) {
-    std::vector<NamedCurve> forces;
-    for (std::size_t i = 0; i < bearings.size() && i < most_curves; ++i)
-        forces.push_back(
-            {place_text(units, name_or(bearings[i].name, "bearing"), bearings[i].z),
-             dense(units, curves, before + i, speeds, bearings[i].*largest, Quantity::force)});
+    std::vector<ChartCurve> forces;
+    for (std::size_t i = 0; i < bearings.size(); ++i)
+        forces.push_back(marked(
+            "force in " + place_text(units, name_or(bearings[i].name, "bearing"), bearings[i].z),
+            dense(units, curves, before + i, speeds, bearings[i].*largest, Quantity::force), i,
+            i >= most_curves));
     return forces;
 }
 
-} // namespace
-
-namespace {
+/// Peaks of the largest station with speed and amplification factor, and half-power points.
+void add_peaks(const Units &units, const HarmonicMotion &result, ChartPanel &panel) {
+    const auto largest = largest_station(result);
+    if (!largest)
+        return;
+    const auto &of = result.nodes[*largest];
+    ChartCurve tops = mark_curve("peaks of " + place_text(units, of.name, of.z), {}, 6, 1.7);
+    ChartCurve halves = mark_curve("half power", {}, 2, 1);
+    for (const results::ResponsePeak *peak : labelled_peaks(result, *largest)) {
+        const double value = units(Quantity::amplitude, peak->value);
+        const double speed = units(Quantity::speed, peak->speed);
+        tops.points.push_back({speed, value});
+        panel.labels.push_back({peak_text(units, *peak, result.resonances), speed, value});
+        tops.texts.push_back(peak->mode);
+        for (const std::optional<double> &half : {peak->lower, peak->upper}) {
+            const double x = units(Quantity::speed, half.value_or(NAN));
+            if (peak->amplification && x >= *panel.x.low && x <= *panel.x.high)
+                halves.points.push_back({x, value / std::sqrt(2.0)});
+        }
+    }
+    for (ChartCurve &marks : {std::ref(tops), std::ref(halves)})
+        if (!marks.points.empty())
+            panel.curves.push_back(std::move(marks));
+}
 
 /// @param heading  in front of the title of the case
-Figure motion_figure(const model::Case &scene, const std::vector<double> &speeds,
-                     const HarmonicMotion &result, const std::string &heading,
-                     const std::string &of, const Units &units) {
+Chart motion_chart(const model::Case &scene, const std::vector<double> &speeds,
+                   const HarmonicMotion &result, const std::string &heading, std::string subtitle,
+                   const Units &units) {
     const results::ResponseCurves &curves = result.curves;
-    std::vector<NamedCurve> amplitude;
-    std::vector<NamedCurve> phase;
-    const auto add = [&](std::size_t i, const std::string &name, const auto &of) {
+    std::vector<ChartCurve> amplitude;
+    std::vector<ChartCurve> phase;
+    const auto add = [&](std::size_t i, const std::string &name, const auto &of, bool on_page) {
+        const std::size_t index = amplitude.size();
         amplitude.push_back(
-            {name, dense(units, curves, i, speeds, of.amplitude, Quantity::amplitude)});
+            marked(name, dense(units, curves, i, speeds, of.amplitude, Quantity::amplitude), index,
+                   on_page));
         const bool fine = i < curves.values.size();
         phase.push_back(
-            {"", angles_over(fine ? curves.speeds : speeds, units.factor(Quantity::speed),
-                             fine ? curves.phases[i] : of.phase)});
+            marked(name,
+                   angles_over(fine ? curves.speeds : speeds, units.factor(Quantity::speed),
+                               fine ? curves.phases[i] : of.phase),
+                   index, on_page));
     };
     const std::vector<std::size_t> nodes = drawn_nodes(result);
+    const auto add_node = [&](std::size_t i, bool on_page) {
+        add(i, place_text(units, result.nodes[i].name, result.nodes[i].z), result.nodes[i],
+            on_page);
+    };
     for (const std::size_t i : nodes)
-        add(i, place_text(units, result.nodes[i].name, result.nodes[i].z), result.nodes[i]);
-    for (std::size_t i = 0; i < result.probes.size() && amplitude.size() < 2 * most_curves; ++i) {
+        add_node(i, false);
+    for (std::size_t i = 0; i < result.probes.size(); ++i) {
         const auto &probe = result.probes[i];
         add(result.nodes.size() + result.bearings.size() + i,
             fmt::format("{} at {}", place_text(units, name_or(probe.name, "probe"), probe.z),
                         degrees_text(probe.angle)),
-            probe);
+            probe, amplitude.size() >= 2 * most_curves);
     }
-    std::vector<SpeedPanel> panels{
-        logarithmic_panel(units.label("Amplitude", Quantity::amplitude), amplitude),
-        {units.label(result.probes.empty() ? "Phase of x" : "Phase of x, of a probe",
-                     Quantity::angle),
-         std::string(linear_y) + "set yrange [-190:190]\nset ytics 90\n", phase}};
+    for (std::size_t i = 0; i < result.nodes.size(); ++i)
+        if (!std::ranges::binary_search(nodes, i))
+            add_node(i, true);
+    const ChartAxis x = along_speeds(units, speeds);
+    std::vector<ChartPanel> panels{
+        logarithmic_panel(355, x, chart_axis(units, "Amplitude", Quantity::amplitude),
+                          std::move(amplitude)),
+        phase_panel(units, x, result.probes.empty() ? "Phase of x" : "Phase of x, of a probe",
+                    std::move(phase))};
+    add_peaks(units, result, panels.front());
     if (!result.bearings.empty())
         panels.push_back(
-            logarithmic_panel(units.label("Largest bearing force", Quantity::force),
+            logarithmic_panel(245, x, chart_axis(units, "Largest bearing force", Quantity::force),
                               forces_of(units, result.bearings, &results::ResponseBearing::force,
                                         curves, result.nodes.size(), speeds)));
-    PeakMarks marks;
-    if (const auto largest = largest_station(result))
-        marks = peak_marks(units, result, *largest,
-                           {speed_range(units, speeds), logarithmic_range(amplitude), 750, 355},
-                           amplitude);
-    return stacked(scene, units, along_speeds(units, speeds), heading,
-                   fmt::format("{}{} stations drawn of {}", of, nodes.size(), result.nodes.size()),
-                   panels, marks);
+    if (nodes.size() < result.nodes.size())
+        subtitle += (subtitle.empty() ? "" : "; ") +
+                    fmt::format("{} stations drawn of {}", nodes.size(), result.nodes.size());
+    return stacked(heading + title_of(scene), subtitle, std::move(panels));
 }
 
 } // namespace
 
-Figure response_figure(const model::Case &scene, const ResponseResult &result, const Units &units) {
-    return motion_figure(scene, result.speeds, result, "Unbalance response: ", "", units);
+Chart response_chart(const model::Case &scene, const ResponseResult &result, const Units &units) {
+    return motion_chart(scene, result.speeds, result, "Unbalance response: ", "", units);
 }
 
 std::string excitation_text(const Units &units, const results::ForceResponse &response) {
@@ -256,17 +237,16 @@ std::string excitation_text(const Units &units, const results::ForceResponse &re
                              : units.text(Quantity::frequency, response.frequency.value_or(0));
 }
 
-Figure force_figure(const model::Case &scene, const std::vector<double> &speeds,
-                    const results::ForceResponse &response, const Units &units) {
-    return motion_figure(
+Chart force_chart(const model::Case &scene, const std::vector<double> &speeds,
+                  const results::ForceResponse &response, const Units &units) {
+    return motion_chart(
         scene, speeds, response, "Response to forces at " + excitation_text(units, response) + ": ",
         joined(response.forces, ", ",
                [&units](const auto &force) {
                    return fmt::format("{} {} at {}",
                                       units.text(Quantity::force, force.amplitude, 4),
                                       force.direction, place(force.name, force.z, units));
-               }) +
-            "; ",
+               }),
         units);
 }
 
@@ -276,86 +256,93 @@ std::string direction_text(const Units &units, const std::string &direction, dou
                        units.text(Quantity::length, to, 4));
 }
 
-Figure receptance_figure(const model::Case &scene, const results::ReceptanceResponse &response,
-                         const Units &units) {
-    std::vector<NamedCurve> amplitude;
-    std::vector<NamedCurve> phase;
+Chart receptance_chart(const model::Case &scene, const results::ReceptanceResponse &response,
+                       const Units &units) {
+    std::vector<ChartCurve> amplitude;
+    std::vector<ChartCurve> phase;
     for (const results::Receptance &one : response.receptances)
         for (const results::ReceptanceDirection &direction : one.directions) {
-            const bool moves =
-                std::ranges::any_of(direction.amplitude, [](double value) { return value > 0; });
-            if (!moves || amplitude.size() >= 2 * most_curves)
+            if (std::ranges::none_of(direction.amplitude, [](double value) { return value > 0; }))
                 continue;
             const results::ResponseCurves &curve = direction.curve;
             const bool fine = !curve.values.empty();
             const std::vector<double> &at = fine ? curve.speeds : response.frequencies;
+            const std::string name = direction_text(units, direction.name, one.from, one.to);
+            const std::size_t index = amplitude.size();
+            const bool on_page = index >= 2 * most_curves;
             amplitude.push_back(
-                {direction_text(units, direction.name, one.from, one.to),
-                 over_speed(units, at, fine ? curve.values.front() : direction.amplitude,
-                            Quantity::receptance, Quantity::frequency)});
-            phase.push_back({"", angles_over(at, units.factor(Quantity::frequency),
-                                             fine ? curve.phases.front() : direction.phase)});
+                marked(name,
+                       over_speed(units, at, fine ? curve.values.front() : direction.amplitude,
+                                  Quantity::receptance, Quantity::frequency),
+                       index, on_page));
+            phase.push_back(marked(name,
+                                   angles_over(at, units.factor(Quantity::frequency),
+                                               fine ? curve.phases.front() : direction.phase),
+                                   index, on_page));
         }
-    PeakMarks marks;
     std::vector<PlotPoint> tops;
     for (const results::ReceptancePeak &peak : response.peaks)
         if (std::isfinite(peak.value))
             tops.push_back({units(Quantity::frequency, peak.frequency),
                             units(Quantity::receptance, peak.value)});
-    if (!tops.empty()) {
-        marks.name = "peaks";
-        marks.before = data_block("tops", {tops});
-        marks.plots = "$tops with points pt 6 ps 1.4 lw 1.4 lc rgb '#000000' title 'peaks'";
-    }
-    return stacked(scene, units,
-                   {units.label("Frequency of the force", Quantity::frequency),
-                    {units(Quantity::frequency, response.frequencies.front()),
-                     units(Quantity::frequency, response.frequencies.back())},
-                    false},
-                   "Receptance: ",
+    ChartAxis x = chart_axis(units, "Frequency of the force", Quantity::frequency);
+    x.low = units(Quantity::frequency, response.frequencies.front());
+    x.high = units(Quantity::frequency, response.frequencies.back());
+    std::vector<ChartPanel> panels{
+        logarithmic_panel(355, x, chart_axis(units, "Receptance", Quantity::receptance),
+                          std::move(amplitude)),
+        phase_panel(units, x, "Phase", std::move(phase))};
+    if (!tops.empty())
+        panels.front().curves.push_back(mark_curve("peaks", tops, 6, 1.4));
+    return stacked("Receptance: " + title_of(scene),
                    "deflection over force, directions of the deflection and of the force; at " +
                        units.text(Quantity::speed, response.speed),
-                   {logarithmic_panel(units.label("Receptance", Quantity::receptance), amplitude),
-                    {units.label("Phase", Quantity::angle),
-                     std::string(linear_y) + "set yrange [-190:190]\nset ytics 90\n", phase}},
-                   marks);
+                   std::move(panels));
 }
 
-Figure gravity_figure(const model::Case &scene, const ResponseResult &result, const Units &units) {
+Chart gravity_chart(const model::Case &scene, const ResponseResult &result, const Units &units) {
     const results::GravityResponse &of = *result.gravity;
-    std::vector<NamedCurve> circle;
-    std::vector<NamedCurve> still;
+    std::vector<ChartCurve> circle;
+    std::vector<ChartCurve> still;
     const std::vector<std::size_t> drawn = drawn_of(of.stations);
-    for (const std::size_t i : drawn) {
+    const auto add = [&](std::size_t i, bool on_page) {
         const auto &station = of.stations[i];
-        circle.push_back(
-            {place_text(units, station.name, station.z),
-             dense(units, of.curves, i, result.speeds, station.twice, Quantity::amplitude)});
-        still.push_back({"", over_speed(units, result.speeds, station.sag, Quantity::deflection)});
-    }
-    const std::string subtitle = fmt::format("gravity {} towards −y, {} stations drawn of {}",
-                                             drawn_value(units, Quantity::acceleration, of.gravity),
-                                             drawn.size(), of.stations.size());
+        const std::string name = place_text(units, station.name, station.z);
+        const std::size_t index = circle.size();
+        circle.push_back(marked(
+            name, dense(units, of.curves, i, result.speeds, station.twice, Quantity::amplitude),
+            index, on_page));
+        still.push_back(marked(name,
+                               over_speed(units, result.speeds, station.sag, Quantity::deflection),
+                               index, on_page));
+    };
+    for (const std::size_t i : drawn)
+        add(i, false);
+    for (std::size_t i = 0; i < of.stations.size(); ++i)
+        if (!std::ranges::binary_search(drawn, i))
+            add(i, true);
+    std::string subtitle =
+        "gravity " + drawn_value(units, Quantity::acceleration, of.gravity) + " towards −y";
+    if (drawn.size() < of.stations.size())
+        subtitle += fmt::format(", {} stations drawn of {}", drawn.size(), of.stations.size());
+    const ChartAxis x = along_speeds(units, result.speeds);
+    ChartPanel sag{240, x, chart_axis(units, "Static deflection", Quantity::deflection),
+                   std::move(still)};
     const bool moves = std::ranges::any_of(of.stations, [](const auto &station) {
         return std::ranges::any_of(station.twice, [](double value) { return value != 0; });
     });
-    const Along along = along_speeds(units, result.speeds);
     // A shaft that is equally stiff in all directions stands still in its sag.
-    if (!moves) {
-        for (std::size_t i = 0; i < still.size(); ++i)
-            still[i].name = circle[i].name;
-        return stacked(scene, units, along, "Sag under the weight: ", subtitle,
-                       {{units.label("Static deflection", Quantity::deflection), "", still}}, {});
-    }
-    return stacked(scene, units, along, "Motion under the weight: ", subtitle,
-                   {logarithmic_panel(
-                        units.label("Circle at twice the spin speed", Quantity::amplitude), circle),
-                    {units.label("Static deflection", Quantity::deflection),
-                     std::string(linear_y) + "set autoscale y\nset ytics auto\n", still},
-                    logarithmic_panel(units.label("Bearing force at 2x", Quantity::force),
-                                      forces_of(units, of.bearings, &results::GravityBearing::twice,
-                                                of.curves, of.stations.size(), result.speeds))},
-                   {});
+    if (!moves)
+        return stacked("Sag under the weight: " + title_of(scene), subtitle, {sag});
+    return stacked(
+        "Motion under the weight: " + title_of(scene), subtitle,
+        {logarithmic_panel(355, x,
+                           chart_axis(units, "Circle at twice the spin speed", Quantity::amplitude),
+                           std::move(circle)),
+         sag,
+         logarithmic_panel(245, x, chart_axis(units, "Bearing force at 2x", Quantity::force),
+                           forces_of(units, of.bearings, &results::GravityBearing::twice, of.curves,
+                                     of.stations.size(), result.speeds))});
 }
 
 } // namespace whirl::report

@@ -1,47 +1,23 @@
-#include "report/pictures/figures.h"
-
-#include "report/pictures/operation.h"
-#include "report/pictures/style.h"
 #include "results/simulate.h"
+#include "report/pictures/chart.h"
+#include "report/pictures/figures.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace whirl::report {
 
 using results::MotionSeries;
 using results::SimulateResult;
+using results::StationMotion;
 
 namespace {
 
-constexpr std::size_t most_curves = 16;
-
-std::vector<NamedCurve> amplitude_curves(const Units &units, const SimulateResult &result) {
-    std::vector<NamedCurve> curves;
-    const std::vector<double> &time = result.series.time;
-    const double factor = units.factor(Quantity::amplitude);
-    const auto after_rest = [&](const std::vector<double> &amplitude) {
-        std::vector<PlotPoint> points = points_over(time, 1, amplitude, factor);
-        points.erase(points.begin(), points.begin() + (points.empty() ? 0 : 1));
-        return points; // at rest there is nothing to draw
-    };
-    for (std::size_t i = 0; i < result.balancers.size(); ++i)
-        curves.push_back({place_text(units, result.balancers[i].name, result.balancers[i].z),
-                          after_rest(result.series.amplitude[i])});
-    for (std::size_t i = 0; i < result.other_starts.size(); ++i)
-        curves.push_back({fmt::format("start {}: {}", i + 2,
-                                      results::outcome_name(result.other_starts[i].outcome)),
-                          after_rest(result.other_starts[i].amplitude)});
-    for (const results::BalancerMotion &b : result.balancers)
-        if (b.reference > 0 && !time.empty())
-            curves.push_back(
-                {result.balancers.size() > 1 ? "without balls, " + place_text(units, b.name, b.z)
-                                             : "without balls",
-                 {{time.front(), b.reference * factor}, {time.back(), b.reference * factor}}});
-    return curves;
-}
+constexpr std::size_t most_angles = 16; ///< beyond, on the page alone
+constexpr const char *dotted = "(3,4)";
 
 /// Mean speed between output times over that of the rotor.
 std::vector<PlotPoint> relative_speed(const MotionSeries &series,
@@ -56,91 +32,248 @@ std::vector<PlotPoint> relative_speed(const MotionSeries &series,
     return points;
 }
 
-std::string draw(const std::vector<NamedCurve> &curves, std::size_t solid) {
-    Curves drawn;
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        LineStyle style = series_style(i < solid ? i : i - solid);
-        style.dash = i < solid ? "1" : "(3,4)";
-        drawn.add(curves[i].points, line_look(style, i < solid ? 1.4 : 1),
-                  plot_text(curves[i].name));
-    }
-    return drawn.script();
+constexpr std::size_t most_stations = 6; ///< those that move most
+
+/// Two stations whose curves would lie on each other.
+bool alike(const StationMotion &a, const StationMotion &b) {
+    constexpr double unseen = 1e-4;
+    return std::abs(a.peak.value - b.peak.value) <= unseen * a.peak.value &&
+           std::abs(a.amplitude - b.amplitude) <= unseen * a.peak.value &&
+           std::abs(a.peak.time - b.peak.time) <= unseen * a.peak.time;
 }
 
-std::string logarithmic_axis(const std::vector<NamedCurve> &curves) {
-    double high = 0;
-    double low = HUGE_VAL;
-    for (const NamedCurve &curve : curves)
-        for (const PlotPoint &point : curve.points)
-            if (point.y && *point.y > 0) {
-                high = std::max(high, *point.y);
-                low = std::min(low, *point.y);
-            }
-    if (high <= 0)
-        high = low = 1;
-    low = std::max(low, 1e-6 * high);
-    return logarithmic_y + fmt::format("set yrange [{}:{}]\n",
-                                       std::pow(10, std::floor(std::log10(low))),
-                                       std::pow(10, std::floor(std::log10(high)) + 1));
+/// The stations that are drawn, in the order of the shaft.
+std::vector<std::size_t> drawn_stations(const SimulateResult &result) {
+    std::vector<std::size_t> order(result.stations.size());
+    std::iota(order.begin(), order.end(), 0U);
+    const std::size_t first = results::largest_station(result.stations);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        if (a == first || b == first)
+            return a == first && b != first;
+        return result.stations[a].peak.value > result.stations[b].peak.value;
+    });
+    std::vector<std::size_t> drawn;
+    for (const std::size_t i : order)
+        if (drawn.size() < most_stations &&
+            std::none_of(drawn.begin(), drawn.end(), [&](std::size_t other) {
+                return alike(result.stations[other], result.stations[i]);
+            }))
+            drawn.push_back(i);
+    std::sort(drawn.begin(), drawn.end());
+    return drawn;
 }
 
-} // namespace
+std::string station_name(const Units &units, const StationMotion &station) {
+    return place_text(units, station.name, station.z);
+}
 
-std::vector<NamedCurve> angle_curves(const SimulateResult &result, std::size_t most) {
-    const bool lagging = result.outcome == results::Outcome::lagging;
-    std::vector<NamedCurve> curves;
-    std::size_t number = 0;
+bool speed_changes(const SimulateResult &result) {
+    const auto &speed = result.series.speed;
+    return std::any_of(speed.begin(), speed.end(),
+                       [&](double value) { return value != speed.front(); });
+}
+
+/// One of the lists over time, in its unit.
+std::vector<PlotPoint> over_time(const Units &units, const SimulateResult &result,
+                                 const std::vector<double> &values, Quantity quantity) {
+    return points_over(result.series.time, 1, values, units.factor(quantity));
+}
+
+ChartAxis time_axis(const Units &units, const SimulateResult &result) {
+    ChartAxis axis = chart_axis(units, "Time", Quantity::time);
+    axis.low = 0;
+    axis.high = result.time;
+    return axis;
+}
+
+ChartPanel speed_panel(const Units &units, const SimulateResult &result) {
+    return {140,
+            time_axis(units, result),
+            chart_axis(units, "Speed", Quantity::speed),
+            {chart_curve("rotor", over_time(units, result, result.series.speed, Quantity::speed), 0,
+                         1.4, "1")}};
+}
+
+/// Amplitudes at the balancers, from one start and from others, and without balls.
+ChartPanel balancer_panel(const Units &units, const SimulateResult &result) {
+    ChartPanel panel{
+        325, time_axis(units, result), chart_axis(units, "Amplitude", Quantity::amplitude), {}};
+    panel.x.title.clear();
+    const auto add = [&](const std::string &name, const std::vector<double> &amplitude) {
+        std::vector<PlotPoint> points = over_time(units, result, amplitude, Quantity::amplitude);
+        points.erase(points.begin(), points.begin() + (points.empty() ? 0 : 1)); // at rest: nothing
+        panel.curves.push_back(chart_curve(name, points, panel.curves.size(), 1.4, "1"));
+    };
     for (std::size_t i = 0; i < result.balancers.size(); ++i)
-        for (std::size_t j = 0; j < result.balancers[i].angles.size(); ++j, ++number) {
+        add(place_text(units, result.balancers[i].name, result.balancers[i].z),
+            result.series.amplitude[i]);
+    for (std::size_t i = 0; i < result.other_starts.size(); ++i)
+        add(fmt::format("start {}: {}", i + 2,
+                        results::outcome_name(result.other_starts[i].outcome)),
+            result.other_starts[i].amplitude);
+    for (std::size_t i = 0; i < result.balancers.size(); ++i)
+        if (const results::BalancerMotion &b = result.balancers[i]; b.reference > 0) {
+            const double held = units(Quantity::amplitude, b.reference);
+            panel.curves.push_back(chart_curve(
+                result.balancers.size() > 1 ? "without balls, " + place_text(units, b.name, b.z)
+                                            : "without balls",
+                {{0, held}, {result.time, held}}, i, 1, dotted));
+        }
+    span_decades(panel.y, panel.curves, 1e-6);
+    return panel;
+}
+
+/// Angles of balls or pendulums in the rotor; of balls that lag their speed over that of the rotor.
+ChartPanel angle_panel(const Units &units, const SimulateResult &result) {
+    const bool lagging = result.outcome == results::Outcome::lagging;
+    ChartPanel panel{285, time_axis(units, result), {.title = "Ball speed / rotor speed"}, {}};
+    if (!lagging) {
+        panel.y = chart_axis(units, "Angle in the rotor", Quantity::angle);
+        panel.y.low = -190;
+        panel.y.high = 190;
+        panel.y.step = 90;
+    }
+    for (std::size_t i = 0; i < result.balancers.size(); ++i)
+        for (std::size_t j = 0; j < result.balancers[i].angles.size(); ++j) {
+            const std::size_t number = panel.curves.size();
             const std::vector<double> &angles = result.series.angles[number];
             const results::BalancerMotion &balancer = result.balancers[i];
             const std::string of =
                 balancer.name.empty() ? "balancer " + std::to_string(i + 1) : balancer.name;
-            const std::string name =
-                balancer.coordinates.at(j) + (result.balancers.size() > 1 ? ", " + of : "");
-            if (curves.size() < most)
-                curves.push_back({name, lagging ? relative_speed(result.series, angles)
-                                                : angles_over(result.series.time, 1, angles)});
+            panel.curves.push_back(chart_curve(balancer.coordinates.at(j) +
+                                                   (result.balancers.size() > 1 ? ", " + of : ""),
+                                               lagging ? relative_speed(result.series, angles)
+                                                       : angles_over(result.series.time, 1, angles),
+                                               number, 1.4, "1"));
+            panel.curves.back().on_page = number >= most_angles;
         }
-    return curves;
+    return panel;
 }
 
-Figure simulate_figure(const model::Case &scene, const SimulateResult &result, const Units &units) {
-    const std::vector<NamedCurve> amplitude = amplitude_curves(units, result);
-    const std::vector<double> &speed = result.series.speed;
-    const bool constant = std::all_of(speed.begin(), speed.end(),
-                                      [&](double value) { return value == speed.front(); });
-    const bool lagging = result.outcome == results::Outcome::lagging;
-    const std::vector<NamedCurve> angles = angle_curves(result, most_curves);
-    std::vector<std::string> names;
-    for (const std::vector<NamedCurve> *list : {&amplitude, &angles})
-        for (const NamedCurve &curve : *list)
-            names.push_back(curve.name);
-    const LegendedFigure room = beside_legend(864, 1080, constant ? 780 : 960, names);
-    std::string panels =
-        grid + fmt::format("set xrange [0:{}]\n", result.time) + logarithmic_axis(amplitude) +
-        room.panel(75, 400) +
-        axes_beside_legend(units.label("Amplitude", Quantity::amplitude), "") +
-        draw(amplitude, result.balancers.size() + result.other_starts.size()) + "unset label\n" +
-        linear_y + (lagging ? "set yrange [*:*]\n" : "set yrange [-190:190]\nset ytics 90\n") +
-        room.panel(430, 715) +
-        axes_beside_legend(lagging ? "Ball speed / rotor speed"
-                                   : units.label("Angle in the rotor", Quantity::angle),
-                           constant ? units.label("Time", Quantity::time) : "") +
-        draw(angles, most_curves);
-    if (!constant)
-        panels += operation_band(scene, units, speed_range(units, speed), SpeedAxis::y) +
-                  "set yrange [*:*]\nset ytics auto\n" + room.panel(745, 895) +
-                  axes_beside_legend(units.label("Speed", Quantity::speed),
-                                     units.label("Time", Quantity::time)) +
-                  draw({{"rotor",
-                         points_over(result.series.time, 1, speed, units.factor(Quantity::speed))}},
-                       1);
-    return figure_of(room.width, room.height, "Motion in time: " + title_of(scene),
-                     fmt::format("outcome: {}, at the end {}",
-                                 results::outcome_name(result.outcome),
-                                 drawn_value(units, Quantity::speed, result.speed)),
-                     panels);
+/// The stations in the order in which they are drawn, the first ones in still pictures too.
+struct DrawnStations {
+    std::vector<std::size_t> all;
+    std::size_t still = 0;
+};
+DrawnStations ordered_stations(const SimulateResult &result) {
+    DrawnStations out{drawn_stations(result), 0};
+    out.still = out.all.size();
+    for (std::size_t i = 0; i < result.stations.size(); ++i)
+        if (std::ranges::find(out.all, i) == out.all.end())
+            out.all.push_back(i);
+    return out;
+}
+
+/// A curve of the index-th of them; a point without a line is a peak.
+void add_station(ChartPanel &panel, const DrawnStations &drawn, std::size_t index,
+                 const std::string &name, std::vector<PlotPoint> points, double width,
+                 const std::string &dash) {
+    panel.curves.push_back(chart_curve(name, std::move(points), index, width, dash));
+    panel.curves.back().marker = width > 0 ? 0 : 1.1;
+    panel.curves.back().on_page = index >= drawn.still;
+}
+
+/// Amplitudes of the stations, with their peaks.
+ChartPanel station_panel(const Units &units, const SimulateResult &result,
+                         const DrawnStations &drawn) {
+    ChartPanel panel{
+        305, time_axis(units, result), chart_axis(units, "Amplitude", Quantity::amplitude), {}};
+    panel.y.low = 0;
+    for (std::size_t i = 0; i < drawn.all.size(); ++i) {
+        const StationMotion &station = result.stations[drawn.all[i]];
+        add_station(
+            panel, drawn, i, station_name(units, station),
+            over_time(units, result, result.series.amplitude[drawn.all[i]], Quantity::amplitude),
+            1.4, "1");
+        add_station(panel, drawn, i, "",
+                    {{station.peak.time, units(Quantity::amplitude, station.peak.value)}}, 0, "");
+    }
+    return panel;
+}
+
+/// The steady response behind, the motion in front; logarithmic where the steady peaks would leave
+/// nothing of the motion to see.
+ChartPanel amplitude_over_speed(const Units &units, const SimulateResult &result,
+                                const DrawnStations &drawn) {
+    constexpr double comparable = 4;
+    constexpr double decades = 1e-3; ///< of the highest: the least that is drawn
+    const double speed = units.factor(Quantity::speed);
+    const double amplitude = units.factor(Quantity::amplitude);
+    const Range x = speed_range(units, result.series.speed);
+    ChartPanel panel{305,
+                     chart_axis(units, "Spin speed", Quantity::speed),
+                     chart_axis(units, "Amplitude", Quantity::amplitude),
+                     {}};
+    panel.x.low = x.low;
+    panel.x.high = x.high;
+    double steady = 0;
+    for (std::size_t i = 0; i < drawn.all.size(); ++i) {
+        std::vector<PlotPoint> points = points_over(
+            result.steady.speeds, speed, result.steady.amplitudes[drawn.all[i]], amplitude);
+        const StationMotion &station = result.stations[drawn.all[i]];
+        if (station.steady_peak && std::isfinite(*station.steady_peak)) {
+            const double at = speed * *station.steady_peak_speed;
+            steady = std::max(steady, *station.steady_peak);
+            points.insert(std::find_if(points.begin(), points.end(),
+                                       [&](const PlotPoint &p) { return p.x > at; }),
+                          {at, amplitude * *station.steady_peak});
+        }
+        if (!points.empty())
+            add_station(panel, drawn, i, i == 0 ? "steady (dotted)" : "", points, 1, dotted);
+    }
+    for (std::size_t i = 0; i < drawn.all.size(); ++i) {
+        const StationMotion &station = result.stations[drawn.all[i]];
+        add_station(panel, drawn, i, i == 0 ? "in this motion" : "",
+                    points_over(result.series.speed, speed, result.series.amplitude[drawn.all[i]],
+                                amplitude),
+                    1.4, "1");
+        add_station(panel, drawn, i, i == 0 ? "its peak" : "",
+                    {{speed * station.peak.speed, amplitude * station.peak.value}}, 0, "");
+    }
+    const double peak = result.stations[results::largest_station(result.stations)].peak.value;
+    panel.y.logarithmic = steady > comparable * peak;
+    panel.y.low = panel.y.logarithmic ? decades * amplitude * peak : 0;
+    return panel;
+}
+
+/// x and y of the station that moves most.
+ChartPanel deflection_panel(const Units &units, const SimulateResult &result) {
+    const std::size_t most = results::largest_station(result.stations);
+    const std::string of = " at " + station_name(units, result.stations[most]);
+    return {255,
+            time_axis(units, result),
+            chart_axis(units, "Deflection", Quantity::deflection),
+            {chart_curve("x" + of,
+                         over_time(units, result, result.series.x[most], Quantity::deflection), 0,
+                         1, "1"),
+             chart_curve("y" + of,
+                         over_time(units, result, result.series.y[most], Quantity::deflection), 1,
+                         1, "1")}};
+}
+
+} // namespace
+
+Chart simulate_chart(const model::Case &scene, const SimulateResult &result, const Units &units) {
+    Chart chart{"Motion in time: " + title_of(scene), "", {}};
+    const bool changes = speed_changes(result);
+    const std::string outcome = results::outcome_name(result.outcome);
+    const std::string speed = drawn_value(units, Quantity::speed, result.speed);
+    if (result.balancers.empty()) {
+        const DrawnStations drawn = ordered_stations(result);
+        chart.subtitle = fmt::format("{} after {} at {}", outcome,
+                                     drawn_value(units, Quantity::time, result.time), speed);
+        chart.panels = {station_panel(units, result, drawn),
+                        changes ? amplitude_over_speed(units, result, drawn)
+                                : deflection_panel(units, result)};
+    } else {
+        chart.subtitle = fmt::format("outcome: {}, at the end {}", outcome, speed);
+        chart.panels = {balancer_panel(units, result), angle_panel(units, result)};
+    }
+    if (changes)
+        chart.panels.push_back(speed_panel(units, result));
+    if (changes && !result.balancers.empty())
+        chart.panels[1].x.title.clear();
+    return chart;
 }
 
 } // namespace whirl::report

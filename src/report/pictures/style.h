@@ -96,9 +96,6 @@ struct NamedCurve {
     std::string name;
     std::vector<PlotPoint> points;
 };
-template <class Json> void to_json(Json &json, const NamedCurve &curve) {
-    json = {{"name", curve.name}, {"points", curve.points}};
-}
 /// "with lines lc rgb '#0072B2' lw 2 dt 1"
 [[nodiscard]] std::string line_look(const LineStyle &style, double width);
 

@@ -2,7 +2,6 @@
 
 #include "report/answers.h"
 #include "report/common/words.h"
-#include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/sweep.h"
 
@@ -123,51 +122,31 @@ Range heights_of(const std::vector<NamedCurve> &curves) {
 
 } // namespace
 
-Figure sweep_figure(const model::Case &scene, const SweepResult &result, const Units &units) {
+Chart sweep_chart(const model::Case &scene, const SweepResult &result, const Units &units) {
     std::vector<SweepPanel> panels = panels_of(result, units);
     const std::size_t all = panels.size();
     panels.resize(std::min(all, most_sweep_panels));
-    std::vector<std::string> names;
     bool left_out = all > panels.size();
-    for (const SweepPanel &panel : panels) {
-        left_out = left_out || panel.left_out;
-        for (const NamedCurve &curve : panel.curves)
-            names.push_back(curve.name);
-    }
-    constexpr int head = 80;
-    constexpr int height = 300; // of a panel
-    constexpr int below = 70;
-    const int count = std::max(static_cast<int>(panels.size()), 1);
-    const LegendedFigure figure = beside_legend(860, 1000, head + count * height, names);
     const SweepAxis &x = result.axes.front();
     std::vector<double> across;
     for (const double value : x.values)
         across.push_back(units(x.quantity, value));
-    std::string text = std::string(grid) + legend_beside;
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-        const SweepPanel &panel = panels[i];
+    const Range ends = range_of(across);
+    Chart chart{"Sweep: " + title_of(scene), "", {}};
+    for (const SweepPanel &panel : panels) {
+        left_out = left_out || panel.left_out;
         const Range y = heights_of(panel.curves);
-        Curves drawn;
-        for (std::size_t k = 0; k < panel.curves.size(); ++k) {
-            const LineStyle style = series_style(k);
-            drawn.add(panel.curves[k].points,
-                      fmt::format("with linespoints lc rgb '{}' lw 1.8 dt {} pt {} ps 0.7",
-                                  style.colour, style.dash, style.point),
-                      plot_text(panel.curves[k].name));
+        ChartPanel &drawn = chart.panels.emplace_back();
+        drawn.height = 230;
+        drawn.x = {under_axis(units, x), units.name(x.quantity), false, ends.low, ends.high,
+                   x.logarithmic};
+        drawn.y = {panel.what, units.name(panel.quantity), panel.quantity == Quantity::speed, y.low,
+                   y.high};
+        for (const NamedCurve &curve : panel.curves) {
+            drawn.curves.push_back(chart_curve(curve.name, curve.points, drawn.curves.size()));
+            drawn.curves.back().marker = 0.7;
         }
-        const int top = head + static_cast<int>(i) * height;
-        text += figure.panel(top, top + height - below) + axes_over(range_of(across), y) +
-                (x.logarithmic ? "set logscale x\n" : "") +
-                (panel.quantity == Quantity::speed ? operation_band(scene, units, y, SpeedAxis::y)
-                                                   : "") +
-                fmt::format("set ylabel {}\nset xlabel {}\n", plot_text(panel.what),
-                            plot_text(under_axis(units, x))) +
-                drawn.script() + "unset object\nunset arrow\nunset label\nunset logscale\n";
     }
-    if (panels.empty())
-        text += figure.panel(head, head + height - below) +
-                "set xrange [0:1]\nset yrange [0:1]\nset label 'no answers' at graph 0.5,0.5 "
-                "center\nplot NaN notitle\n";
     std::string subtitle = fmt::format("{} rotors", result.count);
     if (result.axes.size() > 1)
         subtitle += "; curves: " + under_axis(units, result.axes.back());
@@ -177,7 +156,8 @@ Figure sweep_figure(const model::Case &scene, const SweepResult &result, const U
         subtitle += "; green: operating speeds";
     if (left_out)
         subtitle += "; not all is drawn: sweep.csv has it";
-    return figure_of(figure.width, figure.height, "Sweep: " + title_of(scene), subtitle, text);
+    chart.subtitle = subtitle;
+    return chart;
 }
 
 } // namespace whirl::report

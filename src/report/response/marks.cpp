@@ -29,8 +29,15 @@ const std::vector<double> &phases_of(const HarmonicMotion &result, std::size_t i
     return i < result.curves.phases.size() ? result.curves.phases[i] : result.nodes[i].phase;
 }
 
+/// "2951 rpm"
+std::string speed_text(const Units &units, const ResponsePeak &peak) {
+    return drawn_speed(units, peak.speed) + " " + units.name(Quantity::speed);
+}
+
+} // namespace
+
 std::vector<const ResponsePeak *> labelled_peaks(const HarmonicMotion &result, std::size_t place,
-                                                 const std::string &of = "station") {
+                                                 const std::string &of) {
     std::vector<const ResponsePeak *> peaks;
     for (const ResponsePeak &peak : result.peaks)
         if (peak.of == of && peak.place == static_cast<int>(place) && std::isfinite(peak.value))
@@ -38,12 +45,6 @@ std::vector<const ResponsePeak *> labelled_peaks(const HarmonicMotion &result, s
     return peaks;
 }
 
-/// "2951 rpm"
-std::string speed_text(const Units &units, const ResponsePeak &peak) {
-    return drawn_speed(units, peak.speed) + " " + units.name(Quantity::speed);
-}
-
-/// "2951 rpm, AF 12.3": of its resonance; "3100 rpm, flank": it is none.
 std::string peak_text(const Units &units, const ResponsePeak &peak,
                       const std::vector<results::Resonance> &resonances) {
     const std::string speed = speed_text(units, peak);
@@ -52,42 +53,6 @@ std::string peak_text(const Units &units, const ResponsePeak &peak,
     const auto &factor = resonances[*peak.resonance].peak.amplification;
     return factor ? fmt::format("{}, AF {}", speed, drawn_number(*factor, 3)) : speed;
 }
-
-/// Fractions of a panel.
-struct Across {
-    const BodePanel &panel;
-    [[nodiscard]] double x(double value) const {
-        return (value - panel.x.low) / (panel.x.high - panel.x.low);
-    }
-    [[nodiscard]] double y(double value) const {
-        return std::log(value / panel.y.low) / std::log(panel.y.high / panel.y.low);
-    }
-};
-
-LabelPlacer occupied(const BodePanel &panel, const std::vector<NamedCurve> &busy) {
-    LabelPlacer placer;
-    const Across at{panel};
-    const double width = 6 / panel.pixels_wide;
-    const double height = 6 / panel.pixels_high;
-    for (const NamedCurve &curve : busy)
-        for (const PlotPoint &point : curve.points)
-            if (point.y && *point.y > 0)
-                placer.block(
-                    {at.x(point.x) - width / 2, at.y(*point.y) - height / 2, width, height});
-    return placer;
-}
-
-/// A line from a mark to its label where this stands so far away that it could be another's.
-std::string leader(const LabelPlacer::Box &box, double x, double y, const BodePanel &panel) {
-    const double to_x = std::clamp(x, box.x, box.x + box.width);
-    const double to_y = std::clamp(y, box.y, box.y + box.height);
-    if (std::hypot((to_x - x) * panel.pixels_wide, (to_y - y) * panel.pixels_high) < 18)
-        return "";
-    return fmt::format("from graph {},{} to graph {},{} nohead lw 0.6 lc rgb '#999999'", x, y, to_x,
-                       to_y);
-}
-
-} // namespace
 
 std::optional<std::size_t> largest_station(const HarmonicMotion &result) {
     std::optional<std::size_t> largest;
@@ -107,51 +72,6 @@ std::optional<std::size_t> largest_station(const HarmonicMotion &result) {
         }
     }
     return largest;
-}
-
-PeakMarks peak_marks(const Units &units, const HarmonicMotion &result, std::size_t station,
-                     const BodePanel &panel, const std::vector<NamedCurve> &busy) {
-    const auto &of = result.nodes[station];
-    PeakMarks marks{.name = "peaks of " + place_text(units, of.name, of.z)};
-    LabelPlacer placer = occupied(panel, busy);
-    const Across at{panel};
-    std::vector<PlotPoint> tops;
-    std::vector<PlotPoint> halves;
-    int unnamed = 0;
-    int arrow = 500;
-    for (const ResponsePeak *peak : labelled_peaks(result, station)) {
-        const double value = units(Quantity::amplitude, peak->value);
-        const double speed = units(Quantity::speed, peak->speed);
-        tops.push_back({speed, value});
-        for (const std::optional<double> &half : {peak->lower, peak->upper}) {
-            const double x = units(Quantity::speed, half.value_or(NAN));
-            if (peak->amplification && x >= panel.x.low && x <= panel.x.high)
-                halves.push_back({x, value / std::sqrt(2.0)});
-        }
-        const std::string text = peak_text(units, *peak, result.resonances);
-        const auto box = placer.place(at.x(speed), at.y(value),
-                                      (text_width(text, label_size) + 8) / panel.pixels_wide,
-                                      15 / panel.pixels_high);
-        unnamed += box ? 0 : 1;
-        if (!box)
-            continue;
-        marks.before += fmt::format("set label {} at graph {},{} left font ',{}'\n",
-                                    plot_text(text), box->x, box->y + box->height / 2, label_size);
-        const std::string line = leader(*box, at.x(speed), at.y(value), panel);
-        if (!line.empty()) { // numbered, for the trip speed is an arrow too
-            marks.before += fmt::format("set arrow {} {}\n", ++arrow, line);
-            marks.after += fmt::format("unset arrow {}\n", arrow);
-        }
-    }
-    marks.before += left_out(unnamed, "peak", "0.01,0.04");
-    if (tops.empty())
-        return marks;
-    marks.before += data_block("tops", {tops}) + data_block("halves", {halves});
-    marks.plots = fmt::format("$tops with points pt 6 ps 1.7 lw 1.6 lc rgb '#000000' title {}",
-                              plot_text(marks.name));
-    if (!halves.empty())
-        marks.plots += ", $halves with points pt 2 ps 1 lw 1.6 lc rgb '#000000' title 'half power'";
-    return marks;
 }
 
 bool has_polar(const ResponseResult &result) {

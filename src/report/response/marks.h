@@ -15,24 +15,14 @@ namespace whirl::report {
 /// without damping counts as larger than all.
 [[nodiscard]] std::optional<std::size_t> largest_station(const results::HarmonicMotion &result);
 
-/// A panel over spin speed with a logarithmic axis of amplitude, where labels are placed.
-struct BodePanel {
-    Range x; ///< speeds, in their unit
-    Range y; ///< amplitudes in theirs
-    double pixels_wide = 0, pixels_high = 0;
-};
+/// The peaks of a place that have a size.
+[[nodiscard]] std::vector<const results::ResponsePeak *>
+labelled_peaks(const results::HarmonicMotion &result, std::size_t place,
+               const std::string &of = "station");
 
-/// Peaks of one station with speed and amplification factor, and their half-power points.
-struct PeakMarks {
-    std::string name{};   ///< in the legend
-    std::string before{}; ///< labels and data, in front of the plot command
-    std::string plots{};  ///< elements of the plot command
-    std::string after{};  ///< takes away what is not for the next panel, behind it
-};
-/// @param busy  curves that labels should not lie on, in the units of the panel
-[[nodiscard]] PeakMarks peak_marks(const Units &units, const results::HarmonicMotion &result,
-                                   std::size_t station, const BodePanel &panel,
-                                   const std::vector<NamedCurve> &busy);
+/// "2951 rpm, AF 12.3": of its resonance; "3100 rpm, flank": it is none.
+[[nodiscard]] std::string peak_text(const Units &units, const results::ResponsePeak &peak,
+                                    const std::vector<results::Resonance> &resonances);
 
 /// Whether there is a polar plot: more than one speed, and every amplitude has a limit.
 [[nodiscard]] bool has_polar(const results::ResponseResult &result);

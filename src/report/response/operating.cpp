@@ -103,6 +103,13 @@ const Columns<OperatingRow> row_columns{
     {"error", InCsv("error"), OnPage("Relative error", "{:.2g}"), InText("error", rough),
      Quantity::number, &OperatingRow::error}};
 
+/// A value as it is compared with its limit: shares of a clearance in percent.
+std::string measured(results::Measure what, double value, const Units &units) {
+    return what == results::Measure::clearance_share && std::isfinite(value)
+               ? fmt::format("{:.4g} %", 100 * value)
+               : with_unit(results::measure_quantity(what), value, units);
+}
+
 const Columns<OperatingWorst> worst_columns{
     {"of", &OperatingWorst::of},
     {"name", &OperatingWorst::name},
@@ -121,11 +128,11 @@ const Columns<OperatingWorst> worst_columns{
         [](const OperatingWorst &worst) { return results::measure_quantity(worst.what); }),
     {OnPage("Value"), InText("value"),
      [](const OperatingWorst &worst, const Units &units) {
-         return with_unit(results::measure_quantity(worst.what), worst.value, units);
+         return measured(worst.what, worst.value, units);
      }},
     {OnPage("Limit"), InText("limit"),
      [](const OperatingWorst &worst, const Units &units) {
-         return with_unit(results::measure_quantity(worst.what), worst.limit, units);
+         return measured(worst.what, worst.limit, units);
      }},
     {"speed", ForReaders("at"), Quantity::speed, &OperatingWorst::speed},
     {"scale", Quantity::number, &OperatingWorst::scale},
@@ -146,7 +153,7 @@ std::vector<std::string> reasons(const ResponseResult &result, const Units &unit
                 out.push_back(why);
         }
     if (result.operating->scale)
-        out.push_back(fmt::format("clearances with the imbalance times {:.4g}: as far as the probe "
+        out.push_back(fmt::format("Clearances with the imbalance times {:.4g}: as far as the probe "
                                   "that reads most keeps its limit, at least 1 and at most "
                                   "limits.scale_most",
                                   *result.operating->scale));

@@ -365,7 +365,7 @@ struct Part {
     std::string file;    ///< of its picture and its table, where it is not the first
     std::string title;   ///< "Response to the weight"
     std::string picture; ///< "motion under the weight"
-    std::function<Figure(const Units &)> figure;
+    std::function<Chart(const Units &)> chart;
     std::function<std::string(const Units &)> csv;
     std::function<std::vector<Section>(const Units &)> sections;
     std::function<std::string(const Units &)> text;
@@ -373,7 +373,7 @@ struct Part {
 
 Part imbalance_part(const model::Case &scene, const ResponseResult &result) {
     Part part{"response", "Unbalance response", "unbalance response", {}, {}, {}, {}};
-    part.figure = [&](const Units &units) { return response_figure(scene, result, units); };
+    part.chart = [&](const Units &units) { return response_chart(scene, result, units); };
     part.csv = [&](const Units &units) { return motion_csv(result.speeds, result, units); };
     part.sections = [&](const Units &units) {
         std::vector<Section> sections = motion_sections(result.speeds, result, "", units);
@@ -400,8 +400,8 @@ Part force_part(const model::Case &scene, const ResponseResult &result,
     const std::string usual = what(Units::of_readers(scene.units));
     Part part{
         fmt::format("response_force_{}", index), "Response to " + usual, usual, {}, {}, {}, {}};
-    part.figure = [&](const Units &units) {
-        return force_figure(scene, result.speeds, response, units);
+    part.chart = [&](const Units &units) {
+        return force_chart(scene, result.speeds, response, units);
     };
     part.csv = [&](const Units &units) { return motion_csv(result.speeds, response, units); };
     part.sections = [&, what](const Units &units) {
@@ -423,7 +423,7 @@ Part force_part(const model::Case &scene, const ResponseResult &result,
 Part weight_part(const model::Case &scene, const ResponseResult &result) {
     Part part{
         "response_gravity", "Response to the weight", "motion under the weight", {}, {}, {}, {}};
-    part.figure = [&](const Units &units) { return gravity_figure(scene, result, units); };
+    part.chart = [&](const Units &units) { return gravity_chart(scene, result, units); };
     part.csv = [&](const Units &units) {
         return gravity_csv(*result.gravity, result.speeds, units);
     };
@@ -438,8 +438,8 @@ Part weight_part(const model::Case &scene, const ResponseResult &result) {
 
 Part receptance_part(const model::Case &scene, const ResponseResult &result) {
     Part part{"response_receptance", "Receptance", "receptance", {}, {}, {}, {}};
-    part.figure = [&](const Units &units) {
-        return receptance_figure(scene, *result.receptance, units);
+    part.chart = [&](const Units &units) {
+        return receptance_chart(scene, *result.receptance, units);
     };
     part.csv = [&](const Units &units) { return receptance_csv(*result.receptance, units); };
     part.sections = [&](const Units &units) {
@@ -496,7 +496,8 @@ std::vector<Picture> pictures_of(const model::Case &scene, const ResponseResult 
         pictures.push_back(std::move(picture));
     const std::vector<Part> parts = parts_of(scene, result);
     for (std::size_t i = 1; i < parts.size(); ++i)
-        pictures.push_back({parts[i].file, parts[i].figure(units), parts[i].csv});
+        pictures.push_back(
+            {parts[i].file, chart_figure(parts[i].chart(units), scene, units), parts[i].csv});
     return pictures;
 }
 
@@ -571,7 +572,10 @@ Report describe(const model::Case &scene, const ResponseResult &result) {
     Report report = report_of<ResponseResult>("response", parts.front().title, scene, result,
                                               {json_of, {}, {}, text_of, {}});
     report.csv = parts.front().csv;
-    report.figure = parts.front().figure;
+    report.chart = parts.front().chart;
+    report.figure = [&scene, chart = report.chart](const Units &units) {
+        return chart_figure(chart(units), scene, units);
+    };
     report.sections = [parts, &result](const Units &units) {
         return sections_of(first_sections(result, units), parts, units);
     };

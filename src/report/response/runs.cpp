@@ -6,6 +6,7 @@
 #include "report/common/words.h"
 #include "report/response/operating.h"
 #include "report/response/tables.h"
+#include "results/resonances.h"
 
 #include <fmt/format.h>
 
@@ -21,9 +22,6 @@ using results::SeparationMargin;
 using results::StandardRun;
 
 namespace {
-
-/// Peaks of a run in JSON: the sharpest; all are those of a case with these imbalances.
-constexpr std::size_t few_peaks = 6;
 
 const Columns<model::Imbalance> weight_columns{
     {"z", Quantity::length, &model::Imbalance::z},
@@ -157,7 +155,7 @@ void add_runs(Json &json, const ResponseResult &result, const Units &units) {
                  {"unbalance", json_rows(weight_columns, run.unbalance, units)}};
         take_entries(one, operating_json(run.operating, units));
         std::vector<results::ResponsePeak> peaks = sharpest_first(run.peaks);
-        peaks.resize(std::min(peaks.size(), few_peaks));
+        one["resonances"] = resonances_json(results::resonances_of(peaks), units);
         one["peaks"] = json_rows(curve_peaks(), peaks, units);
         add_margins(one, run.margins, units);
         one["notes"] = written(units, run.notes);

@@ -122,6 +122,51 @@ const Columns<Level1> level1_columns{
     {"log_dec", Quantity::number, &Level1::log_dec},
     {"frequency", Quantity::frequency, &Level1::frequency}};
 
+// The same with other clearances of the bearings.
+
+const Columns<StabilityResult> clearance_columns{
+    {"clearance", ForReaders("clearance"),
+     [](const StabilityResult &result) { return model::fit_name(result.fit); }},
+    {"growth", OnPage("Largest growth", "{:.5g}"), InText("largest growth", "{:.5g}"),
+     Quantity::rate, results::largest_growth},
+    {OnPage("Unstable"), InText("unstable"),
+     [](const StabilityResult &result, const Units &units) {
+         std::string text;
+         for (const results::Interval &band : results::unstable_speeds(result))
+             text +=
+                 (text.empty() ? "" : ", ") +
+                 units.text(model::Sentence("{}", model::as::speed.range(band.from, band.to, 5)));
+         return text.empty() ? "nowhere" : text;
+     }},
+    {OnPage("Critical cross coupling", "{:.5g}"), InText("critical cross coupling", "{:.5g}"),
+     Quantity::stiffness,
+     [](const StabilityResult &result) {
+         return result.level1 ? result.level1->critical_cross_coupling : std::nullopt;
+     }},
+    {OnPage("Logarithmic decrement with that anticipated", "{:.4g}"),
+     InText("log. decrement with that anticipated", "{:.4g}"), Quantity::number,
+     [](const StabilityResult &result) {
+         return result.level1 ? result.level1->anticipated_log_dec : std::nullopt;
+     }},
+    {OnPage("Critical over anticipated", "{:.4g}"), InText("critical over anticipated", "{:.4g}"),
+     Quantity::number,
+     [](const StabilityResult &result) {
+         return result.level1 ? reserve(*result.level1) : std::nullopt;
+     }},
+    {"unstable", Quantity::speed, results::unstable_speeds}};
+
+/// The result as given first.
+std::vector<StabilityResult> all_clearances(const StabilityResult &result) {
+    std::vector<StabilityResult> all{result};
+    all.insert(all.end(), result.clearances.begin(), result.clearances.end());
+    return all;
+}
+
+std::string least_stable_in_words(const StabilityResult &result) {
+    return "Least stable with clearance " + model::fit_name(results::least_stable(result).fit) +
+           ".";
+}
+
 const Columns<results::Level1Stage> stage_columns{
     {"name", OnPage("Stage"), InText("stage"), &results::Level1Stage::name},
     {"kind", OnPage("Kind"), InText("kind"),
@@ -249,6 +294,13 @@ Json json_of(const StabilityResult &result, const Units &units) {
             {"family", result.family ? family_json(*result.family, units) : Json()},
             {"map", result.map ? map_json(*result.map, units) : Json()},
             {"level1", result.level1 ? level1_json(*result.level1, units) : Json()},
+            {"clearances", json_list(result.clearances,
+                                     [&units](const StabilityResult &one) {
+                                         Json json = json_row(clearance_columns, one, units);
+                                         json["level1"] =
+                                             one.level1 ? level1_json(*one.level1, units) : Json();
+                                         return json;
+                                     })},
             {"states", states_json(result.states, units)},
             {"state_borders", state_borders_json(result.states, units)},
             {"states_undecided", states_undecided_json(result.states, units)}};
@@ -299,8 +351,19 @@ const Columns<BandLine> still_columns{
     {OnPage("Kind"), &BandLine::kind},
     {OnPage("", "{:.8g}").and_si("{:.10g}"), Quantity::speed, &BandLine::from}};
 
+/// All clearances side by side, the least stable named; nothing where there is one.
+std::vector<Section> clearance_sections(const StabilityResult &result, const Units &units) {
+    if (result.clearances.empty())
+        return {};
+    return {{"Clearances of the bearings",
+             element("p", least_stable_in_words(result)) +
+                 page_table(clearance_columns, all_clearances(result), units)}};
+}
+
 std::vector<Section> sections_of(const StabilityResult &result, const Units &units) {
     std::vector<Section> sections = headline_sections(result, units);
+    for (Section &section : clearance_sections(result, units))
+        sections.push_back(std::move(section));
     if (!result.ends.empty())
         sections.push_back(
             {"Speeds at which the number of growing motions changes",
@@ -347,8 +410,11 @@ std::string speeds_text(const std::string &title, const std::vector<double> &spe
 
 std::string text_of(const model::Case &scene, const StabilityResult &result, const Units &units) {
     std::string text = heading(scene, "Stability, " + range_text(result.speeds, units));
-    text += headline_text(result, units) +
-            text_table("Speeds at which the number of growing motions changes:\n",
+    text += headline_text(result, units);
+    if (!result.clearances.empty())
+        text += "\n" + least_stable_in_words(result) + "\n" +
+                text_table(clearance_columns, all_clearances(result), units);
+    text += text_table("Speeds at which the number of growing motions changes:\n",
                        without_empty(end_columns, result.ends), result.ends, units);
     if (!result.unresolved_ends.empty())
         text += fmt::format("Not resolved by the elements: {} more {}, of motions with frequencies "
@@ -382,6 +448,8 @@ std::string text_of(const model::Case &scene, const StabilityResult &result, con
 
 std::vector<Section> brief_of(const StabilityResult &result, const Units &units) {
     std::vector<Section> sections = headline_sections(result, units);
+    for (Section &section : clearance_sections(result, units))
+        sections.push_back(std::move(section));
     if (result.level1)
         sections.push_back(
             {"Level-I stability", page_properties(level1_columns, *result.level1, units)});

@@ -140,6 +140,8 @@ class Panel {
   stop() {
     clearTimeout(this.timer);
     this.wanted = this.running = null;
+    this.previewed = false;
+    this.tell();
   }
   ask(wanted, edited) {
     if (this.running ? wanted === this.running.wanted : wanted === this.shown) {
@@ -170,7 +172,7 @@ class Panel {
       if (this.running !== run) return;
       run.coarse = false;
       run.previewed = answer.main !== undefined && this.frame.contentWindow.show(answer) === null;
-      if (run.previewed) { this.took = performance.now() - run.edited; this.previewed = true; this.fit(); }
+      if (run.previewed) { this.took = performance.now() - run.edited; this.previewed = true; this.shown = null; this.fit(); }
       this.tell();
       if (this.wanted !== null) { this.running = null; this.start(); return; }
       run.since = performance.now();

@@ -1,0 +1,71 @@
+#pragma once
+
+// Figures of panels over each other, described once: gnuplot draws them for files, Plotly on pages.
+
+#include "model/case.h"
+#include "report/common/gnuplot.h"
+#include "report/common/units.h"
+#include "report/pictures/style.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace whirl::report {
+
+struct ChartAxis {
+    std::string title;                   ///< with its unit; empty: none
+    std::string unit;                    ///< of its numbers
+    bool spin_speed = false;             ///< the operating speeds lie behind the curves
+    std::optional<double> low{}, high{}; ///< none: as the curves need it
+    bool logarithmic = false;
+    double step = 0; ///< between its numbers; 0: as there is room
+};
+[[nodiscard]] ChartAxis chart_axis(const Units &units, const std::string &what, Quantity quantity);
+
+struct ChartCurve {
+    std::string name; ///< in the legend, once in a figure; empty: not there
+    std::vector<PlotPoint> points;
+    LineStyle style;
+    double width = 1.8;               ///< of the line; 0: none
+    double marker = 0;                ///< size of the points; 0: none
+    bool on_page = false;             ///< there alone: a still picture has no room for it
+    std::size_t every = 1;            ///< points stand at every so many places of the line
+    std::vector<std::string> texts{}; ///< of its points, on the page
+};
+/// The index-th of a row, with a dash of its own where one is given.
+[[nodiscard]] ChartCurve chart_curve(const std::string &name, std::vector<PlotPoint> points,
+                                     std::size_t index, double width = 1.8,
+                                     const std::string &dash = "");
+
+/// What a point is, beside it where there is room.
+struct ChartLabel {
+    std::string text;
+    double x = 0, y = 0;
+};
+
+struct ChartPanel {
+    int height = 300; ///< pixels
+    ChartAxis x, y;
+    std::vector<ChartCurve> curves;
+    std::string title{};
+    std::vector<ChartLabel> labels{};
+};
+
+struct Chart {
+    std::string title, subtitle;
+    std::vector<ChartPanel> panels;
+};
+
+/// Ends of a logarithmic axis that shows so much below the largest value of all curves, and of that
+/// of the smallest curve; linear where nothing is above zero.
+void span_decades(ChartAxis &axis, const std::vector<ChartCurve> &curves, double share,
+                  double share_of_smallest = 0);
+
+[[nodiscard]] Figure chart_figure(const Chart &chart, const model::Case &scene, const Units &units);
+/// The same for web/chart.js.
+[[nodiscard]] nlohmann::ordered_json chart_json(const Chart &chart);
+
+} // namespace whirl::report

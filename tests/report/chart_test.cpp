@@ -1,0 +1,123 @@
+// A figure described once: both back-ends have its numbers, names and labels.
+
+#include "report/common/plot_jobs.h"
+#include "report/pictures/chart.h"
+#include "sample_results.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <sstream>
+
+namespace whirl::report {
+
+namespace {
+
+Chart sample_chart() {
+    ChartPanel above{
+        200, {.title = "x", .low = 0, .high = 3}, {.title = "y", .logarithmic = true}, {}};
+    above.curves.push_back(chart_curve("first", {{0, 1}, {1, std::nullopt}, {2, 4}}, 0));
+    above.curves.push_back(chart_curve("second", {{0, 10}, {3, 0.125}}, 1));
+    above.labels.push_back({"a peak", 2, 4});
+    ChartPanel below{100,
+                     {.title = "x"},
+                     {.title = "phase", .low = -190, .high = 190, .step = 90},
+                     {chart_curve("first", {{0, -90}, {3, 90}}, 0)}};
+    below.curves.push_back(chart_curve("of pages", {{0, 45}, {3, 45}}, 1));
+    below.curves.back().on_page = true;
+    return {"title", "", {above, below}};
+}
+
+/// Numbers of the data blocks of a script, those without a value left out.
+std::vector<std::vector<std::pair<double, double>>> drawn_blocks(const std::string &script) {
+    std::vector<std::vector<std::pair<double, double>>> blocks;
+    std::istringstream lines(script);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("$curve"))
+            blocks.emplace_back();
+        else if (std::istringstream numbers(line); !blocks.empty()) {
+            std::string x, y;
+            if (numbers >> x >> y && y != "NaN" && x.find_first_not_of("0123456789.-e") > x.size())
+                blocks.back().emplace_back(std::stod(x), std::stod(y));
+        }
+    return blocks;
+}
+
+std::size_t times_in(const std::string &text, const std::string &part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++count;
+    return count;
+}
+
+} // namespace
+
+TEST(Chart, BothBackEndsHaveTheSameCurves) {
+    const Chart chart = sample_chart();
+    const auto blocks = drawn_blocks(chart_figure(chart, sample_case(), {}).script);
+    const auto panels = chart_json(chart).at("panels");
+    ASSERT_EQ(panels.size(), 2U);
+    std::size_t block = 0;
+    for (std::size_t p = 0; p < 2; ++p)
+        for (std::size_t c = 0; c < chart.panels[p].curves.size(); ++c) {
+            const auto &curve = panels.at(p).at("curves").at(c);
+            EXPECT_EQ(curve.at("name"), chart.panels[p].curves[c].name);
+            if (chart.panels[p].curves[c].on_page)
+                continue;
+            std::vector<std::pair<double, double>> of_page;
+            for (const auto &point : curve.at("points"))
+                if (!point.at(1).is_null())
+                    of_page.emplace_back(point.at(0), point.at(1));
+            ASSERT_LT(block, blocks.size());
+            EXPECT_EQ(blocks[block++], of_page);
+        }
+    EXPECT_EQ(block, blocks.size()) << "what is for the page alone is in no file";
+}
+
+TEST(Chart, NamesStandInTheLegendOnceAndLabelsBesideTheirPoints) {
+    const std::string script = chart_figure(sample_chart(), sample_case(), {}).script;
+    EXPECT_EQ(times_in(script, " title " + plot_text("first")), 1U) << "of both panels";
+    EXPECT_EQ(times_in(script, plot_text("of pages")), 0U);
+    EXPECT_EQ(times_in(script, plot_text("a peak")), 1U);
+    EXPECT_EQ(times_in(script, "\nset logscale y"), 1U);
+    EXPECT_EQ(times_in(script, "\nset xrange [0:3]"), 1U);
+    const auto label = chart_json(sample_chart()).at("panels").at(0).at("labels").at(0);
+    EXPECT_EQ(label.at("text"), "a peak");
+    EXPECT_EQ(label.at("y"), 4);
+}
+
+// By hand: decades below the largest of all (3e2) and of the smallest curve (2), and room above.
+TEST(Chart, LogarithmicAxesShowDecadesBelowTheLargest) {
+    const std::vector<ChartCurve> curves{chart_curve("", {{0, 1e-9}, {1, 3e2}}, 0),
+                                         chart_curve("", {{0, 1e-8}, {1, 2}}, 1)};
+    ChartAxis axis;
+    span_decades(axis, curves, 1e-6); // from 3e-4
+    EXPECT_TRUE(axis.logarithmic);
+    EXPECT_DOUBLE_EQ(*axis.low, 1e-4);
+    EXPECT_DOUBLE_EQ(*axis.high, 1e3);
+    span_decades(axis, curves, 1e-6, 1e-3); // from 2e-3
+    EXPECT_DOUBLE_EQ(*axis.low, 1e-3);
+    // Above half a decade the label of a peak needs another octave.
+    span_decades(axis, {chart_curve("", {{0, 7}, {1, 1}}, 0)}, 1e-6);
+    EXPECT_DOUBLE_EQ(*axis.high, 20);
+    EXPECT_DOUBLE_EQ(*axis.low, 1);
+    span_decades(axis, {chart_curve("", {{0, 0}, {1, 0}}, 0)}, 1e-6);
+    EXPECT_FALSE(axis.logarithmic) << "nothing moves";
+}
+
+// A picture without a curve is drawn, not refused.
+TEST(Chart, PanelsWithoutValuesHaveAxesAllTheSame) {
+    Chart chart = sample_chart();
+    for (ChartPanel &panel : chart.panels)
+        for (ChartCurve &curve : panel.curves)
+            curve.points = {{0, std::nullopt}};
+    PlotJobs jobs;
+    if (!jobs.start(chart_figure(chart, sample_case(), {}), PictureFormat::svg, "a.svg"))
+        GTEST_SKIP() << "no gnuplot";
+    EXPECT_EQ(jobs.finish().size(), 1U);
+    chart.panels.clear();
+    EXPECT_TRUE(jobs.start(chart_figure(chart, sample_case(), {}), PictureFormat::svg, "b.svg"));
+    EXPECT_EQ(jobs.finish().size(), 1U);
+}
+
+} // namespace whirl::report
