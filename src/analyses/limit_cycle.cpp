@@ -82,6 +82,8 @@ void add_limit_cycle(const model::Case &scene, const simulation::MotionScene &mo
     };
     if (const std::string why = states::not_alike_in_time(scene); !why.empty())
         return none(why);
+    if (!scene.simulate.held.empty())
+        return none("none is looked for with [simulate.sweep], only next to a motion at one speed");
     if (!simulation::ends_at_constant_speed(result))
         return none("the speed changes at the end");
     if (result.outcome != Outcome::lagging && result.outcome != Outcome::whirling)
@@ -98,7 +100,15 @@ void add_limit_cycle(const model::Case &scene, const simulation::MotionScene &mo
         result.cycle.emplace();
         result.cycle->cycle = told(cycles, *cycle);
         result.cycle->away = cycles.apart(*cycle, end);
-        if (scene.simulate.cycle->speeds)
+        const auto &speeds = scene.simulate.cycle->speeds;
+        if (speeds && (result.speed < speeds->from || result.speed > speeds->to))
+            result.model.notes.emplace_back(
+                model::Weight::warning,
+                "no branch of the limit cycle: it is at {}, outside of the speeds of "
+                "[simulate.cycle], {}",
+                results::as::speed(result.speed),
+                results::as::speed.range(speeds->from, speeds->to));
+        else if (speeds)
             add_branch(*scene.simulate.cycle, cycles, *cycle, *result.cycle);
     } catch (const linalg::SolverError &error) {
         none("a motion next to it cannot be followed, " + error.sentence().text());

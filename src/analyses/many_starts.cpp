@@ -42,7 +42,11 @@ TimeWindow last_window(const model::SimulateSettings &simulate) {
 void refuse_changing_speed(const model::Case &scene, const simulation::MotionScene &motion) {
     const TimeWindow w = last_window(scene.simulate);
     const simulation::Spin &spin = motion.parts.spin;
-    if (motion.parts.motor || spin.at(w.from, w.from).speed != spin.at(w.until, w.until).speed)
+    const auto differs = [&](double time) {
+        return time > w.from && time <= w.until &&
+               spin.at(time, time).speed != spin.at(w.from, w.from).speed;
+    };
+    if (motion.parts.motor || differs(w.until) || std::ranges::any_of(spin.jumps(), differs))
         throw model::BadInput(fmt::format(
             "{}: simulate.starts: expected a prescribed speed that is constant over the last tenth "
             "of the time, got {}",

@@ -149,8 +149,9 @@ void judge_balls(const model::Case &scene, int order, results::SimulateResult &r
 }
 
 /// One motion, told apart where it was interrupted by result.restart.
+/// @param whole  with its limit cycle, and what its sweep says
 results::SimulateResult motion_from(const model::Case &scene, simulation::MotionScene &motion,
-                                    const model::Restart *from) {
+                                    const model::Restart *from, bool whole = false) {
     results::SimulateResult result;
     describe_model(scene, motion, result);
     simulation::Run run(scene, motion);
@@ -173,9 +174,9 @@ results::SimulateResult motion_from(const model::Case &scene, simulation::Motion
     if (!scene.rotor.balancers.empty())
         judge_balls(scene, motion.order, result);
     simulation::classify(scene, result);
-    if (scene.simulate.cycle)
+    if (whole && scene.simulate.cycle)
         add_limit_cycle(scene, motion, run, result);
-    if (result.sweep)
+    if (whole && result.sweep)
         judge_sweep(scene, result);
     if (!failure.empty() && result.outcome != results::Outcome::growing)
         throw model::AnalysisFailure(failure);
@@ -233,7 +234,7 @@ results::SimulateResult simulate(const model::Case &scene, const model::Restart 
     results::SimulateResult result;
     const auto one_motion = [&] {
         simulation::MotionScene own = motion;
-        result = motion_from(scene, own, from);
+        result = motion_from(scene, own, from, true);
         if (!result.restart)
             add_other_starts(scene, own, result);
         return !result.restart;

@@ -251,6 +251,18 @@ void answer(const model::Case &scene, const std::vector<double> &grid,
     result.model.unknowns = 2 * d.planar_size();
 }
 
+/// Level II is required where one clearance of the bearings requires it.
+void judge_all_clearances(results::StabilityResult &result) {
+    if (!result.level1)
+        return;
+    for (const results::StabilityResult &one : result.clearances)
+        if (one.level1 && one.level1->level_two == true && result.level1->level_two != true) {
+            result.level1->level_two = true;
+            result.level1->verdict = {"with the {} clearance of the bearings {}",
+                                      model::fit_name(one.fit), one.level1->verdict};
+        }
+}
+
 void add_level1(const model::Case &scene, const stability::StabilityModel &model,
                 results::StabilityResult &result) {
     if (!scene.level1)
@@ -408,6 +420,7 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
                 result.clearances.push_back(stability(scene_with_fit(scene, fit), with));
                 result.clearances.back().fit = fit;
             }
+    judge_all_clearances(result);
     return result;
 }
 

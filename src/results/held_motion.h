@@ -65,6 +65,7 @@ struct ManyStarts {
 
 /// A sweep in time over the speeds of [simulate.sweep].
 struct HeldSweep {
+    double size = 0;                 ///< m; deflections below a hundredth of this count as none
     std::vector<HeldMotion> motions; ///< in the order of time
     std::vector<MotionJump> jumps;   ///< in the order of time
     /// Speeds at which the motion depends on where the rotor comes from, from and to, rad/s.

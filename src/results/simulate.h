@@ -110,7 +110,7 @@ struct SimulateResult {
     MotionSeries series;
     std::vector<double> start_angles; ///< of all balls and pairs, rad
     std::vector<OtherStart> other_starts;
-    std::optional<FoundCycle> cycle; ///< none: not asked for, or a note says why
+    std::optional<FoundCycle> cycle;  ///< none: not asked for, or a note says why
     std::optional<HeldSweep> sweep;   ///< over the speeds of [simulate.sweep]
     std::optional<ManyStarts> starts; ///< of [simulate.starts]
     /// Wherever something is attached. Without balancers the series are theirs, in this order.

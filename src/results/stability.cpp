@@ -21,9 +21,10 @@ const std::vector<Interval> &unstable_speeds(const StabilityResult &result) {
 const StabilityResult &least_stable(const StabilityResult &result) {
     const auto order = [](const StabilityResult &one) {
         const double none = std::numeric_limits<double>::infinity();
+        const double growth = largest_growth(one);
         return std::tuple(unstable_speeds(one).empty(),
                           one.level1 ? one.level1->critical_cross_coupling.value_or(none) : none,
-                          -largest_growth(one));
+                          std::isnan(growth) ? -none : -growth); // not known: it may be any
     };
     const StabilityResult *worst = &result;
     for (const StabilityResult &one : result.clearances)

@@ -17,6 +17,9 @@ constexpr double alike = 0.02;
 constexpr double none_left = 0.01;
 constexpr double resting = 0.02; ///< rad: by less a part that stands still moves in a half
 constexpr double swinging = 0.1; ///< rad: swing of a part that stands still
+/// Of a part that slows down: what is still before it, rad, by the moves of two halves.
+constexpr double before_it = 0.05;
+constexpr double stands = 1e-4; ///< rad in a half: over the times of motions less than before_it
 /// Share of the larger amplitude by which a jump, and a motion that depends on the way, differ.
 constexpr double apart = 0.1;
 constexpr double nothing = 1e-3; ///< of the largest amplitude of a sweep: as good as balanced
@@ -71,6 +74,17 @@ bool rests(const Window &w, const std::vector<double> &angles) {
     return *high - *low < swinging && std::abs(w.half(true).moved(angles)) < resting;
 }
 
+/// A part that all but stands still may creep for long: each half of the window it moves by the
+/// same share of the half before, and all that is to come is the sum of these moves.
+bool creeps(const Window &w, const std::vector<double> &angles) {
+    const double first = w.half(false).moved(angles);
+    const double second = w.half(true).moved(angles);
+    if (std::abs(second) < stands || first * second < 0)
+        return false;
+    return std::abs(second) >= std::abs(first) ||
+           second * second / std::abs(first - second) > before_it;
+}
+
 bool settled(const Window &w, double size) {
     const Window first = w.half(false);
     const Window second = w.half(true);
@@ -79,16 +93,18 @@ bool settled(const Window &w, double size) {
             !agree(first.rms(i), second.rms(i), size))
             return false;
     return std::ranges::all_of(w.series.angles, [&](const std::vector<double> &angles) {
+        if (rests(w, angles) && creeps(w, angles))
+            return false;
         const double still_rate = resting / (w.series.time[w.last] - w.series.time[w.first]);
         return agree(first.rate(angles), second.rate(angles), still_rate);
     });
 }
 
 /// One of two amplitudes is another one.
-/// @param most  the largest of the sweep
-bool other_amplitude(const results::HeldMotion &a, const results::HeldMotion &b, double most) {
+/// @param least  by less both are balanced, m
+bool other_amplitude(const results::HeldMotion &a, const results::HeldMotion &b, double least) {
     const double larger = std::max(a.largest(), b.largest());
-    return larger > nothing * most && std::abs(a.largest() - b.largest()) > apart * larger;
+    return larger > least && std::abs(a.largest() - b.largest()) > apart * larger;
 }
 
 } // namespace
@@ -129,11 +145,12 @@ void find_jumps(results::HeldSweep &sweep) {
     double most = 0;
     for (const results::HeldMotion &motion : all)
         most = std::max(most, motion.largest());
+    const double least = std::max(nothing * most, none_left * sweep.size);
     for (std::size_t k = 1; k < all.size(); ++k) {
         const results::HeldMotion &a = all[k - 1];
         const results::HeldMotion &b = all[k];
         const bool other = a.at_rest != b.at_rest || branch_of(a) != branch_of(b);
-        if (other && other_amplitude(a, b, most))
+        if (other && other_amplitude(a, b, least))
             sweep.jumps.push_back({b.up, a.speed, b.speed, a.largest(), b.largest()});
     }
     bool open = false; // the speed above belongs to the last interval
@@ -142,8 +159,11 @@ void find_jumps(results::HeldSweep &sweep) {
             all, [&up](const auto &m) { return !m.up && m.speed == up.speed; });
         if (!up.up || down == all.end())
             continue;
-        const bool here = other_amplitude(up, *down, most) &&
-                          (up.at_rest != down->at_rest || (up.settled && down->settled));
+        // What moves without end may not repeat itself within a window; what rests has to last.
+        const bool last = up.at_rest == down->at_rest ? up.settled && down->settled
+                          : up.at_rest                ? up.settled
+                                                      : down->settled;
+        const bool here = last && other_amplitude(up, *down, least);
         if (here && open)
             sweep.hysteresis.back().second = up.speed;
         else if (here)

@@ -11,7 +11,7 @@ inline constexpr double told_by = 1.0 / 3;
 
 /// The motion between two times at one speed, from the time series. It has settled where its two
 /// halves have the same largest and root-mean-square deflections, and parts that stand still in
-/// the rotor or turn in it at the same mean rate.
+/// the rotor or turn in it at the same mean rate, and none creeps on that would come far.
 ///
 /// @param series  amplitudes of the balancers' planes first, then of the stations
 /// @param size    deflections smaller than a hundredth of this do not count, m

@@ -355,7 +355,7 @@ void Run::fill(results::SimulateResult &result) {
         if (held.until > _t) // interrupted, or it grew beyond all numbers
             break;
         if (!result.sweep)
-            result.sweep.emplace();
+            result.sweep.emplace().size = eccentricity();
         result.sweep->motions.push_back(
             motion_between(held.until - told_by * (held.until - held.from), held.until));
         result.sweep->motions.back().speed = held.speed;
@@ -379,9 +379,12 @@ void Run::fill(results::SimulateResult &result) {
 }
 
 results::HeldMotion Run::motion_between(double from, double until) const {
-    // The mass eccentricity that all parts and imbalances make together.
-    const double eccentricity = 100 * _scales.displacement / std::sqrt(_motion.parts().rotor.mass);
-    return simulation::motion_between(_scene.rotor, _recorder.series(), from, until, eccentricity);
+    return simulation::motion_between(_scene.rotor, _recorder.series(), from, until,
+                                      eccentricity());
+}
+
+double Run::eccentricity() const {
+    return 100 * _scales.displacement / std::sqrt(_motion.parts().rotor.mass);
 }
 
 /// Of the balancers' planes; without any of all stations.

@@ -34,6 +34,8 @@ class Run {
     /// then their velocities (those of the rotor in axes that stand still, seen from the rotor).
     [[nodiscard]] Eigen::VectorXd end_in_rotor_axes() const;
     [[nodiscard]] OdeMethod method() const { return _method; }
+    /// The mass eccentricity that all parts and imbalances make together, m.
+    [[nodiscard]] double eccentricity() const;
 
   private:
     /// Sizes below which an error does not matter, by kinds of unknowns.

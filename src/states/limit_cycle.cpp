@@ -206,6 +206,10 @@ std::optional<LimitCycles::Corrected> LimitCycles::corrected(LimitCycle cycle,
             Index along = 0;
             (found.array() - 1.0).abs().minCoeff(&along);
             out.cycle.multiplier_error = std::abs(found(along) - 1.0);
+            constexpr double one = 1e-2;
+            // Parts that rest come back after any time: no cycle.
+            if (out.cycle.multiplier_error > one || out.derivative.along.norm() < one * one)
+                return std::nullopt;
             out.cycle.multipliers.resize(size - 1);
             out.cycle.multipliers << found.head(along), found.tail(size - 1 - along);
             return out;
@@ -270,14 +274,27 @@ std::optional<LimitCycle> LimitCycles::next_to(const Eigen::VectorXd &start, dou
     if (farthest < at_rest)
         return std::nullopt;
     constexpr double near = 0.2; // of the farthest: a return
-    constexpr int tries = 4;
-    int tried = 0;
+    std::vector<std::size_t> returns;
     bool left = false;
-    for (std::size_t k = 1; k + 1 < away.size() && tried < tries; ++k) {
+    for (std::size_t k = 1; k + 1 < away.size(); ++k) {
         left = left || away[k] > farthest / 2;
-        if (!left || away[k] > near * farthest || away[k] > away[k - 1] || away[k] > away[k + 1])
-            continue;
-        ++tried;
+        if (left && away[k] < near * farthest && away[k] <= away[k - 1] && away[k] <= away[k + 1])
+            returns.push_back(k);
+    }
+    if (returns.empty())
+        return std::nullopt;
+    // Equal balls that change places come back half way too, but not each to where it was: what is
+    // farther off than others is no return. Of the rest the first has the shortest period.
+    double least = HUGE_VAL;
+    for (const std::size_t k : returns)
+        least = std::min(least, away[k]);
+    constexpr double beside = 3; // times the least, by where the states looked at lie
+    std::erase_if(returns,
+                  [&](std::size_t k) { return away[k] > beside * least + 1e-2 * farthest; });
+    constexpr std::size_t tries = 4;
+    returns.resize(std::min(returns.size(), tries));
+    std::optional<LimitCycle> nearest;
+    for (const std::size_t k : returns) {
         LimitCycle guess;
         guess.speed = speed;
         guess.start = start;
@@ -291,10 +308,15 @@ std::optional<LimitCycle> LimitCycles::next_to(const Eigen::VectorXd &start, dou
         for (Index i = 0; i < n - shapes; ++i)
             guess.turns.push_back(
                 static_cast<int>(std::lround((angles[k](i) - angles[0](i)) / (2 * pi))));
-        if (const auto found = corrected(guess, scale, derivative(guess, scale), nullptr))
-            return found->cycle;
+        const auto found = corrected(guess, scale, derivative(guess, scale), nullptr);
+        if (!found || (nearest && apart(*nearest, start) <= apart(found->cycle, start)))
+            continue;
+        nearest = found->cycle;
+        constexpr double there = 0.05; // Newton's method did not lead to another one
+        if (apart(*nearest, start) < there)
+            break;
     }
-    return std::nullopt;
+    return nearest;
 }
 
 /// A branch from one of its cycles one way.
@@ -327,8 +349,9 @@ class LimitCycles::Following {
                 continue;
             }
             if (next->cycle.speed < _from || next->cycle.speed > _to) {
-                add_end(here, next->cycle.speed < _from ? _from : _to, out);
-                return CycleBranch::End::range;
+                return add_end(here, next->cycle.speed < _from ? _from : _to, out)
+                           ? CycleBranch::End::range
+                           : CycleBranch::End::lost;
             }
             add_between(here, *next, tangent, turned, length, out);
             out.push_back({next->cycle});
@@ -382,11 +405,14 @@ class LimitCycles::Following {
         return _cycles.corrected(guess, _sizes, from.derivative, &tangent);
     }
 
-    void add_end(const Corrected &from, double speed, std::vector<BranchPoint> &out) const {
+    /// @returns whether there is one
+    bool add_end(const Corrected &from, double speed, std::vector<BranchPoint> &out) const {
         LimitCycle guess = from.cycle;
         guess.speed = speed;
-        if (const auto end = _cycles.corrected(guess, _sizes, from.derivative, nullptr))
+        const auto end = _cycles.corrected(guess, _sizes, from.derivative, nullptr);
+        if (end)
             out.push_back({end->cycle});
+        return end.has_value();
     }
 
     /// A fold or a border of stability between two points, by the secant method over the length.

@@ -42,14 +42,17 @@ Figure starts_figure(const model::Case &scene, const ManyStarts &starts, const U
                  : fmt::format("with points pt {} ps 1 lc rgb '{}'", style.point, style.colour),
             plot_text(names.back()));
     }
-    // Where the states themselves are, each of two balls in either order.
+    // Where the states themselves are; two equal balls in either order.
+    const auto *balls = std::get_if<model::Balls>(&scene.rotor.balancers.front().parts);
+    const bool equal = balls && balls->rows.size() == 1;
     std::vector<PlotPoint> at;
     for (const results::MotionEnd &end : starts.ends)
         if (end.state && scene.rotor.balancers.size() == 1 &&
             starts.states->states[*end.state].angles.front().size() == 2) {
             const std::vector<double> &angles = starts.states->states[*end.state].angles.front();
             at.push_back({shown(angles[0]), shown(angles[1])});
-            at.push_back({shown(angles[1]), shown(angles[0])});
+            if (equal)
+                at.push_back({shown(angles[1]), shown(angles[0])});
         }
     if (!at.empty())
         curves.add(at, "with points pt 2 ps 1.6 lw 2.4 lc rgb '#000000'", "'angles of the states'");
