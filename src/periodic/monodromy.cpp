@@ -110,7 +110,7 @@ std::vector<FloquetMotion> motions_of(const System &system, double speed,
 std::vector<FloquetMotion> floquet_motions(const System &system, double speed, int steps) {
     std::vector<FloquetMotion> out = motions_of(system, speed, monodromy(system, speed, steps));
     // What rounding leaves of a step is the same in all of them.
-    constexpr double of_a_step = 10 * epsilon; // twice what conserving rotors were seen to lose
+    constexpr double of_a_step = 20 * epsilon; // 14 were seen of conserving rotors
     for (FloquetMotion &motion : out)
         motion.noise += of_a_step * steps / period(speed);
     return out;
