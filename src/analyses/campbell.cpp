@@ -1,7 +1,6 @@
 #include "analyses/campbell.h"
 
 #include "analyses/notes/ball_positions.h"
-
 #include "analyses/notes/campbell_notes.h"
 #include "assembly/discretization.h"
 #include "mesh_error/estimate.h"

@@ -1,10 +1,9 @@
 #include "analyses/critical.h"
 
-#include "analyses/notes/ball_positions.h"
-
 #include "analyses/campbell.h"
 #include "analyses/critical_map/critical_map.h"
 #include "analyses/names/mode_naming.h"
+#include "analyses/notes/ball_positions.h"
 #include "analyses/notes/growth.h"
 #include "analyses/response.h"
 #include "assembly/discretization.h"

@@ -1,8 +1,7 @@
 #include "analyses/modes.h"
 
-#include "analyses/notes/ball_positions.h"
-
 #include "analyses/critical.h"
+#include "analyses/notes/ball_positions.h"
 #include "assembly/discretization.h"
 #include "assembly/planes.h"
 #include "linalg/check.h"

@@ -83,6 +83,18 @@ int linear_combination(int count, double *factors, N_Vector *vectors, N_Vector o
 
 } // namespace
 
+void TurningAxes::turn(double angle, double *state) const {
+    const double cosine = std::cos(angle);
+    const double sine = std::sin(angle);
+    for (const int from : first)
+        for (double *x = state + from; x < state + from + count; ++x) {
+            double &across = x[count];
+            const double along = *x;
+            *x = cosine * along - sine * across;
+            across = sine * along + cosine * across;
+        }
+}
+
 /// The integrator's memory. What is its own is destroyed from the last to the first.
 struct OdeSolver::Arkode {
     OdeProblem problem;
@@ -109,19 +121,6 @@ struct OdeSolver::Arkode {
             jacobian.reset(SUNDenseMatrix(problem.size, problem.size, made));
             linear.reset(SUNLinSol_Dense(y.get(), jacobian.get(), made));
         }
-    }
-
-    /// exp(i angle) times the vectors of a state.
-    void turn(double angle, double *state) const {
-        const double cosine = std::cos(angle);
-        const double sine = std::sin(angle);
-        for (const int first : problem.axes.first)
-            for (double *x = state + first; x < state + first + problem.axes.count; ++x) {
-                double &across = x[problem.axes.count];
-                const double along = *x;
-                *x = cosine * along - sine * across;
-                across = sine * along + cosine * across;
-            }
     }
 
     void create() {
@@ -197,7 +196,7 @@ void OdeSolver::start(double t, const double *y, double step) {
     _arkode->counts_before = counts();
     double *own = N_VGetArrayPointer(_arkode->y.get());
     std::copy(y, y + _arkode->problem.size, own);
-    _arkode->turn(-_arkode->problem.axes.speed * t, own);
+    _arkode->problem.axes.turn(-_arkode->problem.axes.speed * t, own);
     _arkode->t = t;
     _arkode->create();
     if (step > 0)
@@ -223,7 +222,7 @@ const double *OdeSolver::state() const {
     if (axes.speed == 0)
         return y;
     std::copy(y, y + _arkode->problem.size, _arkode->resting.begin());
-    _arkode->turn(axes.speed * _arkode->t, _arkode->resting.data());
+    axes.turn(axes.speed * _arkode->t, _arkode->resting.data());
     return _arkode->resting.data();
 }
 

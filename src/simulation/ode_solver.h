@@ -14,6 +14,9 @@ struct TurningAxes {
     double speed = 0; ///< rad/s; 0: integrated as it is
     int count = 0;    ///< of the vectors: x of all, then y of all, from each of `first` on
     std::vector<int> first;
+
+    /// Turns these vectors of a state by an angle, rad.
+    void turn(double angle, double *state) const;
 };
 
 /// An initial value problem of fixed size.

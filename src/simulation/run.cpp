@@ -297,14 +297,8 @@ model::Restart Run::restart() const {
 Eigen::VectorXd Run::end_in_rotor_axes() const {
     const Eigen::Index n = _motion.coordinates();
     Eigen::VectorXd out = Eigen::Map<const Eigen::VectorXd>(_solver.state(), 2 * n);
-    const double turned = _motion.spin(_t, _solver.state()).angle;
-    const Eigen::Index r = _motion.parts().rotor.size();
-    for (const Eigen::Index first : {Eigen::Index{0}, n}) {
-        const Eigen::VectorXd x = out.segment(first, r);
-        const Eigen::VectorXd y = out.segment(first + r, r);
-        out.segment(first, r) = std::cos(turned) * x + std::sin(turned) * y;
-        out.segment(first + r, r) = std::cos(turned) * y - std::sin(turned) * x;
-    }
+    const TurningAxes axes{0, _motion.parts().rotor.size(), {0, _motion.coordinates()}};
+    axes.turn(-_motion.spin(_t, _solver.state()).angle, out.data());
     return out;
 }
 

@@ -96,7 +96,7 @@ void LimitCycles::follow(const Eigen::VectorXd &start, double speed, double time
     const simulation::RotorMotion moving = motion(speed);
     const Eigen::VectorXd scale = sizes(start, speed);
     const Index used = start.size();
-    const int r = _parts.rotor.size();
+    const simulation::TurningAxes axes{speed, _parts.rotor.size(), {0, moving.coordinates()}};
     simulation::OdeSolver solver(
         {moving.size(),
          [&moving](double t, const double *y, double *rates) { moving.rates(t, y, rates); },
@@ -104,7 +104,7 @@ void LimitCycles::follow(const Eigen::VectorXd &start, double speed, double time
              Eigen::Map<Eigen::VectorXd>(allowed, used) = tolerance * scale;
              std::fill(allowed + used, allowed + moving.size(), HUGE_VAL); // energy: not read
          },
-         {speed, r, {0, moving.coordinates()}}},
+         axes},
         _method);
     Eigen::VectorXd state = Eigen::VectorXd::Zero(moving.size());
     state.head(used) = start;
@@ -115,13 +115,7 @@ void LimitCycles::follow(const Eigen::VectorXd &start, double speed, double time
         while (solver.step(stop) < stop) {
         }
         state = Eigen::Map<const Eigen::VectorXd>(solver.state(), moving.size());
-        const double turned = std::remainder(speed * stop, 2 * pi);
-        for (const Index first : {Index{0}, used / 2}) {
-            const Eigen::VectorXd x = state.segment(first, r);
-            const Eigen::VectorXd y = state.segment(first + r, r);
-            state.segment(first, r) = std::cos(turned) * x + std::sin(turned) * y;
-            state.segment(first + r, r) = std::cos(turned) * y - std::sin(turned) * x;
-        }
+        axes.turn(-std::remainder(speed * stop, 2 * pi), state.data());
         at(stop, state.head(used));
     }
 }

@@ -70,7 +70,7 @@ class ModeNames {
     };
 
     [[nodiscard]] std::optional<std::size_t> place_of(double speed) const;
-    /// @param modes  of the spectrum of that speed, some of them refined
+    /// @param mode  that at this place of the k-th spectrum, or refined from it
     [[nodiscard]] double away(std::size_t k, std::size_t place, const modes::WhirlMode &mode,
                               const Sought &sought) const;
 };
