@@ -1,5 +1,6 @@
 #include "analyses/balance.h"
 
+#include "balancers/kind.h"
 #include "results/formulation.h"
 #include "results/sentence.h"
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace whirl::analyses {
@@ -311,6 +313,20 @@ void needs(const results::BalanceResult &result, std::vector<results::Sentence> 
     }
 }
 
+/// Races whose centre, which balls bring to rest, is not on the axis.
+void eccentric_races(const model::Rotor &rotor, std::vector<results::Sentence> &out) {
+    for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
+        const model::Balancer &balancer = rotor.balancers[i];
+        const std::complex<double> centre = balancers::kind_of(balancer)->race_centre();
+        if (centre != 0.0)
+            out.emplace_back("The race of {} is off the axis by {}: its balls bring its centre to "
+                             "rest, and its plane keeps whirling by that much where they do. What "
+                             "is needed of them counts it.",
+                             model::name_or_number(balancer.name, "balancer", i),
+                             as::amplitude(std::abs(centre), 4));
+    }
+}
+
 } // namespace
 
 std::vector<results::Sentence> balance_findings(const results::BalanceResult &result,
@@ -318,6 +334,7 @@ std::vector<results::Sentence> balance_findings(const results::BalanceResult &re
     std::vector<results::Sentence> out;
     if (scene.speeds->to <= scene.speeds->from || scene.speeds->count < 2) {
         needs(result, out);
+        eccentric_races(scene.rotor, out);
         return out;
     }
     joint_ends(result, out);
@@ -327,6 +344,7 @@ std::vector<results::Sentence> balance_findings(const results::BalanceResult &re
     directions(result, out);
     real_balancers(result, scene.rotor.damped(), out);
     needs(result, out);
+    eccentric_races(scene.rotor, out);
     motions_in_time(result, scene.simulate.time, out);
     pendulums(result, out);
     return out;

@@ -47,12 +47,17 @@ constexpr double nothing_left = 1e-6;
 struct Capacity {
     bool any = false;
     bool pendulums = false;
-    double largest = 0; ///< kg m, all together
-    double longest = 0; ///< kg m, one mass alone
+    double largest = 0;   ///< kg m, all together
+    double longest = 0;   ///< kg m, one mass alone
+    Complex centre;       ///< of their races, from the axis, m
+    bool centres = false; ///< there are several
 
     /// A polygon of these sides closes unless one is longer than all others together.
     [[nodiscard]] double least() const { return std::max(0.0, 2 * longest - largest); }
     void add(const Capacity &other) {
+        centres = centres || other.centres || (any && other.any && centre != other.centre);
+        if (!any)
+            centre = other.centre;
         any = any || other.any;
         pendulums = pendulums || other.pendulums;
         largest += other.largest;
@@ -73,11 +78,11 @@ std::vector<Capacity> capacities_of(const model::Rotor &rotor,
             continue;
         const auto kind = balancers::kind_of(balancer);
         Capacity &capacity = out[*own];
-        capacity.any = true;
-        capacity.pendulums = capacity.pendulums || !kind->swung().empty();
-        capacity.largest += kind->reach().imbalance;
+        Capacity more{true, !kind->swung().empty(), kind->reach().imbalance,
+                      0,    kind->race_centre(),    false};
         for (const balancers::CircledMass &mass : kind->circled())
-            capacity.longest = std::max(capacity.longest, mass.moment);
+            more.longest = std::max(more.longest, mass.moment);
+        capacity.add(more);
     }
     return out;
 }
@@ -551,7 +556,8 @@ class SupplyFinder {
         Eigen::VectorXd capacity(n), least(n);
         for (Index i = 0; i < n; ++i) {
             const Place &place = _active[static_cast<std::size_t>(i)];
-            w(i) = everywhere(place.planes.front());
+            // Balls still the centre of their race, not the axis.
+            w(i) = everywhere(place.planes.front()) + place.capacity.centre;
             capacity(i) = any_balancer() ? place.capacity.largest : no_bound;
             least(i) = any_balancer() ? place.capacity.least() : 0;
         }
@@ -563,6 +569,8 @@ class SupplyFinder {
         const auto fine = [&](const Eigen::VectorXcd &u) {
             return (u.cwiseAbs().array() >= least.array() * (1 - just)).all();
         };
+        if (std::ranges::any_of(_active, [](const Place &place) { return place.capacity.centres; }))
+            return out; // no motion stills them all
         const Eigen::MatrixXd B = at.real_matrix(planes);
         const std::optional<TakingAway> away = taking_away(B, w, capacity);
         std::optional<Eigen::VectorXcd> needed;
@@ -758,7 +766,13 @@ class SupplyFinder {
             notes.emplace_back("where balancers need more than their capacity and the criterion "
                                "does not hold, where they end is not known: null among the "
                                "residuals");
-        if (holds(Supply::unknown) && !any_pendulum())
+        const bool centres =
+            std::ranges::any_of(_active, [](const Place &place) { return place.capacity.centres; });
+        if (centres)
+            notes.emplace_back("races in one plane are off the axis by different eccentricities: "
+                               "no motion of the plane lets the balls of all of them rest apart, "
+                               "and what they supply is not answered");
+        if (holds(Supply::unknown) && !any_pendulum() && !centres)
             notes.emplace_back(
                 "at some speeds where balancers need more than their capacity, where "
                 "they end was not found: null among the residuals");
@@ -804,7 +818,10 @@ class SupplyFinder {
 
 void add_supply(const model::Case &scene, const criterion::BalanceScene &s,
                 results::BalanceResult &result) {
-    if (unbalanced_rotor(scene, s).imbalances.empty())
+    const bool centred = std::ranges::all_of(scene.rotor.balancers, [](const auto &balancer) {
+        return balancers::kind_of(balancer)->race_centre() == 0.0;
+    });
+    if (centred && unbalanced_rotor(scene, s).imbalances.empty())
         return;
     if (s.formulation.form == results::Form::hill) {
         result.model.notes.emplace_back(

@@ -73,15 +73,16 @@ placed_by_all_imbalances(const model::Case &scene, int order, const std::vector<
                 return !balancer.position.empty();
             }))
             notes.emplace_back("`position` of a balancer is for its own imbalance alone: with "
-                               "[[imbalance]] its balls stand where all imbalances together ask "
-                               "for, symmetrically");
+                               "[[imbalance]] or an eccentric race its balls stand where all of "
+                               "these together ask for, symmetrically");
         return position;
     } catch (const model::AnalysisFailure &failure) {
-        notes.emplace_back(model::Weight::warning,
-                           "the balanced position is that of balls against the imbalance of their "
-                           "own balancer, though [[imbalance]] entries make them stand elsewhere: "
-                           "{}",
-                           failure.sentence());
+        notes.emplace_back(
+            model::Weight::warning,
+            "the balanced position is that of balls against the imbalance of their "
+            "own balancer, though [[imbalance]] entries or eccentric races make them "
+            "stand elsewhere: {}",
+            failure.sentence());
     }
     return nullptr;
 }

@@ -11,12 +11,12 @@
 
 namespace whirl::analyses {
 
-// Balls that [[imbalance]] entries make stand elsewhere, at every speed, than the imbalances of
-// their own balancers ask for.
+// Balls that [[imbalance]] entries or the eccentricity of a race make stand elsewhere, at every
+// speed, than the imbalances of their own balancers ask for.
 
 /// The balanced position that all imbalances of the rotor ask for together. None without balancers
-/// or [[imbalance]], and where it is not found: a warning then says why, and that what follows is
-/// for balls against the imbalance of their own balancer.
+/// or anything that does so, and where it is not found: a warning then says why, and that what
+/// follows is for balls against the imbalance of their own balancer.
 /// @param order   of the shaft's elements
 /// @param speeds  at which it will be asked for, rad/s
 [[nodiscard]] std::unique_ptr<states::BalancedOverSpeed>

@@ -2,6 +2,7 @@
 
 #include "analyses/periodic_response.h"
 #include "assembly/discretization.h"
+#include "balancers/kind.h"
 #include "forced/forced_motion.h"
 #include "forced/static_sag.h"
 #include "linalg/check.h"
@@ -84,6 +85,16 @@ void note_bearings(std::span<const model::Bearing> bearings, const char *kind,
     }
 }
 
+void note_races(const model::Rotor &rotor, std::vector<results::Sentence> &notes) {
+    for (std::size_t i = 0; i < rotor.balancers.size(); ++i)
+        if (const auto centre = balancers::kind_of(rotor.balancers[i])->race_centre();
+            centre != 0.0)
+            notes.emplace_back(model::Weight::information,
+                               "{}: the race is off the axis by {} at {}",
+                               model::name_or_number(rotor.balancers[i].name, "balancer", i),
+                               as::length(std::abs(centre)), as::angle(std::arg(centre)));
+}
+
 void add_static_sag(results::ShowResult &result, const model::Case &scene,
                     const assembly::Discretization &d) {
     const double gravity = scene.response.gravity;
@@ -116,6 +127,7 @@ results::ShowResult show(const model::Case &scene) {
     note_shaft(rotor.shaft, result.model.notes);
     note_bearings(rotor.supports(), "bearing", result.model.notes);
     note_bearings(rotor.seals(), "seal", result.model.notes);
+    note_races(rotor, result.model.notes);
     const results::Formulation eigen = modes::choose_formulation(scene);
     const results::Formulation real = modes::without_planar_damped(eigen, rotor);
     for (const std::string_view command :

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <span>
 
 namespace whirl::balancers {
@@ -70,8 +71,11 @@ class BallMotion final : public PartsMotion {
         double gravity = 0; ///< m/s2
         double lever = 0;   ///< of the resistance to rolling at the axis, per normal force, m
     };
-    BallMotion(std::vector<Ball> balls, std::vector<TouchingRow> touching)
-        : _balls(std::move(balls)), _touching(std::move(touching)) {}
+    /// @param centre  of the races, from the axis in the rotor, m
+    BallMotion(std::vector<Ball> balls, std::vector<TouchingRow> touching,
+               std::complex<double> centre)
+        : _balls(std::move(balls)), _touching(std::move(touching)),
+          _centre(centre.real(), centre.imag()) {}
 
     [[nodiscard]] std::vector<TouchingRow> touching() const override { return _touching; }
     [[nodiscard]] bool resists(int ball) const override {
@@ -90,6 +94,8 @@ class BallMotion final : public PartsMotion {
             e.friction = _balls[j].drag * rates[j];
             e.b += e.friction;
             e.torque(0) = -e.friction;
+            if (!_centre.isZero(0))
+                turn_centre(_balls[j], spin.speed, angles[j], spin.speed + rates[j], e);
             if (_balls[j].lever > 0)
                 press(_balls[j], spin.angle + angles[j], spin.speed + rates[j], e);
         }
@@ -98,9 +104,11 @@ class BallMotion final : public PartsMotion {
     [[nodiscard]] AtRest at_rest(const PlaneVector &place, double speed,
                                  const double *angles) const override {
         AtRest out(size());
+        PlaneVector of_centre = place;
+        of_centre.head<2>() += _centre;
         for (std::size_t j = 0; j < _balls.size(); ++j) {
             const auto index = static_cast<Index>(4 + j);
-            _balls[j].mass.add_at_rest(place, speed, angles[j], index, out);
+            _balls[j].mass.add_at_rest(of_centre, speed, angles[j], index, out);
             out.damping(index, index) += _balls[j].drag;
         }
         return out;
@@ -109,14 +117,39 @@ class BallMotion final : public PartsMotion {
     [[nodiscard]] MassMomenta momenta(const PlaneMotion &plane, const SpinState &spin,
                                       const double *angles, const double *rates) const override {
         MassMomenta sum;
-        for (std::size_t j = 0; j < _balls.size(); ++j)
-            sum += _balls[j].mass.momenta(plane, spin.angle + angles[j], spin.speed + rates[j]);
+        for (std::size_t j = 0; j < _balls.size(); ++j) {
+            const double rate = spin.speed + rates[j];
+            sum += _balls[j].mass.momenta(plane, spin.angle + angles[j], rate);
+            const double coupling = _balls[j].mass.moment * along_centre(angles[j]);
+            sum.kinetic += coupling * spin.speed * rate;
+            sum.spin += coupling * (spin.speed + rate);
+        }
         return sum;
     }
 
   private:
     std::vector<Ball> _balls;
     std::vector<TouchingRow> _touching;
+    Eigen::Vector2d _centre; ///< of the races, in the rotor, m
+
+    /// The centre of the races along the radius of a ball, and across it.
+    [[nodiscard]] double along_centre(double angle) const {
+        return _centre(0) * std::cos(angle) + _centre(1) * std::sin(angle);
+    }
+    [[nodiscard]] double across_centre(double angle) const {
+        return _centre(1) * std::cos(angle) - _centre(0) * std::sin(angle);
+    }
+
+    // The centre e exp(i th) of a race moves with the rotor: beside what the balls' mass at the
+    // centre is, an eccentricity n m e of the rotor, the energy of a ball gains
+    // m R g' th' Re(e exp(-i a)), a its angle in the rotor.
+    void turn_centre(const Ball &ball, double spin, double angle, double rate,
+                     MassEquation &e) const {
+        const double across = ball.mass.moment * across_centre(angle);
+        e.b -= across * spin * spin;
+        e.by_spin = ball.mass.moment * along_centre(angle);
+        e.torque(0) += across * rate * rate;
+    }
 
     /// m [R g'^2 - Re(exp(-i g) w'') - G sin g], pressing outwards.
     static void press(const Ball &ball, double angle, double rate, MassEquation &e) {
@@ -182,6 +215,10 @@ class BallKind final : public Kind {
         return out;
     }
 
+    [[nodiscard]] std::complex<double> race_centre() const override {
+        return std::polar(_balls.eccentricity, _balls.eccentricity_angle);
+    }
+
     /// Every row balances its share of the imbalance, symmetrically.
     [[nodiscard]] std::optional<std::vector<double>>
     usual_position(double capacity) const override {
@@ -244,7 +281,7 @@ class BallKind final : public Kind {
             balls.insert(balls.end(), static_cast<std::size_t>(row.n),
                          {mass, row.damping * row.radius * row.radius, row.mass, gravity, lever});
         }
-        return std::make_shared<BallMotion>(std::move(balls), std::move(touching));
+        return std::make_shared<BallMotion>(std::move(balls), std::move(touching), race_centre());
     }
 
     [[nodiscard]] std::vector<std::string> coordinates() const override {

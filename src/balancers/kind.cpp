@@ -24,7 +24,7 @@ double Outline::radius() const {
 
 HeldParts Kind::held(const std::vector<double> &angles) const {
     const PartsInertia inertia = this->inertia();
-    HeldParts out{inertia.mass, inertia.on_circle, inertia.own, 0, 0};
+    HeldParts out{inertia.mass, inertia.on_circle, inertia.own, 0, inertia.mass * race_centre()};
     const std::vector<CircledMass> masses = circled();
     for (std::size_t j = 0; j < masses.size(); ++j) {
         out.second_moment += std::polar(masses[j].inertia, 2 * angles[j]);

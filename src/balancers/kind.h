@@ -13,7 +13,8 @@
 
 namespace whirl::balancers {
 
-/// A mass that may stand anywhere on a circle about the axis: a ball, the centre of a ring.
+/// A mass that may stand anywhere on a circle about the axis, or about a centre next to it
+/// (Kind::race_centre): a ball, the centre of a ring.
 struct CircledMass {
     double moment = 0;  ///< m R, kg m
     double inertia = 0; ///< m R^2, kg m2
@@ -114,6 +115,8 @@ class Kind {
     [[nodiscard]] virtual std::optional<double> rate() const { return std::nullopt; }
     /// What can take any angle, in the order of model::Balancer::position; none for pendulums.
     [[nodiscard]] virtual std::vector<CircledMass> circled() const { return {}; }
+    /// The centre of the circles of circled(), which turns with the rotor, from the axis, m.
+    [[nodiscard]] virtual std::complex<double> race_centre() const { return 0; }
     /// What swings about its place at rest, in the order of coordinates(); none for balls.
     [[nodiscard]] virtual std::vector<SwungMass> swung() const { return {}; }
     /// The position that is taken where the case gives none, angles from the imbalance; none: the

@@ -39,6 +39,11 @@ struct MassEquation {
     PlaneVector per_spin = PlaneVector::Zero();     ///< change of P per unit of spin acceleration
     Eigen::Matrix2d tilt = Eigen::Matrix2d::Zero(); ///< Q on the slopes
 
+    /// What couples the angle with the spin beyond that (of a race about a centre off the axis): b
+    /// changes by it per unit of spin acceleration, the torque that the rotor needs by it times
+    /// g''.
+    double by_spin = 0;
+
     bool in_rotor = false; ///< g'' is that of the angle in the rotor, not in the fixed frame
     /// Torque on the rotor that the part asks for: alone, and per unit of spin acceleration.
     Eigen::Vector2d torque = Eigen::Vector2d::Zero();

@@ -28,10 +28,10 @@ void read_position(CheckedTable &table, const char *part, std::int64_t count,
                                            part, balancer.position.size()));
 }
 
-void read_row(CheckedTable &table, model::BallRow &row) {
+/// One ball on a circle of this radius, m.
+void read_ball_of_row(CheckedTable &table, double radius, model::BallRow &row) {
     row.mass = table.number("mass", Quantity::mass, Range::positive());
-    row.n = table.whole_or("n", row.n, 1, most_parts);
-    row.radius = table.number("radius", Quantity::length, Range::positive());
+    row.radius = radius;
     row.damping = table.number_or("damping", 0, Quantity::damping, Range::not_negative());
     constexpr double steel = 7800; // kg/m3
     row.diameter =
@@ -42,6 +42,11 @@ void read_row(CheckedTable &table, model::BallRow &row) {
                                                 "of ball centres, {:.6g} m, got {:.6g} m",
                                                 2 * row.radius, row.diameter));
     row.rolling = table.number_or("rolling_resistance", 0, Quantity::length, Range::not_negative());
+}
+
+void read_row(CheckedTable &table, model::BallRow &row) {
+    row.n = table.whole_or("n", row.n, 1, most_parts);
+    read_ball_of_row(table, table.number("radius", Quantity::length, Range::positive()), row);
 }
 
 /// Balls that do not pass each other must have room.
@@ -59,9 +64,79 @@ void read_contact(CheckedTable &table, model::Balls &balls) {
     }
 }
 
+/// Tracks of their own in one plane: a row of one ball each.
+void read_tracks(CheckedTable &table, model::Balls &balls) {
+    for (const char *key : {"n", "radius", "rows", "contact"})
+        if (table.has(key))
+            table.fail(key, "expected either radii, one a ball, or this key, got both");
+    std::vector<double> radii = table.numbers("radii", Quantity::length);
+    if (radii.empty() || std::ssize(radii) > most_parts)
+        table.fail("radii",
+                   fmt::format("expected a list of 1 to {} radii, one a ball, got {} numbers",
+                               most_parts, radii.size()));
+    else if (std::ranges::any_of(radii, [](double radius) { return !(radius > 0); }))
+        table.fail("radii", "expected radii above 0 m, got one that is not");
+    std::erase_if(radii, [](double radius) { return !(radius > 0); });
+    if (radii.empty())
+        radii.push_back(1); // said above; the other keys are read all the same
+    model::BallRow row;
+    row.n = 1;
+    read_ball_of_row(table, *std::ranges::min_element(radii), row);
+    balls.rows.assign(radii.size(), row);
+    for (std::size_t i = 0; i < radii.size(); ++i)
+        balls.rows[i].radius = radii[i];
+    std::vector<double> sorted = radii;
+    std::ranges::sort(sorted);
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+        if (sorted[i] - sorted[i - 1] < row.diameter)
+            table.fail("radii",
+                       fmt::format("expected tracks in one plane that leave room for the balls, "
+                                   "{:.6g} m from each other or more (ball_diameter), got {:.6g} m "
+                                   "and {:.6g} m; tracks side by side are rows",
+                                   row.diameter, sorted[i - 1], sorted[i]));
+}
+
+/// The races' centre beside the axis.
+void read_eccentricity(CheckedTable &table, model::Balls &balls) {
+    balls.eccentricity =
+        table.number_or("eccentricity", 0, Quantity::length, Range::not_negative());
+    balls.eccentricity_angle = table.number_or("eccentricity_angle", 0, Quantity::angle);
+    if (balls.eccentricity == 0) {
+        if (table.has("eccentricity_angle") && !table.has("eccentricity"))
+            table.fail("eccentricity_angle", "expected only with eccentricity, got it alone");
+        return;
+    }
+    // Against tilting the balls count as on circles about the axis.
+    constexpr double largest = 0.1;
+    const double radius = std::ranges::min(balls.rows, {}, &model::BallRow::radius).radius;
+    if (balls.eccentricity > largest * radius)
+        table.fail("eccentricity",
+                   fmt::format("expected at most a tenth of the radius of the circle of ball "
+                               "centres, {:.6g} m, got {:.6g} m",
+                               radius, balls.eccentricity));
+    if (balls.resists())
+        table.fail("eccentricity", "expected a race about the axis, eccentricity 0, for balls that "
+                                   "resist rolling, got an eccentric one");
+}
+
+void read_release(CheckedTable &table, model::Balls &balls) {
+    balls.release_speed =
+        table.optional_number("release_speed", Quantity::speed, Range::positive());
+    if (!balls.release_speed)
+        return;
+    if (balls.contact || balls.resists())
+        table.fail("release_speed",
+                   "expected balls that pass each other and do not resist rolling, got others");
+    table.context().remarks.emplace_back(
+        "balls with a release_speed are held up to it in `simulate` alone: every other answer is "
+        "of free balls, or of held ones with held = true");
+}
+
 void read_ball(CheckedTable &table, model::Balancer &balancer) {
     model::Balls balls;
-    if (table.has("rows")) {
+    if (table.has("radii")) {
+        read_tracks(table, balls);
+    } else if (table.has("rows")) {
         for (const char *key :
              {"n", "mass", "radius", "damping", "ball_diameter", "rolling_resistance"})
             if (table.has(key))
@@ -75,6 +150,8 @@ void read_ball(CheckedTable &table, model::Balancer &balancer) {
         read_row(table, balls.rows.front());
     }
     read_contact(table, balls);
+    read_eccentricity(table, balls);
+    read_release(table, balls);
     std::int64_t count = 0;
     for (const model::BallRow &row : balls.rows)
         count += row.n;
@@ -144,7 +221,8 @@ struct KindOfTable {
 const std::array kinds{
     KindOfTable{"ball",
                 {"n", "radius", "position", "rows", "contact", "restitution", "ball_diameter",
-                 "rolling_resistance"},
+                 "rolling_resistance", "radii", "eccentricity", "eccentricity_angle",
+                 "release_speed"},
                 read_ball},
     KindOfTable{"pendulum4", {"arm", "pivot"}, read_pendulum},
     KindOfTable{"ring",

@@ -27,6 +27,11 @@ struct Balls {
     std::vector<BallRow> rows{BallRow{}};
     bool contact = false;   ///< balls of one row do not pass each other
     double restitution = 1; ///< speed after over speed before an impact, with contact
+    /// The centre of all races lies off the axis by this, in this direction of the rotor, m and
+    /// rad.
+    double eccentricity = 0, eccentricity_angle = 0;
+    /// Up to this speed the balls are held in the rotor, from then on they are free, rad/s.
+    std::optional<double> release_speed;
 
     /// Some ball has dry resistance to rolling.
     [[nodiscard]] bool resists() const {

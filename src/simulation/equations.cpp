@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <variant>
 
 namespace whirl::simulation {
 
@@ -145,12 +147,42 @@ void add_anisotropy(const model::Anisotropy &anisotropy, int plane, MovingParts 
     parts.fixed.push_back(mass);
 }
 
-void add_masses(const model::Case &scene, const model::Balancer &b, int plane,
-                MotionScene &motion) {
+/// Until when the parts of a balancer are held, s.
+double released(const model::Case &scene, std::size_t index, MotionScene &motion) {
+    const model::Balancer &b = scene.rotor.balancers[index];
+    const auto *balls = std::get_if<model::Balls>(&b.parts);
+    if (!balls || !balls->release_speed)
+        return 0;
+    const std::optional<double> at = motion.parts.spin.reaches(*balls->release_speed);
+    if (!at || *at >= scene.simulate.time)
+        throw model::BadInput(Sentence(
+            "{}: {}.release_speed: expected a speed that the rotor reaches while it is "
+            "simulated, got {}; held = true holds the balls at every speed",
+            where(scene), scene.rotor.balancer_path(index), as::speed(*balls->release_speed)));
+    if (*at > 0)
+        motion.notes.emplace_back("the balls of {} are held until {}, when the rotor reaches {}",
+                                  model::name_or_number(b.name, "balancer", index), as::time(*at),
+                                  as::speed(*balls->release_speed));
+    return *at;
+}
+
+void add_masses(const model::Case &scene, std::size_t index, int plane, MotionScene &motion) {
+    const model::Balancer &b = scene.rotor.balancers[index];
     const double g = scene.simulate.gravity;
     const auto kind = balancers::kind_of(b);
-    motion.parts.free.push_back({plane, kind->motion(b.tilt_inertia, g)});
+    motion.parts.free.push_back(
+        {plane, kind->motion(b.tilt_inertia, g), released(scene, index, motion)});
     motion.moment += kind->reach().imbalance;
+    if (const std::complex<double> centre = kind->race_centre(); centre != 0.0) {
+        // All parts at the centre of their circles, which turns with the rotor.
+        const double mass = kind->inertia().mass;
+        const double e = std::abs(centre);
+        FixedMass parts;
+        parts.plane = plane;
+        parts.mass = {mass * e, mass * e * e, 0, mass * e * g};
+        parts.phase = std::arg(centre);
+        motion.parts.fixed.push_back(parts);
+    }
     if (b.imbalance > 0) {
         FixedMass mass;
         mass.plane = plane;
@@ -164,8 +196,8 @@ void add_masses(const model::Case &scene, const model::Balancer &b, int plane,
 void add_all_masses(const model::Case &scene, const assembly::Discretization &d,
                     MotionScene &motion) {
     std::vector<double> places;
-    for (const model::Balancer &b : scene.rotor.balancers)
-        add_masses(scene, b, plane_at(b.z, d, places, motion.parts), motion);
+    for (std::size_t i = 0; i < scene.rotor.balancers.size(); ++i)
+        add_masses(scene, i, plane_at(scene.rotor.balancers[i].z, d, places, motion.parts), motion);
     for (const model::Anisotropy &anisotropy : scene.rotor.anisotropies)
         add_anisotropy(anisotropy, plane_at(anisotropy.z, d, places, motion.parts), motion.parts);
     for (const model::Imbalance &imbalance : scene.rotor.imbalances)

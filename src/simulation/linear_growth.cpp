@@ -21,7 +21,10 @@ bool balanced_position_exists(const model::Rotor &rotor) {
     const bool pendulums = std::ranges::any_of(rotor.balancers, [](const model::Balancer &b) {
         return balancers::kind_of(b)->circled().empty() && b.imbalance > 0;
     });
-    return !others && !pendulums;
+    const bool eccentric = std::ranges::any_of(rotor.balancers, [](const model::Balancer &b) {
+        return balancers::kind_of(b)->race_centre() != 0.0;
+    });
+    return !others && !pendulums && !eccentric;
 }
 
 /// The masses cancel the imbalances of their balancers to a twentieth.

@@ -97,9 +97,11 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     _slip.resize(r, 2);
     _inner.setZero(r, 2);
     _external.setZero(2 * r);
-    for (const FreeParts &free : _parts.free)
-        _plane_of.insert(_plane_of.end(), static_cast<std::size_t>(free.motion->size()),
-                         free.plane);
+    for (const FreeParts &free : _parts.free) {
+        const auto size = static_cast<std::size_t>(free.motion->size());
+        _plane_of.insert(_plane_of.end(), size, free.plane);
+        _free_from.insert(_free_from.end(), size, free.from);
+    }
     set_dry({});
 }
 
@@ -111,6 +113,9 @@ std::vector<double> RotorMotion::jumps() const {
     for (const FixedMass &mass : _parts.fixed)
         if (mass.from > 0)
             times.push_back(mass.from);
+    for (const FreeParts &free : _parts.free)
+        if (free.from > 0)
+            times.push_back(free.from);
     std::ranges::sort(times);
     times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;
@@ -220,9 +225,15 @@ void RotorMotion::mass_loads(const Spin::At &spin, const double *state) const {
             e.b += e.u.head<2>().dot(_base);
             const auto i = static_cast<std::size_t>(equation - _free_equations.data());
             add_sliding(i, e);
+            if (is_held(i)) { // its angle has the acceleration of the spin
+                _loads.col(0).segment<4>(at) += e.force;
+                _loads.col(1).segment<4>(at) += e.per_spin - e.u;
+                _coupling.block<2, 2>(2, at + 2) += e.tilt;
+                continue;
+            }
             const balancers::PlaneVector per_torque = e.u / e.a;
             _loads.col(0).segment<4>(at) += e.force + per_torque * e.b;
-            _loads.col(1).segment<4>(at) += e.per_spin;
+            _loads.col(1).segment<4>(at) += e.per_spin + per_torque * e.by_spin;
             _coupling.middleCols<4>(at).noalias() -= per_torque * _friction[i].row.transpose();
             _coupling.block<2, 2>(2, at + 2) += e.tilt;
         }
@@ -325,6 +336,17 @@ Eigen::Vector2d RotorMotion::torque(const double *state, int columns) const {
     return torque + free_torque(columns);
 }
 
+/// Acceleration of a free angle (fixed frame): the motion alone with all that holds it, or by the
+/// spin's acceleration.
+double RotorMotion::coupled_acceleration(std::size_t i, Eigen::Index column) const {
+    const balancers::MassEquation &e = _free_equations[i];
+    if (is_held(i))
+        return column == 0 ? 0 : 1;
+    const DryTorque &f = _friction[i];
+    const double own = column == 0 ? f.push - e.b : -e.by_spin;
+    return (own - f.row.dot(_planes.col(column).segment<4>(4 * _plane_of[i]))) / e.a;
+}
+
 /// What the free parts ask of the drive.
 Eigen::Vector2d RotorMotion::free_torque(int columns) const {
     Eigen::Vector2d torque(0, 0);
@@ -333,11 +355,18 @@ Eigen::Vector2d RotorMotion::free_torque(int columns) const {
         const double lever = _dry.slip[i] * e.lever;
         Eigen::Vector2d own = e.torque;
         own(0) += _base(1) * e.offset(0) - _base(0) * e.offset(1) + _friction[i].stand;
+        const bool held = is_held(i);
+        if (held) // what its own equation asks for
+            own += Eigen::Vector2d(e.b, e.a + e.by_spin);
         if (lever != 0)
             own(0) -= lever * (e.normal + e.normal_y.head<2>().dot(_base));
         for (Index column = 0; column < columns; ++column) {
             const double *y = _planes.col(column).data() + 4 * _plane_of[i];
             own(column) += y[1] * e.offset(0) - y[0] * e.offset(1);
+            if (e.by_spin != 0)
+                own(column) += e.by_spin * coupled_acceleration(i, column);
+            if (held)
+                own(column) += Eigen::Map<const Eigen::Vector4d>(y).dot(e.u);
             if (lever != 0)
                 own(column) -= lever * Eigen::Map<const Eigen::Vector4d>(y).dot(e.normal_y);
         }
@@ -376,8 +405,11 @@ void RotorMotion::rates(double t, const double *state, double *rates) const {
     double *own = rates + n + r2;
     for (std::size_t i = 0; i < _free_equations.size(); ++i, ++own) {
         const balancers::MassEquation &e = _free_equations[i];
-        const DryTorque &f = _friction[i];
-        *own = (f.push - f.row.dot(_planes.col(0).segment<4>(4 * _plane_of[i])) - e.b) / e.a;
+        if (is_held(i)) {
+            *own = 0;
+            continue;
+        }
+        *own = coupled_acceleration(i, 0) - e.by_spin * now.acceleration / e.a;
         if (!e.in_rotor)
             *own -= now.acceleration;
     }

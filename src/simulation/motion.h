@@ -75,6 +75,7 @@ class RotorMotion {
     MovingParts _parts;
     DryState _dry;
     std::vector<Eigen::Index> _plane_of; ///< of each free coordinate
+    std::vector<double> _free_from;      ///< s: of each, held in the rotor before
     mutable bool _frictionless = false;
     mutable std::vector<DryTorque> _friction;     ///< of each free coordinate
     mutable std::vector<Constraint> _constraints; ///< active
@@ -116,10 +117,14 @@ class RotorMotion {
     [[nodiscard]] double free_acceleration(int i, Eigen::Index column) const;
     void apply_constraints(const Spin::At &spin, const double *state, int held) const;
     void settle_friction() const;
+    [[nodiscard]] double coupled_acceleration(std::size_t i, Eigen::Index column) const;
     [[nodiscard]] Eigen::Vector2d free_torque(int columns) const;
     void add_outside_work(const Spin::At &spin, const double *state, double *books) const;
     [[nodiscard]] bool is_there(const FixedMass &mass) const {
         return mass.from <= 0 || _piece > mass.from;
+    }
+    [[nodiscard]] bool is_held(std::size_t i) const {
+        return _free_from[i] > 0 && _piece <= _free_from[i];
     }
     void solve_accelerations(int columns) const;
     void gather(Eigen::Index column) const;

@@ -22,6 +22,7 @@ struct MassPlane {
 struct FreeParts {
     int plane = 0;
     std::shared_ptr<const balancers::PartsMotion> motion;
+    double from = 0; ///< s: held in the rotor before
 };
 
 /// A mass that turns with the rotor. Without inertia: an eccentricity, on a row of its own.

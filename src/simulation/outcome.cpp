@@ -313,6 +313,14 @@ void classify(const model::Case &scene, results::SimulateResult &result) {
     evidence.emplace_back("fastest ball in the rotor {} on the mean of the last tenth, swing of "
                           "the angles over the last fortieth {}",
                           as::speed(fastest_rate(result), 3), as::angle(ending.swing, 3));
+    for (std::size_t i = 0; i < scene.rotor.balancers.size(); ++i)
+        if (const auto centre = balancers::kind_of(scene.rotor.balancers[i])->race_centre();
+            centre != 0.0)
+            evidence.emplace_back(
+                "the race of {} is off the axis by {}, which its balls cannot "
+                "take away",
+                model::name_or_number(scene.rotor.balancers[i].name, "balancer", i),
+                as::amplitude(std::abs(centre), 4));
     if (!why.empty())
         evidence.push_back(why);
     const bool stands =

@@ -71,10 +71,10 @@ bool moved_by_whirl_alone(const model::Case &scene) {
            });
 }
 
-/// Masses on circles in a steady whirl, w the deflection of a plane as seen from the rotor: what
-/// pushes the mass at the angle a on along its circle is Omega^2 m Im(w exp(-i a)), which turns
-/// it slowly, held back by its drag (docs/theory.md, "Outcome with balancers"). It rests where that
-/// is zero.
+/// Masses on circles in a steady whirl, w the deflection of their centre as seen from the rotor:
+/// what pushes the mass at the angle a on along its circle is Omega^2 m Im(w exp(-i a)), which
+/// turns it slowly, held back by its drag (docs/theory.md, "Outcome with balancers"). It rests
+/// where that is zero.
 class Pushes {
   public:
     Pushes(const model::Rotor &rotor, const Angles &angles, const model::Case &fixed,
@@ -89,7 +89,7 @@ class Pushes {
         const results::Form form = forced::response_formulation(fixed).form;
         const SteadyMotion motion(d, form, result.speed);
         for (const model::Balancer &b : rotor.balancers)
-            _w.push_back(motion.in_rotor(b.z));
+            _w.push_back(motion.in_rotor(b.z) + balancers::kind_of(b)->race_centre());
         find_responses(rotor, fixed, form, d.order());
     }
 
@@ -135,7 +135,7 @@ class Pushes {
 
     const results::SimulateResult &_result;
     std::vector<Mass> _masses;
-    std::vector<std::complex<double>> _w; ///< of each plane, m
+    std::vector<std::complex<double>> _w; ///< of the centre of the circles in each plane, m
     /// Of each plane under an imbalance in each: along 1 and i, m/(kg m).
     std::vector<std::vector<std::pair<std::complex<double>, std::complex<double>>>> _responses;
 

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <complex>
+#include <variant>
 
 namespace whirl::simulation {
 
@@ -49,6 +51,10 @@ void add_balancer(std::vector<double> &sizes, const model::Balancer &b) {
     sizes.insert(sizes.end(), {b.z, b.imbalance, b.imbalance_phase, b.imbalance_radius.value_or(0),
                                b.tilt_inertia ? 1.0 : 0, parts.mass, parts.on_circle, parts.own,
                                kind->reach().imbalance});
+    const std::complex<double> centre = kind->race_centre();
+    sizes.insert(sizes.end(), {centre.real(), centre.imag()});
+    if (const auto *balls = std::get_if<model::Balls>(&b.parts))
+        sizes.push_back(balls->release_speed.value_or(0));
     for (const balancers::CircledMass &mass : circled)
         sizes.insert(sizes.end(), {mass.moment, mass.inertia});
     const balancers::SmallMotions small =

@@ -52,6 +52,20 @@ double Spin::turned(double t) const {
     return p.angle + (p.speed + p.acceleration * s / 2) * s;
 }
 
+std::optional<double> Spin::reaches(double speed) const {
+    for (std::size_t i = 0; i < _pieces.size(); ++i) {
+        const Piece &p = _pieces[i];
+        if (std::abs(p.speed) >= speed)
+            return p.start;
+        if (p.acceleration == 0)
+            continue;
+        const double after = (std::copysign(speed, p.acceleration) - p.speed) / p.acceleration;
+        if (i + 1 == _pieces.size() || p.start + after < _pieces[i + 1].start)
+            return p.start + after;
+    }
+    return std::nullopt;
+}
+
 double Spin::fastest(double t) const {
     double fastest = std::abs(at(t, t).speed);
     for (const Piece &p : _pieces)

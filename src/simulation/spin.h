@@ -2,6 +2,7 @@
 
 #include "model/case.h"
 
+#include <optional>
 #include <vector>
 
 namespace whirl::simulation {
@@ -33,6 +34,8 @@ class Spin {
     [[nodiscard]] At at(double t, double piece) const;
     /// Whole angle turned until t, rad.
     [[nodiscard]] double turned(double t) const;
+    /// When |speed| is this large for the first time, s; none: never.
+    [[nodiscard]] std::optional<double> reaches(double speed) const;
     /// Largest |speed| until t, rad/s.
     [[nodiscard]] double fastest(double t) const;
 

@@ -67,6 +67,8 @@ LimitCycles::LimitCycles(simulation::MovingParts parts, double moment, simulatio
     : _parts(std::move(parts)), _moment(moment), _method(method) {
     for (simulation::FixedMass &mass : _parts.fixed)
         mass.from = 0; // all have come by now
+    for (simulation::FreeParts &parts : _parts.free)
+        parts.from = 0;
 }
 
 simulation::RotorMotion LimitCycles::motion(double speed) const {

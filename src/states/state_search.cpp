@@ -70,10 +70,10 @@ class StateSearch::Lines {
                 double moment = 0;
                 for (std::size_t k = 0; k < plane.masses.size(); ++k)
                     moment += way.sides[i][k] * plane.masses[k].moment;
-                _lines.push_back({plane.index, moment, plane.tilt, i});
+                _lines.push_back({plane.index, moment, plane.tilt, i, plane.centre});
                 continue;
             }
-            _balanced.push_back(plane.index);
+            _balanced.push_back({plane.index, plane.centre});
             // Of balanced masses the mean over all arrangements.
             const Eigen::MatrixXd slopes = rows.middleRows<2>(4 * plane.index + 2);
             K += squared * plane.tilt / 2 * slopes.transpose() * slopes;
@@ -92,8 +92,6 @@ class StateSearch::Lines {
     }
 
     [[nodiscard]] Index unknowns() const { return std::ssize(_lines) + std::ssize(_swung); }
-    [[nodiscard]] const std::vector<Index> &balanced() const { return _balanced; }
-
     /// Moments of mass that the masses of a balanced plane must make, kg m.
     [[nodiscard]] std::complex<double> needed(std::size_t which, const Eigen::VectorXd &x) const {
         const Solution at = solve(x);
@@ -125,10 +123,15 @@ class StateSearch::Lines {
         double moment; ///< kg m
         double tilt;   ///< kg m2
         std::size_t which;
+        Eigen::Vector2d centre; ///< of the circles, from the axis, m
+    };
+    struct Balanced {
+        Index plane;
+        Eigen::Vector2d centre;
     };
     std::vector<Line> _lines;
     std::vector<Swung> _swung;
-    std::vector<Index> _balanced;
+    std::vector<Balanced> _balanced;
     Eigen::VectorXd _alone;    ///< y without loads of free parts, m
     Eigen::MatrixXd _per_load; ///< y per moment of mass at each plane; of slopes per kg m2
     Eigen::VectorXd _needed_alone;
@@ -160,13 +163,15 @@ class StateSearch::Lines {
         Eigen::VectorXd alone(n);
         for (std::size_t i = 0; i < _balanced.size(); ++i) {
             const auto at = static_cast<Index>(2 * i);
-            to.middleCols<2>(at) = _per_load.middleCols<2>(4 * _balanced[i]);
-            from.middleRows<2>(at) = _per_load.middleRows<2>(4 * _balanced[i]);
-            alone.segment<2>(at) = _alone.segment<2>(4 * _balanced[i]);
+            const Index row = 4 * _balanced[i].plane;
+            to.middleCols<2>(at) = _per_load.middleCols<2>(row);
+            from.middleRows<2>(at) = _per_load.middleRows<2>(row);
+            alone.segment<2>(at) = _alone.segment<2>(row) + _balanced[i].centre;
         }
         Eigen::MatrixXd own(n, n);
         for (std::size_t i = 0; i < _balanced.size(); ++i)
-            own.middleCols<2>(static_cast<Index>(2 * i)) = from.middleCols<2>(4 * _balanced[i]);
+            own.middleCols<2>(static_cast<Index>(2 * i)) =
+                from.middleCols<2>(4 * _balanced[i].plane);
         const Eigen::FullPivLU<Eigen::MatrixXd> factors(own);
         if (!factors.isInvertible())
             throw linalg::SolverError("balanced planes that deflect together");
@@ -227,8 +232,8 @@ class StateSearch::Lines {
         Eigen::VectorXd out(x.size());
         const Index lines = std::ssize(_lines);
         for (Index i = 0; i < lines; ++i) {
-            const Eigen::Vector2d w =
-                at.y.segment<2>(4 * _lines[static_cast<std::size_t>(i)].plane);
+            const Line &line = _lines[static_cast<std::size_t>(i)];
+            const Eigen::Vector2d w = at.y.segment<2>(4 * line.plane) + line.centre;
             out(i) = w(1) * std::cos(x(i)) - w(0) * std::sin(x(i));
         }
         for (std::size_t k = 0; k < _swung.size(); ++k) {
@@ -263,7 +268,7 @@ class StateSearch::Lines {
         Eigen::VectorXd out(unknowns());
         Index i = 0;
         for (const Line &line : _lines)
-            out(i++) = determinant * y.segment<2>(4 * line.plane).sum();
+            out(i++) = determinant * (y.segment<2>(4 * line.plane) + line.centre.cwiseAbs()).sum();
         for (const Swung &one : _swung)
             out(i++) = determinant * (y.segment<2>(4 * one.plane).sum() + one.pivot);
         return out;
@@ -292,7 +297,7 @@ void StateSearch::collect(const model::Case &scene) {
         for (Plane &plane : _planes)
             if (plane.index == index)
                 return plane;
-        _planes.push_back({index, {}, 0, {}});
+        _planes.push_back({index, {}, 0, Eigen::Vector2d::Zero(), {}});
         return _planes.back();
     };
     _balancers = scene.rotor.balancers;
@@ -305,8 +310,17 @@ void StateSearch::collect(const model::Case &scene) {
         _first_of.push_back(first);
         _angles_of.push_back(kind->start_angles());
         int kinds = 0;
-        if (!kind->circled().empty())
-            plane_at(free.plane).balancers.push_back(i);
+        if (!kind->circled().empty()) {
+            Plane &plane = plane_at(free.plane);
+            const std::complex<double> centre = kind->race_centre();
+            const Eigen::Vector2d own(centre.real(), centre.imag());
+            if (!plane.balancers.empty() && plane.centre != own)
+                throw model::AnalysisFailure(
+                    "steady states are found for races in one plane with one centre: those of the "
+                    "balancers here are off the axis by different eccentricities");
+            plane.centre = own;
+            plane.balancers.push_back(i);
+        }
         for (Index at = first; const balancers::CircledMass &mass : kind->circled()) {
             Plane &plane = plane_at(free.plane);
             const double tilt = b.tilt_inertia ? mass.inertia : 0;

@@ -12,11 +12,11 @@ namespace whirl::states {
 
 /// All steady states of a rotor with balancers at one speed; docs/theory.md, "Steady states".
 ///
-/// A mass on a circle feels no force along it where the deflection of its plane is zero, or points
-/// to it or away from it. So in each plane the deflection is zero, and the masses make what that
-/// needs, or all masses stand on one line through the axis. For each way to share out the masses
-/// of all planes between the two ends of their lines the directions of the lines are the roots of
-/// as many trigonometric polynomials, all of which are found (trig_roots.h).
+/// A mass on a circle feels no force along it where the deflection of the circle's centre is zero,
+/// or points to it or away from it. So in each plane that deflection is zero, and the masses make
+/// what that needs, or all masses stand on one line through the centre. For each way to share out
+/// the masses of all planes between the two ends of their lines the directions of the lines are the
+/// roots of as many trigonometric polynomials, all of which are found (trig_roots.h).
 class StateSearch {
   public:
     /// @throws model::AnalysisFailure as SteadyEquations; more balls than are searched; states that
@@ -44,8 +44,8 @@ class StateSearch {
     /// Those of one way to stand.
     [[nodiscard]] std::vector<Found> of_way(int way, double speed, bool &undecided) const;
 
-    /// There can be states in which no plane with balancers is deflected: balls or rings alone, two
-    /// or more in each plane.
+    /// There can be states in which no plane with balancers is deflected (no race's centre, where
+    /// that lies off the axis): balls or rings alone, two or more in each plane.
     [[nodiscard]] bool can_balance() const;
     /// The state in which no plane with balancers is deflected. None where the masses cannot make
     /// what that needs.
@@ -75,6 +75,7 @@ class StateSearch {
         Eigen::Index index; ///< among those of the equations
         std::vector<Mass> masses;
         double tilt = 0;                    ///< of all masses, kg m2
+        Eigen::Vector2d centre;             ///< of their circles, from the axis, m
         std::vector<std::size_t> balancers; ///< whose masses they are
     };
     struct Swung {

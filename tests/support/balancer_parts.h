@@ -41,6 +41,9 @@ inline void scale_parts(model::Balancer &balancer, double length, double mass, d
             one.diameter *= length;
             one.rolling *= length;
         }
+        balls->eccentricity *= length;
+        if (balls->release_speed)
+            *balls->release_speed /= time;
     } else if (auto *pendulums = std::get_if<model::Pendulums>(&balancer.parts)) {
         pendulums->mass *= mass;
         pendulums->arm *= length;

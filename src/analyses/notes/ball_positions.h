@@ -7,7 +7,8 @@
 
 namespace whirl::analyses {
 
-/// [[imbalance]] entries ask the balls for other positions than the balancers' own imbalances do.
+/// [[imbalance]] entries, or races whose centre lies off the axis, ask the balls for other
+/// positions than the balancers' own imbalances do.
 [[nodiscard]] bool balls_stand_elsewhere(const model::Rotor &rotor);
 
 /// Warns, then, of an answer with balls that stand against the imbalance of their own balancer.

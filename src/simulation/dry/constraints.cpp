@@ -78,6 +78,8 @@ double RotorMotion::free_acceleration(int i, Index column) const {
     double torque = -_friction[at].row.dot(_planes.col(column).segment<4>(4 * _plane_of[at]));
     if (column == 0)
         torque -= e.b;
+    if (column == 1)
+        torque -= e.by_spin;
     if (column >= 2) {
         const Constraint &c = _constraints[static_cast<std::size_t>(column - 2)];
         torque += c.second == i ? 1 : c.first == i ? -1 : 0;
