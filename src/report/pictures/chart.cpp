@@ -142,6 +142,11 @@ double panels_wide(const Chart &chart) {
 constexpr double end_size = 11; // of the letters of names at the ends of curves, pixels
 constexpr double end_gap = 16;  // from the curves to these, pixels
 
+/// Whether a panel shares its row.
+bool halved(const Chart &chart, std::size_t i) {
+    return chart.panels[i].beside || (i + 1 < chart.panels.size() && chart.panels[i + 1].beside);
+}
+
 /// With the axes x so long that the names at the ends of curves have room. Above a row with the
 /// same axis x it has no name.
 Chart prepared(Chart chart) {
@@ -150,7 +155,8 @@ Chart prepared(Chart chart) {
         std::size_t below = i + 1;
         while (below < panels.size() && panels[below].beside)
             ++below;
-        if (below < panels.size() && panels[below].x.title == panels[i].x.title)
+        if (below < panels.size() && panels[below].x.title == panels[i].x.title &&
+            halved(chart, below) == halved(chart, i))
             panels[i].x.title.clear();
     }
     double widest = 0;
@@ -183,8 +189,6 @@ std::vector<LaidOut> laid_out(const Chart &chart, double left) {
         top += second_title;
     for (std::size_t i = 0; i < chart.panels.size(); ++i) {
         const ChartPanel &panel = chart.panels[i];
-        const bool halved =
-            panel.beside || (i + 1 < chart.panels.size() && chart.panels[i + 1].beside);
         const double half = (panels_wide(chart) - between) / 2;
         const double from = panel.beside ? left + half + between : left;
         const auto range = [&panel](const ChartAxis &axis, bool along_x) {
@@ -196,7 +200,7 @@ std::vector<LaidOut> laid_out(const Chart &chart, double left) {
         else
             top += panel.title.empty() ? 0 : chart_above_title;
         out.push_back({panel, range(panel.x, true), range(panel.y, false), from,
-                       from + (halved ? half : panels_wide(chart)), top});
+                       from + (halved(chart, i) ? half : panels_wide(chart)), top});
         top += panel.height + (panel.x.title.empty() ? chart_below_numbers : chart_below_name);
     }
     return out;
