@@ -110,9 +110,8 @@ Chart accuracy_chart(const model::Case &scene, const AccuracyResult &result, con
 } // namespace
 
 Report describe(const model::Case &scene, const AccuracyResult &result) {
-    return report_of<AccuracyResult>(
-        "accuracy", "Speed and accuracy", scene, result,
-        {json_of, csv_of, sections_of, text_of, nullptr, accuracy_chart});
+    return report_of<AccuracyResult>("accuracy", "Speed and accuracy", scene, result,
+                                     {json_of, csv_of, sections_of, text_of, accuracy_chart});
 }
 
 } // namespace whirl::report

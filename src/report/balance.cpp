@@ -445,11 +445,7 @@ std::vector<Section> brief_of(const BalanceResult &result, const Units &units) {
 Report describe(const model::Case &scene, const BalanceResult &result) {
     Report report =
         report_of<BalanceResult>("balance", "Auto-balancing", scene, result,
-                                 {json_of, csv_of, sections_of, text_of, balance_figure});
-    report.drawn = [&result](const Units &units) { // eigenvalues times this are ratios
-        const double unit = units.factor(Quantity::inverse_mass);
-        return Json{{"body_mass", result.rigid ? result.rigid->mass / unit : 1}};
-    };
+                                 {json_of, csv_of, sections_of, text_of, balance_chart});
     report.pictures = [&](const Units &units) { return pictures_of(scene, result, units); };
     report.pictures_heading = "Pictures";
     report.tables = [&result] {

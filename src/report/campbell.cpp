@@ -6,7 +6,6 @@
 #include "report/common/error_parts.h"
 #include "report/common/table.h"
 #include "report/common/words.h"
-#include "report/pictures/campbell_panel.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
 
@@ -34,7 +33,9 @@ struct ModeAt {
     [[nodiscard]] std::string whirl(const Units &units) const {
         return whirl_text(mode->whirl.at(index), plane(), units);
     }
-    [[nodiscard]] std::optional<double> plane() const { return entry(mode->plane, index); }
+    [[nodiscard]] std::optional<double> plane() const {
+        return index < mode->plane.size() ? mode->plane[index] : std::nullopt;
+    }
 };
 
 /// The entry of a list of the mode.
@@ -215,30 +216,6 @@ std::string text_of(const model::Case &scene, const CampbellResult &result, cons
            model_text(result.model, units);
 }
 
-/// What the page draws by the rules of the picture: steps that are no line, growth, the other
-/// frequencies of motions that have two, and the slope of the line of the spin speed.
-Json drawn_of(const CampbellResult &result, const Units &units) {
-    Json grown = json_list(result.modes, [&result](const CampbellMode &mode) {
-        std::vector<bool> at;
-        for (std::size_t i = 0; i < result.speeds.size(); ++i)
-            at.push_back(grows(mode, i));
-        return at;
-    });
-    const Json whirl = json_list(result.modes, [&](const CampbellMode &mode) {
-        Json at = Json::array();
-        for (std::size_t i = 0; i < result.speeds.size(); ++i)
-            at.push_back(ModeAt{result.speeds[i], &mode, i}.whirl(units));
-        return at;
-    });
-    return {{"sprung", sprung_steps(result)},
-            {"whirl", whirl},
-            {"names",
-             json_list(result.modes, [&units](const auto &mode) { return end_name(units, mode); })},
-            {"grows", grown},
-            {"others", other_frequencies({units}, result)},
-            {"synchronous", units.factor(Quantity::frequency) / units.factor(Quantity::speed)}};
-}
-
 /// The modes that grow at some speed, each with the lowest such speed.
 model::Sentence growing_modes(const CampbellResult &result) {
     std::vector<model::Sentence> growing;
@@ -282,8 +259,7 @@ std::vector<Section> brief_of(const CampbellResult &result, const Units &units) 
 Report describe(const model::Case &scene, const CampbellResult &result) {
     Report report =
         report_of<CampbellResult>("campbell", "Campbell diagram", scene, result,
-                                  {json_of, csv_of, sections_of, text_of, campbell_figure});
-    report.drawn = [&result](const Units &units) { return drawn_of(result, units); };
+                                  {json_of, csv_of, sections_of, text_of, campbell_chart});
     if (!result.speeds.empty()) // complete: on the first process
         report.answer = answer_of(result);
     report.brief = [&result](const Units &units) { return brief_of(result, units); };

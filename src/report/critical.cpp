@@ -6,11 +6,9 @@
 #include "report/common/error_parts.h"
 #include "report/common/margins.h"
 #include "report/common/table.h"
-#include "report/common/text_width.h"
 #include "report/common/words.h"
 #include "report/critical_map.h"
-#include "report/pictures/labels.h"
-#include "report/pictures/operation.h"
+#include "report/pictures/chart.h"
 #include "report/pictures/style.h"
 #include "report/reports.h"
 #include "results/whirl.h"
@@ -62,130 +60,49 @@ std::string text_of(const model::Case &scene, const CriticalResult &result, cons
            model_text(result.model, units);
 }
 
-/// The senses of whirl that there are, each with a row of marks, from the bottom.
-std::vector<results::Whirl> senses_of(const CriticalResult &result) {
-    std::vector<results::Whirl> senses{results::Whirl::backward, results::Whirl::mixed,
-                                       results::Whirl::forward};
-    std::erase_if(senses, [&result](results::Whirl sense) {
-        return std::ranges::find(result.critical_speeds, sense, &CriticalSpeed::whirl) ==
-               result.critical_speeds.end();
-    });
-    return senses;
-}
-
-/// The panel of the marks: pixels, and its rows.
-struct MarksPanel {
-    std::vector<results::Whirl> senses;
-    static constexpr int width = 1080;
-    static constexpr double left = 0.1, right = 0.965, wide = (right - left) * width;
-    static constexpr int head = 96, foot = 72, row_height = 66;
-    static constexpr double from = 0.4, beyond = 0.9; ///< of the rows, below and above
-    [[nodiscard]] double to() const { return static_cast<double>(senses.size()) + beyond; }
-    [[nodiscard]] double high() const { return row_height * (to() - from); }
-    [[nodiscard]] int height() const { return head + foot + static_cast<int>(high()); }
-    [[nodiscard]] int row(results::Whirl sense) const {
-        return 1 + static_cast<int>(std::ranges::find(senses, sense) - senses.begin());
-    }
-    [[nodiscard]] double up(double row) const { return (row - from) / (to() - from); }
-    [[nodiscard]] std::string names() const {
-        return joined(senses, ", ", [this](results::Whirl sense) {
-            return fmt::format("'{}' {}", results::whirl_name(sense), row(sense));
-        });
-    }
-};
-
-/// Speeds of the marks. Logarithmic where the highest is so much higher than the lowest that
-/// this would stand at the edge with its neighbours on it.
-struct MarksAxis {
-    Range x;
-    bool logarithmic = false;
-    /// Fraction of the panel.
-    [[nodiscard]] double across(double speed) const {
-        return logarithmic ? std::log(speed / x.low) / std::log(x.high / x.low)
-                           : (speed - x.low) / (x.high - x.low);
-    }
-};
-
-MarksAxis axis_of(const model::Case &scene, const Units &units, const CriticalResult &result) {
-    constexpr double wide = 100;
+/// The critical speeds as marks on a speed axis, backward, mixed and forward in rows of their own.
+Chart critical_chart(const model::Case &scene, const CriticalResult &result, const Units &units) {
+    constexpr double wide = 100; // so much higher than the lowest, the highest would stand at the
+                                 // edge of a linear axis with its neighbours on it
     double highest = scene.operation ? units(Quantity::speed, scene.operation->to) : 0;
     double lowest = HUGE_VAL;
-    for (const auto &critical : result.critical_speeds) {
+    for (const CriticalSpeed &critical : result.critical_speeds) {
         highest = std::max(highest, units(Quantity::speed, critical.speed));
         lowest = std::min(lowest, units(Quantity::speed, critical.speed));
     }
-    if (lowest > 0 && lowest < HUGE_VAL && highest > wide * lowest)
-        return {{lowest / 2, 2 * highest}, true};
-    return {{0, highest > 0 ? 1.06 * highest : 1}, false};
-}
-
-/// The speeds beside their marks: above, else below, else farther away; those that find no place
-/// are counted.
-std::string speed_labels(const Units &units, const CriticalResult &result, const MarksAxis &axis,
-                         const MarksPanel &panel) {
-    constexpr double size = 10;
-    LabelPlacer placer;
-    std::string script;
-    int unnamed = 0;
-    for (const CriticalSpeed &critical : result.critical_speeds) {
-        const std::string text = drawn_speed(units, critical.speed);
-        const double width = (text_width(text, size) + 6) / MarksPanel::wide;
-        const double across = axis.across(units(Quantity::speed, critical.speed));
-        bool placed = false;
-        for (const double off : {0.33, -0.33, 0.52, -0.52}) { // of the distance of the rows
-            const double up = panel.up(panel.row(critical.whirl) + off);
-            placed =
-                placer.take({across - width / 2, up - 6 / panel.high(), width, 12 / panel.high()});
-            if (!placed)
-                continue;
-            script += fmt::format("set label {} at graph {},{} center font ',{}' textcolor '{}'\n",
-                                  plot_text(text), across, up, size,
-                                  critical.damping.heavy() ? heavy_colour : "#000000");
-            break;
-        }
-        unnamed += placed ? 0 : 1;
-    }
-    return script + left_out(unnamed, "number", "0,1.06");
-}
-
-/// The critical speeds as marks on a speed axis, forward and backward in rows of their own.
-Figure critical_figure(const model::Case &scene, const CriticalResult &result, const Units &units) {
-    const MarksAxis axis = axis_of(scene, units, result);
-    const MarksPanel panel{senses_of(result)};
-    const Range &x = axis.x;
-    Curves drawn;
-    drawn.add("NaN notitle");
-    drawn.add(operation_key(scene, units, x));
-    std::vector<PlotPoint> heavy;
-    for (const auto sense : panel.senses) {
-        std::vector<PlotPoint> points;
-        for (const auto &critical : result.critical_speeds) {
+    ChartPanel panel{66, chart_axis(units, "Spin speed", Quantity::speed), {}, {}};
+    panel.x.logarithmic = lowest > 0 && lowest < HUGE_VAL && highest > wide * lowest;
+    panel.x.low = panel.x.logarithmic ? lowest / 2 : 0;
+    panel.x.high = panel.x.logarithmic ? 2 * highest : highest > 0 ? 1.06 * highest : 1;
+    ChartCurve heavy{"heavily damped (AF < 2.5)", {}, {"", heavy_colour, "1", 6}, 0, 1.5};
+    double row = 0;
+    for (const auto sense :
+         {results::Whirl::backward, results::Whirl::mixed, results::Whirl::forward}) {
+        if (std::ranges::find(result.critical_speeds, sense, &CriticalSpeed::whirl) ==
+            result.critical_speeds.end())
+            continue;
+        ChartCurve marks{"", {}, whirl_style(sense), 0, 1.5};
+        panel.y.names.emplace_back(++row, marks.style.name);
+        for (const CriticalSpeed &critical : result.critical_speeds) {
             if (critical.whirl != sense)
                 continue;
-            const bool grey = critical.damping.heavy();
-            (grey ? heavy : points)
-                .push_back({units(Quantity::speed, critical.speed), panel.row(sense)});
+            ChartCurve &of = critical.damping.heavy() ? heavy : marks;
+            const double speed = units(Quantity::speed, critical.speed);
+            of.points.push_back({speed, row});
+            of.texts.push_back(fmt::format("{}: {}\nerror {}", marks.style.name,
+                                           units.text(Quantity::speed, critical.speed, 10),
+                                           readable(critical.error, 2)));
+            panel.labels.push_back({drawn_speed(units, critical.speed), speed, row,
+                                    critical.damping.heavy() ? heavy_colour : "#000000"});
         }
-        const LineStyle style = whirl_style(sense);
-        drawn.add(points, fmt::format("with points pt {} ps 1.5 lw 1.6 lc rgb '{}'", style.point,
-                                      style.colour));
+        panel.curves.push_back(std::move(marks));
     }
-    if (!heavy.empty())
-        drawn.add(heavy, fmt::format("with points pt 6 ps 1.5 lw 1.6 lc rgb '{}'", heavy_colour),
-                  "'heavily damped (AF < 2.5)'");
-    return figure_of(panel.width, panel.height(), "Critical speeds: " + title_of(scene),
-                     "synchronous whirl, 1×",
-                     panel_margins(panel.left, panel.right, double(panel.foot) / panel.height(),
-                                   1 - double(panel.head) / panel.height()) +
-                         (axis.logarithmic ? "set logscale x\nset format x '10^{%L}'\n" : "") +
-                         fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n"
-                                     "set ytics ({})\n"
-                                     "set xlabel {}\nset grid x lc rgb '#E4E4E4' lt 1\n"
-                                     "set key at graph 1,1.02 right bottom horizontal samplen 2\n",
-                                     x.low, x.high, panel.from, panel.to(), panel.names(),
-                                     axis_text(units, "Spin speed", Quantity::speed)) +
-                         operation_band(scene, units, x) +
-                         speed_labels(units, result, axis, panel) + drawn.script());
+    if (!heavy.points.empty())
+        panel.curves.push_back(std::move(heavy));
+    panel.y.low = 0.4;
+    panel.y.high = row + 0.9;
+    panel.height *= static_cast<int>(row) + 1;
+    return {"Critical speeds: " + title_of(scene), "synchronous whirl, 1×", {panel}};
 }
 
 /// The critical speeds and what their margins come to, in one sentence.
@@ -253,7 +170,7 @@ Report describe(const model::Case &scene, const CriticalResult &result) {
                 return sections;
             },
         .text = [&](const Units &units) { return text_of(scene, result, units); },
-        .figure = [&](const Units &units) { return critical_figure(scene, result, units); }};
+        .chart = [&](const Units &units) { return critical_chart(scene, result, units); }};
     if (result.map) {
         report.pictures = [&](const Units &units) {
             return std::vector{critical_map_picture(scene, *result.map, units)};

@@ -181,21 +181,6 @@ Json drawn_rotor(const model::Rotor &rotor, const Units &units) {
         {"length", length(z)}, {"segments", segments}, {"discs", discs}, {"bearings", bearings}};
 }
 
-/// The curves of the still picture: at the speed, then at critical ones.
-Json drawn_modes(const ModesResult &result, const Units &units) {
-    Json drawn = Json::array();
-    for (const std::vector<ModeShape> *list : {&result.modes, &result.critical})
-        for (const ModeShape &mode : *list) {
-            const ModeCurves curves = mode_curves(mode);
-            drawn.push_back({{"x", curves.x},
-                             {"y", curves.y},
-                             {"at_one_instant", curves.at_one_instant},
-                             {"whirl", whirl_of(mode, units)},
-                             {"damping_ratio", damping_ratio(mode)}});
-        }
-    return drawn;
-}
-
 std::vector<Section> sections_of(const ModesResult &result, const Units &units) {
     std::vector<Section> sections{{"Shapes in space", "<div id=\"space\"></div>\n"},
                                   {"Modes at " + units.text(Quantity::speed, result.speed),
@@ -260,11 +245,13 @@ Report describe(const model::Case &scene, const ModesResult &result) {
             .csv = [&](const Units &units) { return csv_of(result, units); },
             .sections = [&](const Units &units) { return sections_of(result, units); },
             .text = [&](const Units &units) { return text_of(scene, result, units); },
-            .figure = [&](const Units &units) { return modes_figure(scene, result, units); },
+            .chart = [&](const Units &units) { return modes_chart(scene, result, units); },
             .drawn =
                 [&](const Units &units) {
                     return Json{{"rotor", drawn_rotor(scene.rotor, units)},
-                                {"modes", drawn_modes(result, units)}};
+                                {"at", "At " + units.text(Quantity::speed, result.speed)},
+                                {"modes", mode_headings(result.modes, units, false)},
+                                {"critical_modes", mode_headings(result.critical, units, true)}};
                 },
             .vtp = [&] { return to_vtp(scene, result); },
             .answer = answer_of(result),

@@ -98,14 +98,6 @@ std::string script_element(std::string_view script) {
     return std::string("<script>").append(script).append("</script>\n");
 }
 
-/// The script that draws the diagram on the page; nothing: it is a still picture.
-std::string drawing_script(const Report &report) {
-    return embedded(report.chart ? "chart.js" : report.command + ".js");
-}
-bool moves(const Report &report) {
-    return !plotly_bundle().empty() && !drawing_script(report).empty();
-}
-
 /// What stands between the head of a page and its foot, by the names in page.html.
 /// @param still, pictures  as of to_html
 std::map<std::string, std::string> main_of(const Report &report, const std::string &still,
@@ -122,7 +114,7 @@ std::map<std::string, std::string> main_of(const Report &report, const std::stri
                           "<div id=\"plot\"></div></figure>\n",
                           escaped_attribute(report.heading + ": " + title))
             : still;
-    if (!moves(report) && !drawing_script(report).empty())
+    if (report.chart && !moves(report))
         plot +=
             element("p", "This build has no Plotly, so the diagram is a still picture.", "note");
     const bool is_drawing = static_cast<bool>(report.drawing) || // the rotor itself
@@ -147,12 +139,14 @@ std::string still_picture(const Report &report) {
         return picture_element(to_svg(report.drawing(readers)), label);
     PlotJobs jobs;
     if (moves(report) ||
-        !jobs.start(report.figure(readers), PictureFormat::svg, report.command + ".svg"))
+        !jobs.start(*main_figure(report, readers), PictureFormat::svg, report.command + ".svg"))
         return "";
     return picture_element(jobs.finish().begin()->second, label);
 }
 
 } // namespace
+
+bool moves(const Report &report) { return report.chart && !plotly_bundle().empty(); }
 
 std::string to_html(const Report &report, const std::string &still, const std::string &pictures,
                     const std::vector<std::string> &files) {
@@ -163,7 +157,7 @@ std::string to_html(const Report &report, const std::string &still, const std::s
     if (moves(report) || !of_space.empty()) // in a function of its own: names such as `top` belong
         scripts +=                          // to the window outside
             script_element("(function () {\n" + embedded("common.js") + of_space +
-                           (moves(report) ? drawing_script(report) : "") + "})();\n");
+                           (moves(report) ? embedded("chart.js") : "") + "})();\n");
     std::map<std::string, std::string> values = main_of(report, still, pictures);
     values.insert({{"title", escaped(title_of(*report.scene))},
                    {"case", escaped(report.scene->name)},

@@ -86,7 +86,7 @@ class Writer {
                 _written.notes.emplace_back("gnuplot is not installed: no PNG picture");
             return;
         }
-        _svg = start_both(_report.figure(_readers), name);
+        _svg = start_both(*main_figure(_report, _readers), name);
         if (_svg.empty())
             _written.notes.emplace_back("gnuplot is not installed: no SVG and PNG pictures");
     }
@@ -99,8 +99,7 @@ class Writer {
     }
 
     void write_page() {
-        const bool moves = !plotly_bundle().empty() && !embedded(_report.command + ".js").empty();
-        const bool wants_svg = !moves && !_svg.empty();
+        const bool wants_svg = !moves(_report) && !_svg.empty();
         if (wants_svg || !_further.empty()) // still pictures in the page: wait for them
             take_pictures();
         if (wants_svg)
@@ -125,6 +124,12 @@ class Writer {
 };
 
 } // namespace
+
+std::optional<Figure> main_figure(const Report &report, const Units &units) {
+    if (report.chart)
+        return chart_figure(report.chart(units), *report.scene, units);
+    return report.figure ? std::optional(report.figure(units)) : std::nullopt;
+}
 
 Files write_report(const Report &report, const fs::path &folder) {
     if (report.document)

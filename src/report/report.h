@@ -92,8 +92,8 @@ struct Report {
     std::function<std::vector<Section>(const Units &)>
         sections{};                                   ///< below the diagram of the page
     std::function<std::string(const Units &)> text{}; ///< for the terminal
-    std::function<Figure(const Units &)> figure{};    ///< the main picture
-    std::function<Chart(const Units &)> chart{};      ///< its description, where it has one
+    std::function<Chart(const Units &)> chart{};      ///< the main picture
+    std::function<Figure(const Units &)> figure{};    ///< the same where nothing describes it
     // What some commands have:
     std::function<Drawing(const Units &)> drawing{}; ///< in place of the figure
     std::function<std::vector<Picture>(const Units &)> pictures{};
@@ -118,9 +118,9 @@ template <class Result> struct Parts {
     std::string (*csv)(const Result &, const Units &);
     std::vector<Section> (*sections)(const Result &, const Units &);
     std::string (*text)(const model::Case &, const Result &, const Units &);
-    Figure (*figure)(const model::Case &, const Result &, const Units &);
-    /// The main picture by a description, in place of `figure`.
-    Chart (*chart)(const model::Case &, const Result &, const Units &) = nullptr;
+    Chart (*chart)(const model::Case &, const Result &, const Units &);
+    /// The main picture where it has no such description.
+    Figure (*figure)(const model::Case &, const Result &, const Units &) = nullptr;
 };
 
 /// The report of a result from its parts.
@@ -141,12 +141,15 @@ template <class Result>
         report.chart = [&scene, &result, chart = parts.chart](const Units &units) {
             return chart(scene, result, units);
         };
-    report.figure = [&scene, &result, parts](const Units &units) {
-        return parts.chart ? chart_figure(parts.chart(scene, result, units), scene, units)
-                           : parts.figure(scene, result, units);
-    };
+    if (parts.figure)
+        report.figure = [&scene, &result, figure = parts.figure](const Units &units) {
+            return figure(scene, result, units);
+        };
     return report;
 }
+
+/// The main picture for gnuplot; none of a document.
+[[nodiscard]] std::optional<Figure> main_figure(const Report &report, const Units &units);
 
 /// Version of the program, as in the results.
 [[nodiscard]] std::string program_version();
@@ -164,6 +167,8 @@ template <class Result>
 [[nodiscard]] std::string to_text(const Report &report, const TextStyle &style = {},
                                   const std::string &last = "");
 
+/// Whether a script draws the diagram on its page.
+[[nodiscard]] bool moves(const Report &report);
 /// One self-contained page: nothing is loaded from elsewhere.
 /// @param still     SVG shown where no script can draw
 /// @param pictures  SVG of the pictures beside the main one

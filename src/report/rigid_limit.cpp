@@ -227,9 +227,9 @@ std::string text_of(const model::Case &scene, const RigidLimitResult &result, co
 } // namespace
 
 Report describe(const model::Case &scene, const RigidLimitResult &result) {
-    return report_of<RigidLimitResult>(
-        "rigid-limit", "Flexible model and rigid closed forms", scene, result,
-        {json_of, csv_of, sections_of, text_of, nullptr, rigid_limit_chart});
+    return report_of<RigidLimitResult>("rigid-limit", "Flexible model and rigid closed forms",
+                                       scene, result,
+                                       {json_of, csv_of, sections_of, text_of, rigid_limit_chart});
 }
 
 } // namespace whirl::report

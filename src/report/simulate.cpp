@@ -453,7 +453,7 @@ std::string text_of(const model::Case &scene, const SimulateResult &result, cons
 Report describe(const model::Case &scene, const SimulateResult &result) {
     Report report =
         report_of<SimulateResult>("simulate", "Motion in time", scene, result,
-                                  {json_of, csv_of, sections_of, text_of, nullptr, simulate_chart});
+                                  {json_of, csv_of, sections_of, text_of, simulate_chart});
     const bool branch = result.cycle && !result.cycle->branch.empty();
     const bool asked = result.sweep || result.starts;
     if (asked || branch || result.waterfall)

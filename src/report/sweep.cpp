@@ -191,9 +191,8 @@ std::string sweep_text(const model::Case &scene, const SweepResult &result, cons
 } // namespace
 
 Report describe(const model::Case &scene, const SweepResult &result) {
-    return report_of<SweepResult>(
-        "sweep", "Sweep", scene, result,
-        {sweep_json, sweep_csv, sweep_sections, sweep_text, nullptr, sweep_chart});
+    return report_of<SweepResult>("sweep", "Sweep", scene, result,
+                                  {sweep_json, sweep_csv, sweep_sections, sweep_text, sweep_chart});
 }
 
 } // namespace whirl::report

@@ -207,15 +207,13 @@ class Studio {
         const auto command = question.of.find("command");
         if (command == question.of.end() || !offered(command->second))
             return {.status = 404, .type = "text/plain", .content = "there is no such analysis\n"};
-        const std::string own = report::embedded(command->second + ".js");
         return {.type = "text/html; charset=utf-8",
                 .content = report::filled(
                     report::embedded("studio_panel.html"),
                     {{"style", report::embedded("page.css")},
                      {"plotly", addressed("plotly.js")},
                      {"tables", report::embedded("tables.js")},
-                     {"drawing", report::embedded("common.js") +
-                                     (own.empty() ? report::embedded("chart.js") : own)},
+                     {"drawing", report::embedded("common.js") + report::embedded("chart.js")},
                      {"script", report::embedded("studio_panel.js")}})};
     }
 

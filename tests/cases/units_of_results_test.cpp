@@ -368,43 +368,6 @@ void expect_scaled(const json &si, const json &other, double factor, const std::
     }
 }
 
-/// What the script of a page draws beside the result: pairs of speed and frequency, what one unit
-/// of the one is in the other, the places and sizes of the rotor.
-void compare_drawn(const json &si, const json &other, const Preset &preset,
-                   const std::string &where) {
-    const double speed = preset.factor("speed");
-    const double frequency = preset.factor("frequency");
-    const std::function<void(const json &, const json &)> pairs = [&](const json &a,
-                                                                      const json &b) {
-        ASSERT_EQ(a.size(), b.size()) << where;
-        if (a.is_array() && a.size() == 2 && a[0].is_number()) {
-            EXPECT_NEAR(b[0].get<double>(), a[0].get<double>() * speed,
-                        1e-14 * std::abs(a[0].get<double>() * speed))
-                << where;
-            if (a[1].is_number()) {
-                EXPECT_NEAR(b[1].get<double>(), a[1].get<double>() * frequency,
-                            1e-14 * std::abs(a[1].get<double>() * frequency))
-                    << where;
-            }
-            totals.of["page data"].numbers += 2;
-            totals.of["page data"].converted += 2;
-            return;
-        }
-        for (std::size_t i = 0; i < a.size(); ++i)
-            if (a.is_array())
-                pairs(a[i], b[i]);
-    };
-    for (const auto &[key, value] : si.items())
-        if (key == "others")
-            pairs(value, other.at(key));
-        else if (key == "rotor")
-            expect_scaled(value, other.at(key), preset.factor("length"), where);
-        else if (key == "synchronous")
-            EXPECT_NEAR(other.at(key).get<double>(), frequency / speed, 1e-14 * frequency / speed);
-        else
-            EXPECT_EQ(value, other.at(key)) << where << key;
-}
-
 /// What the commands of a case take of it: few speeds and short motions, to be quick.
 struct Asked {
     std::string command;
@@ -458,8 +421,8 @@ struct Written {
 
 std::vector<report::Picture> figures_of(const report::Report &of, const report::Units &units) {
     std::vector<report::Picture> figures;
-    if (of.figure && !of.drawing)
-        figures.push_back({of.command, of.figure(units)});
+    if (const auto figure = report::main_figure(of, units))
+        figures.push_back({of.command, *figure});
     if (of.pictures)
         for (const report::Picture &picture : of.pictures(units))
             figures.push_back(picture);
@@ -548,7 +511,8 @@ void compare_report(const report::Report &of, const model::Case &scene, const st
         compare_json(on_page, other.page, marked.page, other.units, "page data");
         if (si.page.contains("drawn")) {
             Written plain(of, scene, whirl::input::output_units({"units.preset=si"}));
-            compare_drawn(plain.page.at("drawn"), other.page.at("drawn"), preset, name);
+            expect_scaled(plain.page.at("drawn").at("rotor"), other.page.at("drawn").at("rotor"),
+                          preset.factor("length"), name);
         }
         const report::Units files = report::Units::of_files(other.in_units.units);
         MarkedTexts cells_of_files(files, preset.peak_to_peak, name + ", CSV");

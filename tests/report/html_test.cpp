@@ -123,8 +123,11 @@ TEST(Html, ModesAreDrawnByTheCurvesOfTheStillPicture) {
     if (plotly_bundle().empty())
         GTEST_SKIP() << "the page has no script";
     const nlohmann::json data = data_of(html);
-    EXPECT_EQ(data["drawn"]["modes"][0]["y"], (nlohmann::json{0.25, 1.0, -0.5}));
-    EXPECT_NE(html.find("drawnModes[k].y"), std::string::npos);
+    const auto &curves = data["chart"]["panels"][0]["curves"];
+    const auto y = std::ranges::find_if(curves, [](const auto &of) { return of["name"] == "y"; });
+    ASSERT_NE(y, curves.end());
+    for (const auto &[point, expected] : {std::pair(0, 0.25), {1, 1.0}, {2, -0.5}})
+        EXPECT_EQ((*y)["points"][point][1], expected);
 }
 
 // The scripts know no units: each number of their data is the one of the result in SI times the
@@ -143,13 +146,25 @@ TEST(Html, DataAreInTheUnitsOfTheReaders) {
     EXPECT_TRUE(near(data["z"][1], 0.75 / 0.0254));
     EXPECT_TRUE(near(data["modes"][0]["frequency"], 80 * 30 / pi));
     EXPECT_TRUE(near(data["drawn"]["rotor"]["length"], 1.5 / 0.0254));
-    EXPECT_TRUE(near(data["drawn"]["modes"][1]["damping_ratio"], 2 / std::hypot(2, 90)));
+    EXPECT_EQ(data["drawn"]["modes"][1], fmt::format("1F · {:.5g} rpm · damping ratio {:.3g} · "
+                                                     "forward",
+                                                     90 * 30 / pi, 2 / std::hypot(2, 90)));
     results::CampbellResult result = sample_campbell();
     result.modes[1].error[2] = 1e-3; // growth of 2 beside 110 rad/s is more
     const nlohmann::json campbell = data_of(without_bundle(to_html(scene, result, "")));
-    EXPECT_TRUE(near(campbell["drawn"]["synchronous"], 1)) << "rpm over rpm";
     EXPECT_TRUE(near(campbell["crossings"][0]["frequency"], 82.5 * 30 / pi));
-    EXPECT_EQ(campbell["drawn"]["grows"][1], (nlohmann::json{false, false, true}));
+    std::vector<nlohmann::json> synchronous; // a line
+    std::vector<nlohmann::json> growing;
+    for (const auto &curve : campbell["chart"]["panels"][0]["curves"])
+        if (curve["colour"] == "#777777")
+            synchronous.push_back(curve["points"][1]);
+        else if (curve["name"] == "unstable")
+            growing.push_back(curve["points"]);
+    ASSERT_EQ(synchronous.size(), 1U);
+    EXPECT_TRUE(near(synchronous[0][0], synchronous[0][1])) << "rpm over rpm";
+    ASSERT_EQ(growing.size(), 1U);
+    ASSERT_EQ(growing[0].size(), 1U) << "at the third speed alone";
+    EXPECT_TRUE(near(growing[0][0][1], 110 * 30 / pi));
 }
 
 } // namespace whirl::report

@@ -116,7 +116,7 @@ void expect_labels(const Figure &figure, const std::vector<std::string> &labels)
 TEST(PictureUnits, OfACampbellDiagramAreThoseOfSpeedsAndFrequencies) {
     const results::CampbellResult result = sample_campbell();
     const auto figure = [&](const Units &units) {
-        return campbell_figure(sample_case(), result, units);
+        return chart_figure(campbell_chart(sample_case(), result, units), sample_case(), units);
     };
     using enum Quantity;
     expect_scaled(figure, {{speed, frequency}, {speed, number}});
@@ -178,12 +178,13 @@ TEST(PictureUnits, OfAMotionTellPeaksFromDeflections) {
 
 TEST(PictureUnits, OfModesAreThoseOfPlaces) {
     const auto figure = [&](const Units &units) {
-        return modes_figure(sample_case(), sample_modes(), units);
+        return chart_figure(modes_chart(sample_case(), sample_modes(), units), sample_case(),
+                            units);
     };
     expect_labels(figure(other), {"z (in)", "1B · 763.94 rpm · backward"});
     const std::string script = figure(other).script;
-    EXPECT_NE(script.find(fmt::format("$shape << EOD\n0 0.3 ")), std::string::npos);
-    EXPECT_NE(script.find(fmt::format("\n{} 1 ", 0.75 / 0.0254)), std::string::npos);
+    EXPECT_NE(script.find("\n0 0.3\n"), std::string::npos);
+    EXPECT_NE(script.find(fmt::format("\n{} 1\n", 0.75 / 0.0254)), std::string::npos);
 }
 
 TEST(PictureUnits, OfTheDrawingAreThoseOfItsParts) {

@@ -1,4 +1,3 @@
-#include "report/pictures/campbell_panel.h"
 #include "report/pictures/figures.h"
 #include "report/pictures/labels.h"
 #include "report/pictures/style.h"
@@ -37,83 +36,117 @@ TEST(PlotData, EndsOfALineLieWithinAnAxisThatEndsThere) {
     }
 }
 
+namespace {
+
+/// Speeds and frequencies of as many lists; the motions keep their sense.
+results::CampbellResult campbell_of(const std::vector<double> &speeds,
+                                    const std::vector<std::vector<std::optional<double>>> &modes,
+                                    results::Whirl sense) {
+    results::CampbellResult result = sample_campbell();
+    results::CampbellMode mode = result.modes[0];
+    mode.whirl.assign(speeds.size(), sense);
+    mode.forward_fraction.assign(speeds.size(), 1);
+    result.speeds = speeds;
+    result.modes.clear();
+    result.crossings.clear();
+    for (const auto &frequency : modes) {
+        result.modes.push_back(mode);
+        result.modes.back().frequency = frequency;
+    }
+    return result;
+}
+
+/// The lines of one name in the upper panel.
+std::vector<std::vector<PlotPoint>> lines_named(const std::string &name,
+                                                const results::CampbellResult &result) {
+    std::vector<std::vector<PlotPoint>> lines;
+    const Chart chart = campbell_chart(sample_case(), result, usual);
+    for (const ChartCurve &curve : chart.panels.front().curves)
+        if (curve.name == name)
+            lines.push_back(curve.points);
+    return lines;
+}
+
+std::vector<std::size_t> sizes_of(const std::vector<std::vector<PlotPoint>> &lines) {
+    std::vector<std::size_t> sizes;
+    for (const auto &line : lines)
+        sizes.push_back(line.size());
+    return sizes;
+}
+
+using Sizes = std::vector<std::size_t>;
+
+} // namespace
+
 // A line that springs between two speeds, from 100 to 30 and back, is two lines and a point
 // between.
 TEST(PlotData, SprungFrequenciesAreNotJoined) {
-    results::CampbellResult result = sample_campbell();
-    results::CampbellMode mode = result.modes[0];
-    result.speeds = {0, 10, 20, 30, 40, 50, 60};
-    mode.frequency = {100., 101., 102., 30., 103., 104., 105.};
-    mode.whirl.assign(7, results::Whirl::forward);
-    result.modes = {mode};
-    const Panel panel{usual, false, {0, 60}, {0, 20}};
-    const auto all = [](const auto &, std::size_t) { return true; };
-    const auto lines = stretches(panel, result, all);
-    ASSERT_EQ(lines.size(), 2U);
-    EXPECT_EQ(lines[0].size(), 3U);
-    EXPECT_EQ(lines[1].size(), 3U);
-    const auto points = markers(panel, result, results::Whirl::forward);
-    EXPECT_TRUE(std::any_of(points.begin(), points.end(), [](const PlotPoint &point) {
-        return std::abs(point.x - usual(Quantity::speed, 30)) < 1e-9;
-    })) << "the point between is drawn";
+    results::CampbellResult result =
+        campbell_of({0, 10, 20, 30, 40, 50, 60}, {{100., 101., 102., 30., 103., 104., 105.}},
+                    results::Whirl::forward);
+    EXPECT_EQ(sizes_of(lines_named("forward", result)), (Sizes{3, 1, 3}));
+    EXPECT_NEAR(lines_named("forward", result)[1][0].x, usual(Quantity::speed, 30), 1e-9);
     // So at the end of the range.
     result.modes[0].frequency = {100., 101., 102., 103., 104., 105., 30.};
-    ASSERT_EQ(stretches(panel, result, all).size(), 1U);
-    EXPECT_EQ(stretches(panel, result, all)[0].size(), 6U);
+    EXPECT_EQ(sizes_of(lines_named("forward", result)), (Sizes{6, 1}));
     // A steep line is none that springs: each step is no more than twice that before.
     result.modes[0].frequency = {1., 2., 4., 8., 16., 32., 64.};
-    EXPECT_EQ(stretches(panel, result, all).size(), 1U);
+    EXPECT_EQ(sizes_of(lines_named("forward", result)), (Sizes{7}));
+}
+
+// A line of one sense goes on to where that of the next one begins.
+TEST(PlotData, LinesOfBothSensesMeet) {
+    results::CampbellResult result =
+        campbell_of({0, 10, 20, 30}, {{100., 101., 102., 103.}}, results::Whirl::forward);
+    result.modes[0].whirl[2] = result.modes[0].whirl[3] = results::Whirl::backward;
+    const auto before = lines_named("forward", result);
+    const auto after = lines_named("backward", result);
+    ASSERT_EQ(sizes_of(before), (Sizes{3}));
+    ASSERT_EQ(sizes_of(after), (Sizes{2}));
+    EXPECT_EQ(before[0].back().x, after[0].front().x);
+    EXPECT_EQ(before[0].back().y, after[0].front().y);
 }
 
 // Two motions of a Hill series exchange their larger parts; one of their lines began just before.
 TEST(PlotData, LinesThatExchangeMotionsAreNotJoined) {
-    results::CampbellResult result = sample_campbell();
+    results::CampbellResult result =
+        campbell_of({400, 500, 600, 700}, {{684., 665., 646., 1914.}, {{}, {}, 1940., 626.}},
+                    results::Whirl::backward);
     result.model.formulation.form = results::Form::hill;
-    result.speeds = {400, 500, 600, 700};
-    results::CampbellMode mode = result.modes[0];
-    mode.whirl.assign(4, results::Whirl::backward);
-    mode.frequency = {684., 665., 646., 1914.};
-    results::CampbellMode late = mode;
-    late.frequency = {{}, {}, 1940., 626.};
-    result.modes = {mode, late};
-    const Panel panel{usual, false, {0, usual(Quantity::speed, 700)}, {0, 400}};
-    const auto all = [](const auto &, std::size_t) { return true; };
-    ASSERT_EQ(stretches(panel, result, all).size(), 1U);
-    EXPECT_EQ(stretches(panel, result, all)[0].size(), 3U);
+    EXPECT_EQ(sizes_of(lines_named("backward", result)), (Sizes{3, 1, 1, 1}));
     result.modes[0].frequency.back() = 630.; // a steep line alone
-    EXPECT_EQ(stretches(panel, result, all).size(), 2U);
+    EXPECT_EQ(sizes_of(lines_named("backward", result)), (Sizes{4, 2}));
 }
 
 // In rotating axes a motion at 7 rad/s is one at speed + 7 or speed - 7 in those that stand still:
 // the step from one to the other is no line, however small it is beside the highest frequency.
 TEST(PlotData, TheOtherOneOfTwoFrequenciesIsNotJoined) {
-    results::CampbellResult result = sample_campbell();
-    results::CampbellMode mode = result.modes[0];
-    result.speeds = {80, 82, 84, 86, 88, 90, 92};
-    mode.frequency_rotating = {7., 7., 7., 7.1, 7., 7., 7.};
-    mode.frequency = {87., 89., 91., 78.9, 81., 83., 85.};
-    mode.whirl.assign(7, results::Whirl::forward);
-    results::CampbellMode fast = mode;
-    fast.frequency.assign(7, 7000.);
-    fast.frequency_rotating = {6920., 6918., 6916., 6914., 6912., 6910., 6908.};
-    result.modes = {mode, fast};
-    const Panel panel{usual, false, {0, 60}, {0, 20}};
-    const auto lines = stretches(panel, result, [](const auto &, std::size_t) { return true; });
-    ASSERT_EQ(lines.size(), 3U);
-    EXPECT_EQ(lines[0].size(), 3U);
-    EXPECT_EQ(lines[1].size(), 4U);
-    EXPECT_EQ(lines[2].size(), 7U);
+    results::CampbellResult result = campbell_of(
+        {80, 82, 84, 86, 88, 90, 92},
+        {{87., 89., 91., 78.9, 81., 83., 85.}, {7000., 7000., 7000., 7000., 7000., 7000., 7000.}},
+        results::Whirl::forward);
+    result.modes[0].frequency_rotating = {7., 7., 7., 7.1, 7., 7., 7.};
+    result.modes[1].frequency_rotating = {6920., 6918., 6916., 6914., 6912., 6910., 6908.};
+    const auto lines = lines_named("forward", result);
+    ASSERT_EQ(sizes_of(lines), (Sizes{3, 4, 7}));
     // Drawn apart, it goes on to where the first begins, and from where that ends.
+    const auto others = [&result] {
+        std::vector<std::vector<PlotPoint>> pieces(1);
+        const auto lines_of_all = lines_named("its other frequency", result);
+        for (const PlotPoint &point : lines_of_all.front())
+            if (point.y)
+                pieces.back().push_back(point);
+            else if (!pieces.back().empty())
+                pieces.emplace_back();
+        pieces.resize(pieces.size() - (pieces.back().empty() ? 1 : 0));
+        return pieces;
+    };
     result.modes[0].other_frequency = {73., 75., 77., 93.1, 95., 97., 99.};
-    const auto others = other_frequencies(panel, result);
-    ASSERT_EQ(others.size(), 2U);
-    ASSERT_EQ(others[0].size(), 4U);
-    EXPECT_EQ(others[0].back().y, lines[1].front().y);
-    ASSERT_EQ(others[1].size(), 5U);
-    EXPECT_EQ(others[1].front().y, lines[0].back().y);
+    ASSERT_EQ(sizes_of(others()), (Sizes{4, 5}));
+    EXPECT_EQ(others()[0].back().y, lines[1].front().y);
+    EXPECT_EQ(others()[1].front().y, lines[0].back().y);
     result.modes[0].other_frequency = {{}, {}, 77., {}, {}, {}, {}};
-    ASSERT_EQ(other_frequencies(panel, result).size(), 1U);
-    EXPECT_TRUE(other_frequencies(Panel{usual, true, {0, 60}, {0, 1}}, result).empty());
+    EXPECT_EQ(sizes_of(others()), (Sizes{2}));
 }
 
 // Between two speeds the curve of growth leaves zero at the end of the band, not at the speed

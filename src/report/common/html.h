@@ -39,7 +39,7 @@ namespace whirl::report {
 /// JSON for a script element: no markup can end the element early.
 [[nodiscard]] std::string json_for_script(const std::string &json);
 
-/// A file of src/report/web, such as "campbell.js"; empty where there is none.
+/// A file of src/report/web, such as "chart.js"; empty where there is none.
 [[nodiscard]] std::string embedded(const std::string &name);
 /// Plotly's JavaScript, embedded at build time from its npm package; empty where the build had
 /// none.

@@ -76,7 +76,6 @@ ChartPanel left_panel(const Units &units, const BalanceResult &result, const Lef
                      chart_axis(units, "Amplitude", Quantity::amplitude),
                      {},
                      place_text(units, left.name, left.z)};
-    panel.x.title.clear();
     const auto add = [&](const LeftMotion::Values &values, const LineStyle &style, double width,
                          const std::vector<bool> &shown = {}) {
         take(panel, result, left_points(units, result.speeds, values, bottom, shown), style, width,

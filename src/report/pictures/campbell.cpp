@@ -1,10 +1,6 @@
 #include "report/pictures/figures.h"
 
-#include "report/common/text_width.h"
 #include "report/common/words.h"
-#include "report/pictures/campbell_panel.h"
-#include "report/pictures/labels.h"
-#include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/campbell.h"
 #include "results/formulation.h"
@@ -14,334 +10,338 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace whirl::report {
 
 using results::CampbellMode;
 using results::CampbellResult;
-using results::Whirl;
+using results::Crossing;
 
 namespace {
 
-constexpr int figure_width = 1080;
-constexpr Whirl senses[] = {Whirl::forward, Whirl::backward, Whirl::mixed};
-constexpr double name_size = 11;      ///< of the names beside the ends of the curves
-constexpr double name_gap = 0.022;    ///< from the curves to their names, of the panel
-constexpr double panel_pixels = 868;  ///< its width
 constexpr double log_dec_limit = 6.3; ///< higher decrements (damping ratio > 0.7) are cut off
 
-bool has_sense(const CampbellResult &result, Whirl sense) {
-    return std::any_of(result.modes.begin(), result.modes.end(), [&](const CampbellMode &mode) {
-        return std::find(mode.whirl.begin(), mode.whirl.end(), sense) != mode.whirl.end();
-    });
+/// An entry that the list may not have.
+template <class T>
+std::optional<T> entry(const std::vector<std::optional<T>> &list, std::size_t i) {
+    return i < list.size() ? list[i] : std::nullopt;
 }
 
-bool has_growth(const CampbellResult &result) {
-    return std::any_of(result.modes.begin(), result.modes.end(), [&](const CampbellMode &mode) {
-        for (std::size_t i = 0; i < result.speeds.size(); ++i)
-            if (grows(mode, i))
-                return true;
+/// Steps in which the other one of the two frequencies of a motion in rotating axes is drawn. As
+/// long as it is the same one, spin speed plus or less the frequency there or the opposite of that,
+/// it changes by no more than these two do.
+std::vector<bool> other_of_two(const CampbellMode &mode, const std::vector<double> &speeds) {
+    constexpr double rounding = 1e-6;
+    std::vector<bool> out(speeds.size(), false);
+    for (std::size_t i = 0; i + 1 < speeds.size(); ++i) {
+        const auto here = entry(mode.frequency, i);
+        const auto next = entry(mode.frequency, i + 1);
+        const auto turning = entry(mode.frequency_rotating, i);
+        const auto turning_next = entry(mode.frequency_rotating, i + 1);
+        if (!here || !next || !turning || !turning_next)
+            continue;
+        const double most = speeds[i + 1] - speeds[i] + std::abs(*turning_next - *turning);
+        out[i] = std::abs(*next - *here) > (1 + rounding) * most;
+    }
+    return out;
+}
+
+/// In a Hill series motions that resonate exchange their larger parts. Where a line begins or ends
+/// beside that, nothing before or after tells that its step is one to the other motion, but that
+/// the other line goes the opposite way.
+bool exchanged(const CampbellMode &mode, const CampbellResult &result, std::size_t i) {
+    constexpr double near = 0.1; // of the step
+    const auto here = entry(mode.frequency, i);
+    const auto next = entry(mode.frequency, i + 1);
+    if (result.model.formulation.form != results::Form::hill || !here || !next)
         return false;
+    const double most = near * std::abs(*next - *here);
+    return std::ranges::any_of(result.modes, [&](const CampbellMode &other) {
+        const auto from = entry(other.frequency, i);
+        const auto to = entry(other.frequency, i + 1);
+        return &other != &mode && from && to && std::abs(*from - *next) < most &&
+               std::abs(*to - *here) < most;
     });
 }
 
-/// Where a motion grows at one speed and at neither neighbour: a band as narrow as that is no line.
-std::vector<PlotPoint> lone_growth(const Panel &panel, const CampbellResult &result) {
-    std::vector<PlotPoint> points;
+double highest_of(const CampbellResult &result) {
+    double highest = 0;
     for (const CampbellMode &mode : result.modes)
-        for (std::size_t i = 0; i < result.speeds.size(); ++i)
-            if (grows(mode, i) && !(i > 0 && grows(mode, i - 1)) && !grows(mode, i + 1))
-                points.push_back({panel.speed(result.speeds[i]), panel.value(mode, i)});
-    return points;
+        for (const auto &frequency : mode.frequency)
+            highest = std::max(highest, frequency.value_or(0));
+    return highest;
 }
 
-/// @param key  with the legend entries
-void add_curves(const Panel &panel, const CampbellResult &result, bool key, Curves &drawn) {
-    const auto entry_of = [&](const std::string &look, const std::string &title) {
-        if (key)
-            drawn.add(fmt::format("keyentry {} title '{}'", look, title));
+/// Of a mode the steps between neighbouring speeds that are no line of a motion: its frequency
+/// springs by far more than before and after. Of an anisotropic rotor a motion has two frequencies,
+/// whirl and twice the spin speed less whirl, of which the larger share is drawn; and between the
+/// given speeds two motions may have exchanged their places.
+std::vector<bool> springs(const CampbellMode &mode, const CampbellResult &result) {
+    const double highest = highest_of(result);
+    const std::size_t speeds = result.speeds.size();
+    constexpr double seen = 0.04; // of the highest frequency
+    constexpr double more = 5;
+    const auto step = [&](std::size_t i) -> std::optional<double> {
+        if (i + 1 >= speeds)
+            return std::nullopt;
+        const auto here = entry(mode.frequency, i);
+        const auto next = entry(mode.frequency, i + 1);
+        return here && next ? std::optional(std::abs(*next - *here)) : std::nullopt;
     };
-    if (has_growth(result)) {
-        const std::string look = "with lines lw 9 lc rgb '#60E0208A'";
-        drawn.add_pieces(stretches(panel, result,
-                                   [](const auto &mode, std::size_t i) {
-                                       return grows(mode, i) && grows(mode, i + 1);
-                                   }),
-                         look);
-        drawn.add(lone_growth(panel, result), "with points pt 7 ps 1.4 lc rgb '#60E0208A'");
-        entry_of(look, "unstable");
-    }
-    if (const auto others = other_frequencies(panel, result); !others.empty()) {
-        const std::string look = "with lines lw 1.2 dt (2,3) lc rgb '#707070'";
-        drawn.add_pieces(others, look);
-        entry_of(look, "its other frequency");
-    }
-    for (const Whirl sense : senses) {
-        if (!has_sense(result, sense))
+    std::vector<bool> sprung = other_of_two(mode, result.speeds);
+    const auto large = [&](std::size_t i) { return step(i).value_or(0) > seen * highest; };
+    for (std::size_t i = 0; i + 1 < speeds; ++i) {
+        if (!large(i) || (i > 0 && large(i - 1)))
             continue;
-        const LineStyle style = whirl_style(sense);
-        const std::string mark = fmt::format("pt {} ps 0.8", style.point);
-        drawn.add_pieces(stretches(panel, result,
-                                   [&](const auto &mode, std::size_t i) {
-                                       return i < mode.whirl.size() && mode.whirl[i] == sense;
-                                   }),
-                         line_look(style, 1.8));
-        drawn.add(markers(panel, result, sense),
-                  fmt::format("with points {} lc rgb '{}' lw 1.4", mark, style.colour));
-        entry_of(fmt::format("with linespoints lc rgb '{}' lw 1.8 dt {} {}", style.colour,
-                             style.dash, mark),
-                 style.name);
+        const std::size_t run = large(i + 1) ? 2 : 1; // there and back with one point between
+        const auto before = i > 0 ? step(i - 1) : std::nullopt;
+        const auto after = step(i + run); // one of them is missing at an end of the range
+        const double usual = std::max(before.value_or(0), after.value_or(0));
+        for (std::size_t k = i; (before || after) && k < i + run; ++k)
+            sprung[k] = sprung[k] || (!large(i + run) && *step(k) > more * usual);
+        if (!before && !after)
+            sprung[i] = sprung[i] || exchanged(mode, result, i);
     }
+    return sprung;
 }
 
-std::vector<double> multiples_of(const model::Case &scene) {
-    std::vector<double> multiples = scene.campbell.multiples;
-    if (std::find(multiples.begin(), multiples.end(), 1.0) == multiples.end())
-        multiples.push_back(1.0);
-    return multiples;
-}
+/// Speeds of a mode, from the first to the last, between which its line goes on.
+struct Stretch {
+    std::size_t from, to;
+};
 
-/// Of the speed range, right of the curves, for the names.
-double label_strip(const Units &units, const CampbellResult &result) {
-    double widest = text_width("10×", name_size);
-    for (const CampbellMode &mode : result.modes)
-        if (!mode.frequency.empty() && mode.frequency.back())
-            widest = std::max(widest, text_width(end_name(units, mode), name_size));
-    const double strip = name_gap * panel_pixels + widest + 8;
-    return strip / (panel_pixels - strip);
-}
-
-/// Names of modes, and of multiples that leave the panel at the right, beside the curves' ends.
-std::string end_labels(const Panel &panel, const model::Case &scene, const CampbellResult &result) {
-    struct End {
-        std::string text, colour;
-        double height;
-    };
-    std::vector<End> ends;
-    const double last = result.speeds.empty() ? 0 : result.speeds.back();
-    const double end_of_curves = panel.across(panel.speed(last));
-    for (const CampbellMode &mode : result.modes) {
-        const auto value = panel.value(mode, result.speeds.size() - 1);
-        if (value && *value >= panel.y.low && *value <= panel.y.high && !mode.whirl.empty())
-            ends.push_back({end_name(panel.units, mode), whirl_style(mode.whirl.back()).colour,
-                            panel.up(*value)});
-    }
-    if (!panel.damping)
-        for (const double multiple : multiples_of(scene))
-            if (const double value = panel.frequency(multiple * last); value <= panel.y.high)
-                ends.push_back({drawn_number(multiple) + "×", "#555555", panel.up(value)});
-    std::vector<double> wanted;
-    for (const End &end : ends)
-        wanted.push_back(end.height);
-    const double border = 8 / panel.pixels_high; // half of a letter
-    // As far apart as the letters are high, or closer where they are too many.
-    const double gap =
-        std::min(15 / panel.pixels_high,
-                 (1 - 2 * border) / std::max(1.0, static_cast<double>(ends.size()) - 1));
-    const auto places = spread(wanted, gap, {border, 1 - border});
-    std::string script;
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-        script += fmt::format("set label {} at graph {},{} left font ',{}' textcolor '{}'\n",
-                              plot_text(ends[i].text), end_of_curves + name_gap, places[i],
-                              name_size, ends[i].colour);
-        // From the end of the curve to a name that had to give way.
-        if (std::abs(places[i] - ends[i].height) * panel.pixels_high > 5)
-            script += fmt::format("set arrow from graph {},{} to graph {},{} nohead lw 0.6 "
-                                  "lc rgb '{}'\n",
-                                  end_of_curves + 0.001, ends[i].height,
-                                  end_of_curves + name_gap - 0.002, places[i], ends[i].colour);
-    }
-    return script;
-}
-
-/// Lines y = multiple * speed; the name stands inside the top where the line leaves there.
-std::string multiple_lines(const Panel &panel, const model::Case &scene, double last) {
-    const double slope = panel.frequency(1) / panel.speed(1);
-    std::string script;
-    for (const double multiple : multiples_of(scene)) {
-        const double end = std::min(last, panel.y.high / slope / multiple);
-        if (end <= panel.x.low)
+/// The stretches where a mode has values and stays what it is.
+/// @param sprung  of its steps
+template <class Value, class Kind>
+std::vector<Stretch> stretches(const std::vector<bool> &sprung, const Value &value,
+                               const Kind &kind) {
+    std::vector<Stretch> out;
+    for (std::size_t i = 0; i < sprung.size(); ++i) {
+        if (!value(i))
             continue;
-        const double start = std::max(panel.x.low, 0.0);
-        script += fmt::format("set arrow from {},{} to {},{} nohead back dt (9,7) lw 1.2 "
-                              "lc rgb '#777777'\n",
-                              start, multiple * slope * start, end, multiple * slope * end);
-        if (end < last)
-            script += fmt::format("set label {} at {}, graph 0.975 right offset -1.2,0 "
-                                  "font ',11' textcolor '#555555'\n",
-                                  plot_text(drawn_number(multiple) + "×"), end);
+        const bool on = i > 0 && !out.empty() && out.back().to + 1 == i && !sprung[i - 1];
+        if (on && kind(i) == kind(i - 1))
+            out.back().to = i;
+        else
+            out.push_back({i, i});
     }
-    return script;
+    return out;
 }
 
-/// Keeps labels off the curves, the spin lines and the crossings themselves.
-LabelPlacer occupied(const Panel &panel, const model::Case &scene, const CampbellResult &result) {
-    LabelPlacer placer;
-    const auto block = [&](double speed, double frequency, double pixels) {
-        const double width = pixels / panel.pixels_wide;
-        const double height = pixels / panel.pixels_high;
-        placer.block(
-            {panel.across(speed) - width / 2, panel.up(frequency) - height / 2, width, height});
-    };
-    for (const CampbellMode &mode : result.modes)
-        for (std::size_t i = 0; i < result.speeds.size(); ++i)
-            if (const auto value = panel.value(mode, i))
-                block(panel.speed(result.speeds[i]), *value, 5);
-    for (const double multiple : multiples_of(scene))
-        for (int i = 0; i <= 120; ++i) {
-            const double speed = i / 120.0 * panel.x.high;
-            block(speed, multiple * speed * panel.frequency(1) / panel.speed(1), 5);
+/// What a panel shows over the spin speed.
+struct CampbellView {
+    const CampbellResult &result;
+    const Units &units;
+    bool damping;
+
+    [[nodiscard]] std::optional<double> value(const CampbellMode &mode, std::size_t i) const {
+        const auto value = entry(damping ? mode.log_dec : mode.frequency, i);
+        return value && !damping ? std::optional(units(Quantity::frequency, *value)) : value;
+    }
+    [[nodiscard]] PlotPoint point(const CampbellMode &mode, std::size_t i) const {
+        return {units(Quantity::speed, result.speeds[i]), value(mode, i)};
+    }
+    [[nodiscard]] std::vector<PlotPoint> points(const CampbellMode &mode, Stretch over) const {
+        std::vector<PlotPoint> line;
+        for (std::size_t i = over.from; i <= over.to; ++i)
+            line.push_back(point(mode, i));
+        return line;
+    }
+};
+
+std::string known(std::optional<double> value, int digits) {
+    return value && std::isfinite(*value) ? readable(*value, digits) : "–";
+}
+
+/// All of a mode at a speed, for the page.
+std::string all_of(const Units &units, const CampbellResult &result, const CampbellMode &mode,
+                   std::size_t i) {
+    return fmt::format(
+        "{} at {}\nfrequency {}\nreal part {}\ndamping ratio {}, log. decrement {}\n"
+        "{} whirl, forward share {}\nerror {}, residual {}",
+        mode.label, units.text(Quantity::speed, result.speeds[i], 7),
+        units.text(Quantity::frequency, mode.frequency[i].value_or(NAN), 10),
+        known(entry(mode.real, i) ? std::optional(units(Quantity::rate, *mode.real[i]))
+                                  : std::nullopt,
+              5),
+        known(entry(mode.damping_ratio, i), 5), known(entry(mode.log_dec, i), 5),
+        whirl_text(mode.whirl[i], entry(mode.plane, i), units), known(mode.forward_fraction[i], 4),
+        known(entry(mode.error, i), 2), known(entry(mode.residual, i), 2));
+}
+
+/// Where motions grow, broad behind the lines; of a band as narrow as one speed a point.
+void add_growth(const CampbellView &shown, std::vector<ChartCurve> &curves) {
+    for (const CampbellMode &mode : shown.result.modes)
+        for (const Stretch &over : stretches(
+                 springs(mode, shown.result), [&](std::size_t i) { return shown.value(mode, i); },
+                 [&](std::size_t i) { return grows(mode, i); }))
+            if (grows(mode, over.from))
+                curves.push_back({"unstable",
+                                  shown.points(mode, over),
+                                  {"", "#EC75B6", "1"},
+                                  9,
+                                  over.from == over.to ? 1.4 : 0});
+}
+
+/// The other frequencies of motions that have two, in the fixed frame.
+void add_other_frequencies(const CampbellView &shown, std::vector<ChartCurve> &curves) {
+    std::vector<PlotPoint> line;
+    for (const CampbellMode &mode : shown.result.modes) {
+        const std::vector<double> &speeds = shown.result.speeds;
+        const std::vector<bool> changes = other_of_two(mode, speeds);
+        const auto add = [&](std::size_t i, std::optional<double> frequency) {
+            line.push_back({shown.units(Quantity::speed, speeds[i]), std::nullopt});
+            if (frequency)
+                line.back().y = shown.units(Quantity::frequency, *frequency);
+        };
+        for (std::size_t i = 0; i < speeds.size() && !mode.other_frequency.empty(); ++i) {
+            const auto value = entry(mode.other_frequency, i);
+            add(i, value);
+            if (!changes[i])
+                continue;
+            // There the frequency that was drawn becomes the other one: the lines meet.
+            if (value)
+                add(i + 1, entry(mode.frequency, i + 1));
+            add(i, std::nullopt);
+            if (entry(mode.other_frequency, i + 1))
+                add(i, entry(mode.frequency, i));
         }
-    for (const auto &crossing : result.crossings)
-        block(panel.speed(crossing.speed), panel.frequency(crossing.frequency), 12);
-    if (!result.speeds.empty()) // the strip of the mode names
-        placer.block({panel.across(panel.speed(result.speeds.back())), 0, 1, 1});
-    return placer;
+        if (!line.empty())
+            line.push_back({line.back().x, std::nullopt});
+    }
+    if (std::ranges::any_of(line, [](const PlotPoint &point) { return point.y.has_value(); }))
+        curves.push_back({"its other frequency", line, {"", "#707070", "(2,3)"}, 1.2});
+}
+
+/// A line for each stretch of one sense, to where the next one begins.
+/// @param all  the page says all of each point
+void add_modes(const CampbellView &shown, bool all, std::vector<ChartCurve> &curves) {
+    const CampbellResult &result = shown.result;
+    for (const CampbellMode &mode : result.modes) {
+        const std::vector<bool> sprung = springs(mode, result);
+        for (Stretch over : stretches(
+                 sprung, [&](std::size_t i) { return shown.value(mode, i); },
+                 [&](std::size_t i) { return mode.whirl[i]; })) {
+            const LineStyle style = whirl_style(mode.whirl[over.from]);
+            if (over.to + 1 < sprung.size() && !sprung[over.to] && shown.value(mode, over.to + 1))
+                ++over.to;
+            curves.push_back({style.name, shown.points(mode, over), style});
+            ChartCurve &line = curves.back();
+            line.marker = 0.8;
+            line.every = std::max<std::size_t>(1, result.speeds.size() / 10);
+            for (std::size_t i = over.from; i <= over.to; ++i)
+                line.texts.push_back(
+                    all ? all_of(shown.units, result, mode, i)
+                        : fmt::format("{} at {}\n{}", mode.label,
+                                      shown.units.text(Quantity::speed, result.speeds[i], 7),
+                                      readable(*shown.value(mode, i), 6)));
+        }
+    }
+}
+
+/// Names of the modes at the last speed: "1F"; with the direction in which one moves as a line:
+/// "1M, vertical".
+std::vector<ChartLabel> mode_names(const CampbellView &shown) {
+    std::vector<ChartLabel> names;
+    const std::size_t last = shown.result.speeds.size() - 1;
+    for (const CampbellMode &mode : shown.result.modes)
+        if (const auto value = shown.value(mode, last); value && !mode.whirl.empty()) {
+            const std::string plane = plane_text(entry(mode.plane, last), shown.units);
+            names.push_back({mode.label + (plane.empty() ? "" : ", " + plane),
+                             shown.point(mode, last).x, *value,
+                             whirl_style(mode.whirl.back()).colour});
+        }
+    return names;
+}
+
+/// Lines y = multiple * speed with their names.
+void add_multiples(const model::Case &scene, const Units &units, ChartPanel &panel) {
+    std::vector<double> multiples = scene.campbell.multiples;
+    if (std::ranges::find(multiples, 1.0) == multiples.end())
+        multiples.push_back(1.0);
+    const double synchronous = units.factor(Quantity::frequency) / units.factor(Quantity::speed);
+    const double start = std::max(*panel.x.low, 0.0);
+    for (const double multiple : multiples) {
+        const double slope = multiple * synchronous;
+        const double end = std::min(*panel.x.high, *panel.y.high / slope);
+        if (end <= *panel.x.low)
+            continue;
+        panel.curves.push_back(
+            {"", {{start, slope * start}, {end, slope * end}}, {"", "#777777", "(9,7)"}, 1.2});
+        panel.ends.push_back({drawn_number(multiple) + "×", end, slope * end, "#555555"});
+    }
 }
 
 /// Circles at the crossings, black where a margin counts, grey where damping is so heavy that none
-/// is needed; and from a frequency on, in its unit, their speeds at places clear of curves.
-std::string crossing_marks(const Panel &panel, const model::Case &scene,
-                           const CampbellResult &result, double named_above, bool key,
-                           Curves &drawn) {
-    LabelPlacer placer = occupied(panel, scene, result);
-    std::string script;
-    std::vector<PlotPoint> points;
-    std::vector<PlotPoint> heavy;
-    int unnamed = 0;
-    for (const auto &crossing : result.crossings) {
-        const PlotPoint at{panel.speed(crossing.speed), panel.frequency(crossing.frequency)};
-        const double x = panel.across(at.x);
-        const double y = panel.up(*at.y);
-        if (y <= 0 || y >= 1)
-            continue;
-        (crossing.damping.heavy() ? heavy : points).push_back(at);
-        if (*at.y < named_above)
-            continue;
-        const std::string text =
-            drawn_speed(panel.units, crossing.speed) + " " + panel.units.name(Quantity::speed);
-        const auto box = placer.place(x, y, (text_width(text, 10) + 8) / panel.pixels_wide,
-                                      17 / panel.pixels_high);
-        if (!box) {
-            ++unnamed;
-            continue;
+/// is needed; and from a frequency on, in its unit, their speeds.
+void add_crossings(const CampbellResult &result, const Units &units, double named_above,
+                   ChartPanel &panel) {
+    for (const bool heavy : {true, false}) {
+        const std::string colour = heavy ? heavy_colour : "#000000";
+        ChartCurve circles{heavy ? "heavily damped" : "crossing", {}, {"", colour, "1", 6}, 0, 1.7};
+        for (const Crossing &crossing : result.crossings) {
+            const double x = units(Quantity::speed, crossing.speed);
+            const double y = units(Quantity::frequency, crossing.frequency);
+            if (crossing.damping.heavy() != heavy || y <= 0 || y >= *panel.y.high)
+                continue;
+            const auto mode = static_cast<std::size_t>(crossing.mode);
+            circles.points.push_back({x, y});
+            circles.texts.push_back(fmt::format(
+                "crossing of {} with {}×\n{}",
+                mode < result.modes.size() ? result.modes[mode].label : "",
+                readable(crossing.multiple), units.text(Quantity::speed, crossing.speed, 10)));
+            if (y >= named_above)
+                panel.labels.push_back(
+                    {drawn_speed(units, crossing.speed) + " " + units.name(Quantity::speed), x, y,
+                     colour});
         }
-        const double middle = box->y + box->height / 2;
-        script += fmt::format("set label {} at graph {},{} left font ',10' textcolor '{}'\n",
-                              plot_text(text), box->x, middle,
-                              crossing.damping.heavy() ? heavy_colour : "#000000");
-        script += leader(*box, x, y);
+        if (!circles.points.empty())
+            panel.curves.push_back(std::move(circles));
     }
-    if (unnamed > 0)
-        script +=
-            fmt::format("set label '{} more crossings: see the report' at graph 0.012,0.965 left "
-                        "font ',10' textcolor '#555555'\n",
-                        unnamed);
-    const auto add = [&](const std::vector<PlotPoint> &circles, bool grey, const char *title) {
-        const bool any = std::ranges::any_of(
-            result.crossings, [grey](const auto &at) { return at.damping.heavy() == grey; });
-        drawn.add(circles,
-                  fmt::format("with points pt 6 ps 1.7 lw 1.6 lc rgb '{}'",
-                              grey ? heavy_colour : "#000000"),
-                  key && any ? title : "");
-    };
-    add(heavy, true, "'heavily damped'");
-    add(points, false, "'crossing'");
-    return script;
 }
 
-std::string axes(const Panel &panel, bool first, bool last) {
-    std::string script =
-        axes_over(panel.x, panel.y) + "set xtics nomirror\nset ytics nomirror\n" + grid;
-    const Units &units = panel.units;
-    script += last ? "set xlabel " + axis_text(units, "Spin speed", Quantity::speed) + "\n"
-                   : "unset xlabel\n";
-    // Second axes in the units of theory, where no others were asked for.
-    if (first && !units.asked(Quantity::speed))
-        script += fmt::format("set x2range [{}:{}]\nset x2tics\nset x2label {} offset 0,-0.4\n",
-                              panel.x.low / panel.speed(1), panel.x.high / panel.speed(1),
-                              axis_text({}, "Spin speed", Quantity::speed));
-    else
-        script += "unset x2tics\nunset x2label\n";
-    // Long numbers would push the name of the axis out, which is then not drawn at all.
-    const double longest = units.asked(Quantity::frequency) ? 2e4 : 1e6;
-    script += panel.y.high >= longest && !panel.damping
-                  ? "set format y '%.1s%c'\nset format y2 '%.1s%c'\n"
-                  : "set format y\nset format y2\n";
-    if (panel.damping)
-        return script + "set ytics mirror\nunset y2tics\nunset y2label\n"
-                        "set ylabel 'Logarithmic decrement'\n";
-    script += "set ylabel " + axis_text(units, "Whirl frequency", Quantity::frequency) + "\n";
-    if (units.asked(Quantity::frequency))
-        return script + "set ytics mirror\nunset y2tics\nunset y2label\n";
-    return script + fmt::format("set y2range [{}:{}]\nset y2tics\n"
-                                "set y2label 'Whirl frequency (cycles/min)'\n",
-                                30 / pi / panel.frequency(1) * panel.y.low,
-                                30 / pi / panel.frequency(1) * panel.y.high);
-}
-
-std::string draw(const Panel &panel, const model::Case &scene, const CampbellResult &result,
-                 bool first, bool last, double named_above) {
-    const double end = result.speeds.empty() ? 0 : panel.speed(result.speeds.back());
-    std::string script =
-        panel_margins(0.088, 0.088 + panel_pixels / figure_width, panel.bottom, panel.top);
-    script += operation_band(scene, panel.units, {panel.x.low, end});
-    script += axes(panel, first, last) + end_labels(panel, scene, result);
-    Curves drawn;
-    add_curves(panel, result, first, drawn);
-    if (panel.damping) {
-        // The limit of stability, as far as there are curves and not through their names.
-        script += fmt::format("set arrow from {},0 to {},0 nohead back lw 1 lc rgb '#555555'\n",
-                              panel.x.low, end > panel.x.low ? end : panel.x.high);
-    } else {
-        script += multiple_lines(panel, scene, end) +
-                  crossing_marks(panel, scene, result, named_above, first, drawn);
-    }
-    const double pixel = (panel.top - panel.bottom) / panel.pixels_high;
-    script += first
-                  ? fmt::format("set key at screen 0.49,{} center center horizontal samplen 4\n",
-                                panel.top + (panel.units.asked(Quantity::speed) ? 40 : 84) * pixel)
-                  : "unset key\n";
-    if (first)
-        drawn.add(operation_key(scene, panel.units, {panel.x.low, end}));
-    return script + drawn.script() + "unset label\nunset arrow\nunset object\n";
-}
-
-/// The panels this result needs, from top to bottom, without their places in the figure.
-std::vector<Panel> panels_of(const CampbellResult &result, const Units &units) {
-    double highest = 0;
+/// Ends of the panels of frequencies: all of them, and where what happens at the spin speed is low
+/// down, or all crossings are, that part alone.
+std::vector<double> tops_of(const CampbellResult &result, const Units &units) {
+    const double highest = units(Quantity::frequency, highest_of(result));
+    std::vector<double> tops{highest > 0 ? 1.05 * highest : 1};
     double lowest = HUGE_VAL;
-    double largest_decrement = 0;
-    double smallest_decrement = 0;
-    for (const CampbellMode &mode : result.modes) {
+    for (const CampbellMode &mode : result.modes)
         for (const auto &frequency : mode.frequency)
-            if (const double here = units(Quantity::frequency, frequency.value_or(0)); frequency) {
-                highest = std::max(highest, here);
-                lowest = std::min(lowest, here);
-            }
-        for (const auto &decrement : mode.log_dec) {
-            largest_decrement = std::max(largest_decrement, decrement.value_or(0));
-            smallest_decrement = std::min(smallest_decrement, decrement.value_or(0));
-        }
-    }
-    Range x = speed_range(units, result.speeds);
-    x.high += label_strip(units, result) * (x.high - x.low);
-    std::vector<Panel> panels{{units, false, x, {0, highest > 0 ? 1.05 * highest : 1}}};
-    // Where what happens at the spin speed is low down, or all crossings are, that part alone.
+            lowest = std::min(lowest, frequency ? units(Quantity::frequency, *frequency) : lowest);
     double reach = result.speeds.empty() ? 0 : units(Quantity::frequency, result.speeds.back());
     double crossed = 0;
-    for (const auto &crossing : result.crossings)
+    for (const Crossing &crossing : result.crossings)
         crossed = std::max(crossed, units(Quantity::frequency, crossing.frequency));
     if (crossed > 0 && crossed < 0.3 * reach)
         reach = 1.5 * crossed;
     if (reach > 0 && reach < 0.22 * highest && lowest < 1.35 * reach)
-        panels.push_back({units, false, x, {0, 1.35 * reach}});
-    if (largest_decrement > 1e-9 || smallest_decrement < -1e-9) {
-        const double top = 1.08 * std::min(largest_decrement, log_dec_limit);
-        const double bottom = 1.35 * std::max(smallest_decrement, -log_dec_limit);
-        panels.push_back({units, true, x, {std::min(bottom, -0.04 * top), std::max(top, 0.02)}});
-    }
-    return panels;
+        tops.push_back(1.35 * reach);
+    return tops;
+}
+
+/// Logarithmic decrements of a damped rotor, with the limit of stability.
+std::optional<ChartPanel> damping_panel(const CampbellView &shown, const ChartAxis &x) {
+    double largest = 0;
+    double smallest = 0;
+    for (const CampbellMode &mode : shown.result.modes)
+        for (const auto &decrement : mode.log_dec) {
+            largest = std::max(largest, decrement.value_or(0));
+            smallest = std::min(smallest, decrement.value_or(0));
+        }
+    if (largest <= 1e-9 && smallest >= -1e-9)
+        return std::nullopt;
+    const double top = 1.08 * std::min(largest, log_dec_limit);
+    const double bottom = 1.35 * std::max(smallest, -log_dec_limit);
+    ChartPanel panel{270, x, {.title = "Logarithmic decrement"}, {}};
+    panel.y.low = std::min(bottom, -0.04 * top);
+    panel.y.high = std::max(top, 0.02);
+    panel.curves.push_back({"", {{*x.low, 0}, {*x.high, 0}}, {"", "#555555", "1"}, 1});
+    add_growth(shown, panel.curves);
+    add_modes(shown, false, panel.curves);
+    panel.ends = mode_names(shown);
+    return panel;
 }
 
 } // namespace
@@ -356,35 +356,41 @@ bool grows(const CampbellMode &mode, std::size_t index) {
     return *real > std::max(1e-9, doubt) * modulus;
 }
 
-Figure campbell_figure(const model::Case &scene, const CampbellResult &result, const Units &units) {
-    std::vector<Panel> panels = panels_of(result, units);
-    // Two rows of the key, and a second axis of the speed.
-    const double head = units.asked(Quantity::speed) ? 128 : 172;
-    const double foot = 62;
-    const double gap = 34;
-    const double first = 500;
-    const double other = 270;
-    const int height = static_cast<int>(head + first + foot +
-                                        (static_cast<double>(panels.size()) - 1) * (other + gap));
-    double top = height - head;
-    for (Panel &panel : panels) {
-        panel.pixels_high = &panel == &panels.front() ? first : other;
-        panel.pixels_wide = panel_pixels;
-        panel.top = top / height;
-        panel.bottom = (top - panel.pixels_high) / height;
-        top -= panel.pixels_high + gap;
+Chart campbell_chart(const model::Case &scene, const CampbellResult &result, const Units &units) {
+    const CampbellView shown{result, units, false};
+    const Range speeds = speed_range(units, result.speeds);
+    ChartAxis x = chart_axis(units, "Spin speed", Quantity::speed);
+    x.low = speeds.low;
+    x.high = speeds.high;
+    ChartAxis y = chart_axis(units, "Whirl frequency", Quantity::frequency);
+    y.low = 0;
+    if (!units.asked(Quantity::frequency))
+        y.second = {"Whirl frequency (cycles/min)", 30 / pi / units.factor(Quantity::frequency)};
+    Chart chart{"Campbell diagram: " + title_of(scene),
+                fmt::format("{} form, shaft order {}, {} elements, {} unknowns",
+                            results::form_name(result.model.formulation.form), result.model.order,
+                            result.model.elements, result.model.unknowns),
+                {}};
+    const std::vector<double> tops = tops_of(result, units);
+    for (const double top : tops) {
+        const bool first = chart.panels.empty();
+        ChartPanel panel{first ? 500 : 270, x, y, {}};
+        panel.y.high = top;
+        if (first && !units.asked(Quantity::speed)) // in the units of theory
+            panel.x.second = {Units().label("Spin speed", Quantity::speed),
+                              1 / units.factor(Quantity::speed)};
+        add_growth(shown, panel.curves);
+        add_other_frequencies(shown, panel.curves);
+        add_modes(shown, first, panel.curves);
+        panel.ends = mode_names(shown);
+        add_multiples(scene, units, panel);
+        // Crossings that the low panel shows larger get their names there.
+        add_crossings(result, units, first && tops.size() > 1 ? tops.back() : 0, panel);
+        chart.panels.push_back(std::move(panel));
     }
-    // Crossings that the low panel shows larger get their names there.
-    const bool low = panels.size() > 1 && !panels[1].damping;
-    std::string script;
-    for (const Panel &panel : panels)
-        script += draw(panel, scene, result, &panel == &panels.front(), &panel == &panels.back(),
-                       low && &panel == &panels.front() ? panels[1].y.high : 0);
-    return figure_of(figure_width, height, "Campbell diagram: " + title_of(scene),
-                     fmt::format("{} form, shaft order {}, {} elements, {} unknowns",
-                                 results::form_name(result.model.formulation.form),
-                                 result.model.order, result.model.elements, result.model.unknowns),
-                     script);
+    if (auto damping = damping_panel({result, units, true}, x))
+        chart.panels.push_back(std::move(*damping));
+    return chart;
 }
 
 } // namespace whirl::report

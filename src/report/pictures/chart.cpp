@@ -2,6 +2,7 @@
 
 #include "report/common/json.h"
 #include "report/common/text_width.h"
+#include "report/common/words.h"
 #include "report/pictures/labels.h"
 #include "report/pictures/operation.h"
 
@@ -56,25 +57,53 @@ std::string ticks_of(const ChartAxis &axis, char name) {
     return ticks.empty() ? "autofreq" : "(" + ticks + ")";
 }
 
+/// `set xtics` with names at places: percent signs are formats of numbers there, so they are
+/// doubled, and the word that ends a plot_text holds for all together.
+std::string named_ticks(const ChartAxis &axis) {
+    return "(" +
+           joined(axis.names, ", ",
+                  [](const auto &name) {
+                      std::string doubled;
+                      for (const char letter : name.second)
+                          doubled += letter == '%' ? std::string("%%") : std::string(1, letter);
+                      const std::string text = plot_text(doubled);
+                      return fmt::format("{} {:.9g}", text.substr(0, text.rfind(' ')), name.first);
+                  }) +
+           ") noenhanced";
+}
+
+std::string second_axis(const ChartAxis &axis, char name) {
+    if (!axis.second)
+        return fmt::format("set {0}tics mirror\nunset {0}2tics\nunset {0}2label\n", name);
+    return fmt::format("set {0}tics nomirror\nset {0}2range [{1}:{2}]\nset {0}2tics\n"
+                       "set {0}2label {3}{4}\n",
+                       name, *axis.low * axis.second->factor, *axis.high * axis.second->factor,
+                       plot_text(axis.second->title), name == 'x' ? " offset 0,-0.4" : "");
+}
+
 std::string axis_commands(const ChartAxis &axis, char name, bool empty) {
     const auto end = [empty](const std::optional<double> &at, double otherwise) {
         return at      ? fmt::format("{}", *at) // in full: a curve may end there
                : empty ? fmt::format("{}", otherwise)
                        : std::string("*");
     };
-    return fmt::format("{0} logscale {1}\nset format {1} '{2}'\nset {1}range [{3}:{4}]\n"
-                       "set {1}tics {5}\n",
-                       axis.logarithmic ? "set" : "unset", name,
-                       axis.logarithmic && (name == 'y' || axis.high.value_or(0) > 1e4) ? "10^{%L}"
-                                                                                        : "%g",
-                       end(axis.low, axis.logarithmic ? 1 : 0),
-                       end(axis.high, axis.logarithmic ? 10 : 1), ticks_of(axis, name)) +
+    return fmt::format(
+               "{0} logscale {1}\nset format {1} '{2}'\nset {1}range [{3}:{4}]\n"
+               "set {1}tics {5}\n",
+               axis.logarithmic ? "set" : "unset", name,
+               axis.logarithmic && (name == 'y' || axis.high.value_or(0) > 1e4) ? "10^{%L}" : "%g",
+               end(axis.low, axis.logarithmic ? 1 : 0), end(axis.high, axis.logarithmic ? 10 : 1),
+               axis.names.empty() ? "enhanced " + ticks_of(axis, name) : named_ticks(axis)) +
+           second_axis(axis, name) +
            (axis.title.empty() ? fmt::format("unset {}label\n", name)
                                : fmt::format("set {}label {}\n", name, plot_text(axis.title)));
 }
 
 std::string chart_look(const ChartCurve &curve) {
     const LineStyle &style = curve.style;
+    if (curve.filled)
+        return fmt::format("with filledcurves closed fs solid 1 noborder fc rgb '{}'",
+                           style.colour);
     std::string look =
         fmt::format("with {}{} lc rgb '{}'", curve.width > 0 ? "lines" : "",
                     curve.marker > 0 || curve.width <= 0 ? "points" : "", style.colour);
@@ -87,57 +116,278 @@ std::string chart_look(const ChartCurve &curve) {
     return look;
 }
 
-Json chart_axis_json(const ChartAxis &axis) {
-    return {{"title", axis.title}, {"unit", axis.unit}, {"spin_speed", axis.spin_speed},
-            {"low", axis.low},     {"high", axis.high}, {"logarithmic", axis.logarithmic},
-            {"step", axis.step}};
-}
-
-/// Where values lie in a panel, in parts of it.
-struct Across {
+/// A panel with the ends of its axes, and where it lies in the figure.
+struct LaidOut {
+    const ChartPanel &panel;
     Range x, y;
-    bool logarithmic;
-    [[nodiscard]] double along(double value) const { return (value - x.low) / (x.high - x.low); }
-    [[nodiscard]] double up(double value) const {
-        return logarithmic ? std::log(value / y.low) / std::log(y.high / y.low)
-                           : (value - y.low) / (y.high - y.low);
+    double left, right; ///< pixels
+    int top;
+    [[nodiscard]] double wide() const { return right - left; }
+    [[nodiscard]] double high() const { return panel.height; }
+    [[nodiscard]] double along(double value) const { return part(value, x, panel.x.logarithmic); }
+    [[nodiscard]] double up(double value) const { return part(value, y, panel.y.logarithmic); }
+
+  private:
+    static double part(double value, const Range &of, bool logarithmic) {
+        return logarithmic ? std::log(value / of.low) / std::log(of.high / of.low)
+                           : (value - of.low) / (of.high - of.low);
     }
 };
 
-/// Labels beside their points, off the curves, with a line where they stand far from them; those
-/// without room are counted.
-std::string labels_of(const ChartPanel &panel, const Across &at, double pixels_wide) {
-    constexpr double size = 10;  // of the letters, pixels
-    constexpr double around = 6; // of a point of a curve, pixels
-    constexpr double far = 18;   // from a point another's label could stand, pixels
-    const double high = panel.height;
+/// Of the panels, pixels: more where two share a row.
+double panels_wide(const Chart &chart) {
+    return std::ranges::any_of(chart.panels, &ChartPanel::beside) ? 900 : 752;
+}
+
+constexpr double end_size = 11; // of the letters of names at the ends of curves, pixels
+constexpr double end_gap = 16;  // from the curves to these, pixels
+
+/// Whether a panel shares its row.
+bool halved(const Chart &chart, std::size_t i) {
+    return chart.panels[i].beside || (i + 1 < chart.panels.size() && chart.panels[i + 1].beside);
+}
+
+/// With the axes x so long that the names at the ends of curves have room. Above a row with the
+/// same axis x it has no name.
+Chart prepared(Chart chart) {
+    std::vector<ChartPanel> &panels = chart.panels;
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        std::size_t below = i + 1;
+        while (below < panels.size() && panels[below].beside)
+            ++below;
+        if (below < panels.size() && panels[below].x.title == panels[i].x.title &&
+            halved(chart, below) == halved(chart, i))
+            panels[i].x.title.clear();
+    }
+    double widest = 0;
+    for (const ChartPanel &panel : chart.panels)
+        for (const ChartLabel &end : panel.ends)
+            widest = std::max(widest, text_width(end.text, end_size));
+    const double strip = end_gap + widest + 8;
+    const double share = strip / (panels_wide(chart) - strip);
+    for (ChartPanel &panel : chart.panels) {
+        if (panel.ends.empty())
+            continue;
+        const Range all = needed_by(panel.curves, true);
+        const double low = panel.x.low.value_or(all.low);
+        const double high = panel.x.high.value_or(all.high);
+        panel.x.low = low;
+        panel.x.high =
+            panel.x.logarithmic ? high * std::pow(high / low, share) : high + share * (high - low);
+    }
+    return chart;
+}
+
+/// Panels from above; one beside another shares its row.
+/// @param left  where they begin, pixels
+std::vector<LaidOut> laid_out(const Chart &chart, double left) {
+    constexpr double between = 60; // panels beside each other, pixels
+    constexpr int second_title = 44;
+    std::vector<LaidOut> out;
+    int top = chart_head;
+    if (!chart.panels.empty() && chart.panels.front().x.second)
+        top += second_title;
+    for (std::size_t i = 0; i < chart.panels.size(); ++i) {
+        const ChartPanel &panel = chart.panels[i];
+        const double half = (panels_wide(chart) - between) / 2;
+        const double from = panel.beside ? left + half + between : left;
+        const auto range = [&panel](const ChartAxis &axis, bool along_x) {
+            const Range all = needed_by(panel.curves, along_x);
+            return Range{axis.low.value_or(all.low), axis.high.value_or(all.high)};
+        };
+        if (panel.beside) // in the row of the one before
+            top = out.back().top;
+        else
+            top += panel.title.empty() ? 0 : chart_above_title;
+        out.push_back({panel, range(panel.x, true), range(panel.y, false), from,
+                       from + (halved(chart, i) ? half : panels_wide(chart)), top});
+        top += panel.height + (panel.x.title.empty() ? chart_below_numbers : chart_below_name);
+    }
+    return out;
+}
+
+/// Keeps labels off the curves, their points and the names at their ends.
+LabelPlacer occupied(const LaidOut &at) {
+    constexpr double around = 6; // of a curve, pixels
+    constexpr double most = 200; // places of a straight piece
     LabelPlacer placer;
-    for (const ChartCurve &curve : panel.curves)
-        for (const PlotPoint &point : curve.points)
-            if (point.y && !curve.on_page && curve.width > 0 && (*point.y > 0 || !at.logarithmic))
-                placer.block({at.along(point.x) - around / 2 / pixels_wide,
-                              at.up(*point.y) - around / 2 / high, around / pixels_wide,
-                              around / high});
-    std::string script;
-    int unnamed = 0;
-    for (const ChartLabel &label : panel.labels) {
+    const auto block = [&](double x, double y, double pixels) {
+        const double width = pixels / at.wide();
+        const double height = pixels / at.high();
+        if (x >= 0 && x <= 1 && y >= 0 && y <= 1)
+            placer.block({x - width / 2, y - height / 2, width, height});
+    };
+    for (const ChartCurve &curve : at.panel.curves) {
+        if (curve.filled) { // all of what it goes around
+            const Range x = needed_by({curve}, true);
+            const Range y = needed_by({curve}, false);
+            placer.block({at.along(x.low), at.up(y.low), at.along(x.high) - at.along(x.low),
+                          at.up(y.high) - at.up(y.low)});
+            continue;
+        }
+        std::optional<std::pair<double, double>> before;
+        for (const PlotPoint &point : curve.points) {
+            if (curve.on_page || !point.y || !std::isfinite(at.up(*point.y))) {
+                before.reset();
+                continue;
+            }
+            const std::pair here{at.along(point.x), at.up(*point.y)};
+            const auto [x, y] = before && curve.width > 0 ? *before : here;
+            const double pixels =
+                std::hypot((here.first - x) * at.wide(), (here.second - y) * at.high());
+            const int steps = static_cast<int>(std::clamp(std::ceil(pixels / around), 1., most));
+            for (int k = 1; k <= steps; ++k)
+                block(x + (here.first - x) * k / steps, y + (here.second - y) * k / steps,
+                      k == steps ? std::max(around, 8 * curve.marker) : around);
+            before = here;
+        }
+    }
+    for (const ChartLabel &end : at.panel.ends)
+        placer.block({at.along(end.x), 0, 1, 1});
+    return placer;
+}
+
+/// A label where there is room for it, in parts of the panel.
+struct PlacedLabel {
+    const ChartLabel &label;
+    LabelPlacer::Box box;
+    double x, y; ///< of its point
+    /// From where another's label could stand.
+    [[nodiscard]] bool far(const LaidOut &at) const {
+        constexpr double pixels = 18;
+        return std::hypot((nearest_x() - x) * at.wide(), (nearest_y() - y) * at.high()) >= pixels;
+    }
+    [[nodiscard]] double nearest_x() const { return std::clamp(x, box.x, box.x + box.width); }
+    [[nodiscard]] double nearest_y() const { return std::clamp(y, box.y, box.y + box.height); }
+    [[nodiscard]] double middle() const { return box.y + box.height / 2; }
+};
+
+constexpr double label_size = 10; // of the letters, pixels
+
+/// Labels beside their points, off the curves, as far as there is room.
+std::vector<PlacedLabel> placed_labels(const LaidOut &at) {
+    std::vector<PlacedLabel> placed;
+    if (at.panel.labels.empty())
+        return placed;
+    LabelPlacer placer = occupied(at);
+    for (const ChartLabel &label : at.panel.labels) {
         const double x = at.along(label.x);
         const double y = at.up(label.y);
-        const auto box =
-            placer.place(x, y, (text_width(label.text, size) + 8) / pixels_wide, 15 / high);
-        unnamed += box ? 0 : 1;
+        const auto box = placer.place(x, y, (text_width(label.text, label_size) + 8) / at.wide(),
+                                      15 / at.high());
         if (!box)
             continue;
-        script += fmt::format("set label {} at graph {},{} left font ',{}'\n",
-                              plot_text(label.text), box->x, box->y + box->height / 2, size);
-        const double to_x = std::clamp(x, box->x, box->x + box->width);
-        const double to_y = std::clamp(y, box->y, box->y + box->height);
-        if (std::hypot((to_x - x) * pixels_wide, (to_y - y) * high) >= far)
+        placed.push_back({label, *box, x, y});
+    }
+    return placed;
+}
+
+/// Labels with a line to their points where they stand far from them; those without room are
+/// counted.
+std::string labels_of(const LaidOut &at) {
+    const std::vector<PlacedLabel> placed = placed_labels(at);
+    std::string script;
+    for (const PlacedLabel &one : placed) {
+        script += fmt::format("set label {} at graph {},{} left font ',{}' textcolor '{}' front\n",
+                              plot_text(one.label.text), one.box.x, one.middle(), label_size,
+                              one.label.colour);
+        if (one.far(at))
             script += fmt::format("set arrow from graph {},{} to graph {},{} nohead lw 0.6 lc rgb "
                                   "'#999999'\n",
-                                  x, y, to_x, to_y);
+                                  one.x, one.y, one.nearest_x(), one.nearest_y());
     }
-    return script + left_out(unnamed, "peak", "0.01,0.04");
+    return script +
+           left_out(static_cast<int>(at.panel.labels.size() - placed.size()), "mark", "0.01,0.04");
+}
+
+/// A name at the end of a curve.
+struct PlacedEnd {
+    const ChartLabel &end;
+    double y, place; ///< of the curve and of its name, parts of the panel
+    bool top;        ///< the curve leaves there
+};
+
+std::vector<PlacedEnd> placed_ends(const LaidOut &at) {
+    std::vector<PlacedEnd> ends;
+    std::vector<double> wanted;
+    for (const ChartLabel &end : at.panel.ends) {
+        const double up = at.up(end.y);
+        constexpr double border =
+            1 - 1e-9; // of the panel: a curve is cut there by the same numbers
+        if (up < 0 || up > 2 - border)
+            continue;
+        ends.push_back({end, up, up, up > border});
+        if (!ends.back().top)
+            wanted.push_back(up);
+    }
+    const double border = 8 / at.high(); // half of a letter
+    // As far apart as the letters are high, or closer where they are too many.
+    const double gap = std::min(
+        15 / at.high(), (1 - 2 * border) / std::max(1.0, static_cast<double>(wanted.size()) - 1));
+    const std::vector<double> places = spread(wanted, gap, {border, 1 - border});
+    std::size_t next = 0;
+    for (PlacedEnd &end : ends)
+        if (!end.top)
+            end.place = places[next++];
+    return ends;
+}
+
+std::string ends_of(const LaidOut &at) {
+    std::string script;
+    for (const PlacedEnd &one : placed_ends(at)) {
+        const double x = at.along(one.end.x);
+        const double gap = end_gap / at.wide();
+        script += fmt::format("set label {} at graph {},{} {} font ',{}' textcolor '{}'\n",
+                              plot_text(one.end.text), one.top ? x - gap : x + gap,
+                              one.top ? 0.975 : one.place, one.top ? "right" : "left", end_size,
+                              one.end.colour);
+        if (!one.top && std::abs(one.place - one.y) * at.high() > 5) // it had to give way
+            script += fmt::format("set arrow from graph {},{} to graph {},{} nohead lw 0.6 lc rgb "
+                                  "'{}'\n",
+                                  x + 0.001, one.y, x + gap - 0.002, one.place, one.end.colour);
+    }
+    return script;
+}
+
+Json chart_axis_json(const ChartAxis &axis) {
+    return {{"title", axis.title}, {"unit", axis.unit},  {"spin_speed", axis.spin_speed},
+            {"low", axis.low},     {"high", axis.high},  {"logarithmic", axis.logarithmic},
+            {"step", axis.step},   {"names", axis.names}};
+}
+
+Json chart_curve_json(const ChartCurve &curve) {
+    return {{"name", curve.name},           {"points", curve.points},
+            {"colour", curve.style.colour}, {"dash", curve.style.dash},
+            {"point", curve.style.point},   {"width", curve.width},
+            {"marker", curve.marker},       {"every", curve.every},
+            {"texts", curve.texts},         {"filled", curve.filled}};
+}
+
+Json chart_panel_json(const LaidOut &at) {
+    const ChartPanel &panel = at.panel;
+    return {{"title", panel.title},
+            {"height", panel.height},
+            {"x", chart_axis_json(panel.x)},
+            {"y", chart_axis_json(panel.y)},
+            {"curves", json_list(panel.curves, chart_curve_json)},
+            {"labels", json_list(placed_labels(at),
+                                 [&](const PlacedLabel &one) {
+                                     return Json{{"text", one.label.text},
+                                                 {"x", one.label.x},
+                                                 {"y", one.label.y},
+                                                 {"colour", one.label.colour},
+                                                 {"right", (one.box.x - one.x) * at.wide()},
+                                                 {"up", (one.middle() - one.y) * at.high()},
+                                                 {"far", one.far(at)}};
+                                 })},
+            {"ends", json_list(placed_ends(at), [&](const PlacedEnd &one) {
+                 return Json{{"text", one.end.text},
+                             {"x", one.end.x},
+                             {"y", one.end.y},
+                             {"colour", one.end.colour},
+                             {"up", (one.place - one.y) * at.high()},
+                             {"top", one.top}};
+             })}};
 }
 
 } // namespace
@@ -183,38 +433,45 @@ void span_decades(ChartAxis &axis, const std::vector<ChartCurve> &curves, double
     axis.high = largest > 0.5 * power ? 2 * power : power; // room for what stands above a peak
 }
 
-Figure chart_figure(const Chart &chart, const model::Case &scene, const Units &units) {
+Figure chart_figure(const Chart &described, const model::Case &scene, const Units &units) {
+    constexpr double beside_second = 95; // room of a second axis, pixels
+    const Chart chart = prepared(described);
     std::vector<std::string> names{"operating speeds"};
-    int height = chart_head;
+    double left = legended_left;
+    double gap = 15; // from the panels to the legend
     for (const ChartPanel &panel : chart.panels) {
-        height += (panel.title.empty() ? 0 : chart_above_title) + panel.height +
-                  (panel.x.title.empty() ? chart_below_numbers : chart_below_name);
         for (const ChartCurve &curve : panel.curves)
             if (!curve.on_page)
                 names.push_back(curve.name);
+        for (const auto &[at, name] : panel.y.names)
+            left = std::max(left, text_width(name, picture_font) + 20);
+        gap = panel.y.second ? 15 + beside_second : gap;
     }
-    const LegendedFigure room = beside_legend(864, 1080, height, names);
+    const std::vector<LaidOut> panels = laid_out(chart, left);
+    int height = chart_head;
+    for (const LaidOut &at : panels)
+        height = at.top + at.panel.height +
+                 (at.panel.x.title.empty() ? chart_below_numbers : chart_below_name);
+    const LegendedFigure room =
+        beside_legend(left + panels_wide(chart) + gap - 15, 1080, height, names);
     std::string script = grid;
     std::set<std::string> keyed{""}; // names in the legend, each once
-    int top = chart_head;
-    for (const ChartPanel &panel : chart.panels) {
-        top += panel.title.empty() ? 0 : chart_above_title;
+    for (const LaidOut &at : panels) {
+        const ChartPanel &panel = at.panel;
         Curves drawn;
         for (const ChartCurve &curve : panel.curves)
             if (!curve.on_page)
                 drawn.add(curve.points, chart_look(curve),
                           keyed.insert(curve.name).second ? plot_text(curve.name) : "");
-        const auto range = [&](const ChartAxis &axis, bool along_x) {
-            const Range all = needed_by(panel.curves, along_x);
-            return Range{axis.low.value_or(all.low), axis.high.value_or(all.high)};
-        };
-        const Across at{range(panel.x, true), range(panel.y, false), panel.y.logarithmic};
-        script +=
-            room.panel(top, top + panel.height) +
-            axis_commands(panel.x, 'x', draws_nothing(panel)) +
-            axis_commands(panel.y, 'y', draws_nothing(panel)) + legend_beside +
-            (panel.title.empty() ? "unset title\n"
-                                 : "set title " + plot_text(panel.title) + " offset 0,-0.6\n");
+        script += panel_margins(at.left / room.width, at.right / room.width,
+                                1 - (at.top + at.high()) / height, 1 - double(at.top) / height) +
+                  axis_commands(panel.x, 'x', draws_nothing(panel)) +
+                  axis_commands(panel.y, 'y', draws_nothing(panel)) +
+                  fmt::format("set key at graph {},1 left top reverse Left vertical samplen 3\n",
+                              (left + panels_wide(chart) + gap - at.left) / at.wide()) +
+                  (panel.title.empty() ? "unset title\n"
+                                       : fmt::format("set title {} font ',12' offset 0,-0.4\n",
+                                                     plot_text(panel.title)));
         for (const bool along_x : {true, false})
             if ((along_x ? panel.x : panel.y).spin_speed) {
                 const Range &speeds = along_x ? at.x : at.y;
@@ -223,9 +480,8 @@ Figure chart_figure(const Chart &chart, const model::Case &scene, const Units &u
                 if (keyed.insert("operating speeds").second)
                     drawn.add(operation_key(scene, units, speeds));
             }
-        script += labels_of(panel, at, (room.right - room.left) * room.width) + drawn.script() +
+        script += labels_of(at) + ends_of(at) + drawn.script() +
                   "unset object\nunset arrow\nunset label\n";
-        top += panel.height + (panel.x.title.empty() ? chart_below_numbers : chart_below_name);
     }
     if (chart.panels.empty())
         script += "set xrange [0:1]\nset yrange [0:1]\nset label 'nothing to draw' at graph "
@@ -233,31 +489,10 @@ Figure chart_figure(const Chart &chart, const model::Case &scene, const Units &u
     return figure_of(room.width, height, chart.title, chart.subtitle, script);
 }
 
-Json chart_json(const Chart &chart) {
-    Json panels = Json::array();
-    for (const ChartPanel &panel : chart.panels) {
-        Json curves = Json::array();
-        for (const ChartCurve &curve : panel.curves)
-            curves.push_back({{"name", curve.name},
-                              {"points", curve.points},
-                              {"colour", curve.style.colour},
-                              {"dash", curve.style.dash},
-                              {"point", curve.style.point},
-                              {"width", curve.width},
-                              {"marker", curve.marker},
-                              {"every", curve.every},
-                              {"texts", curve.texts}});
-        Json labels = Json::array();
-        for (const ChartLabel &label : panel.labels)
-            labels.push_back({{"text", label.text}, {"x", label.x}, {"y", label.y}});
-        panels.push_back({{"title", panel.title},
-                          {"height", panel.height},
-                          {"x", chart_axis_json(panel.x)},
-                          {"y", chart_axis_json(panel.y)},
-                          {"curves", curves},
-                          {"labels", labels}});
-    }
-    return {{"panels", panels}};
+Json chart_json(const Chart &described) {
+    const Chart chart = prepared(described);
+    return {{"apart", chart.apart},
+            {"panels", json_list(laid_out(chart, legended_left), chart_panel_json)}};
 }
 
 } // namespace whirl::report

@@ -46,8 +46,8 @@ namespace whirl::report {
 /// Campbell diagram: whirl frequencies over spin speed, with the lines of the multiples and their
 /// crossings; a second panel for the low range where the spin line would lie at the bottom, and one
 /// for the logarithmic decrements of a damped rotor.
-[[nodiscard]] Figure campbell_figure(const model::Case &scene,
-                                     const results::CampbellResult &result, const Units &units);
+[[nodiscard]] Chart campbell_chart(const model::Case &scene, const results::CampbellResult &result,
+                                   const Units &units);
 
 /// Whether the mode grows at the index-th speed by more than its own error estimate.
 [[nodiscard]] bool grows(const results::CampbellMode &mode, std::size_t index);
@@ -94,8 +94,12 @@ struct ModeCurves {
 [[nodiscard]] ModeCurves mode_curves(const results::ModeShape &mode);
 
 /// One panel a mode: the orbits' envelope, the x and y curves and the rotor's outline.
-[[nodiscard]] Figure modes_figure(const model::Case &scene, const results::ModesResult &result,
-                                  const Units &units);
+[[nodiscard]] Chart modes_chart(const model::Case &scene, const results::ModesResult &result,
+                                const Units &units);
+/// "1F · 13.97 Hz · forward", with the damping ratio where there is damping; at critical speeds
+/// these for the frequencies.
+[[nodiscard]] std::vector<std::string> mode_headings(const std::vector<results::ModeShape> &modes,
+                                                     const Units &units, bool critical);
 
 /// Growth over speed with the unstable bands shaded, critical and additional speeds marked, and
 /// the intervals over the arrangements of the balls as bars; with a map its picture below.
@@ -105,8 +109,8 @@ struct ModeCurves {
 /// Critical speeds over the stiffness of the supports, both logarithmic, with the stiffness of the
 /// bearings over speed and its crossings; below, the deflections of the forward motions at the soft
 /// and the stiff end.
-[[nodiscard]] Figure critical_map_figure(const model::Case &scene, const results::CriticalMap &map,
-                                         const Units &units);
+[[nodiscard]] Chart critical_map_chart(const model::Case &scene, const results::CriticalMap &map,
+                                       const Units &units);
 
 /// Logarithmic decrement over added cross coupling, its root and what is anticipated marked.
 [[nodiscard]] Figure level1_figure(const model::Case &scene, const results::Level1 &level1,
@@ -142,8 +146,8 @@ struct ModeCurves {
 /// Bands over spin speed for each plane and for all together, flexible above rigid, and below them
 /// the eigenvalues of the joint form, coloured by their sign, on an axis that is logarithmic away
 /// from zero.
-[[nodiscard]] Figure balance_figure(const model::Case &scene, const results::BalanceResult &result,
-                                    const Units &units);
+[[nodiscard]] Chart balance_chart(const model::Case &scene, const results::BalanceResult &result,
+                                  const Units &units);
 
 /// What stays over spin speed, a panel a probe (without any: a bearing or plane): with nothing, the
 /// best weights, the balancers and both; below, what the planes need over what they can supply.

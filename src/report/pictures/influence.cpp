@@ -60,7 +60,6 @@ Chart influence_chart(const model::Case &scene, const WeightsResult &result, con
                              {},
                              "Unit weight in " + plane};
         ChartPanel phase{120, amplitude.x, chart_axis(units, "Phase", Quantity::angle), {}};
-        amplitude.x.title.clear();
         phase.y.low = -190;
         phase.y.high = 190;
         phase.y.step = 90;

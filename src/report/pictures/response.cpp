@@ -98,14 +98,6 @@ ChartPanel phase_panel(const Units &units, const ChartAxis &x, const std::string
     return {240, x, y, std::move(curves)};
 }
 
-/// The name of the lowest axis stands for all.
-Chart stacked(const std::string &title, const std::string &subtitle,
-              std::vector<ChartPanel> panels) {
-    for (std::size_t i = 0; i + 1 < panels.size(); ++i)
-        panels[i].x.title.clear();
-    return {title, subtitle, std::move(panels)};
-}
-
 ChartAxis along_speeds(const Units &units, const std::vector<double> &speeds) {
     ChartAxis axis = chart_axis(units, "Spin speed", Quantity::speed);
     const Range range = speed_range(units, speeds);
@@ -160,7 +152,9 @@ void add_peaks(const Units &units, const HarmonicMotion &result, ChartPanel &pan
         const double speed = units(Quantity::speed, peak->speed);
         tops.points.push_back({speed, value});
         panel.labels.push_back({peak_text(units, *peak, result.resonances), speed, value});
-        tops.texts.push_back(peak->mode);
+        tops.texts.push_back((peak->mode.empty() ? "" : peak->mode + "\n") +
+                             peak_text(units, *peak, result.resonances) + "\n" +
+                             units.text(Quantity::amplitude, peak->value));
         for (const std::optional<double> &half : {peak->lower, peak->upper}) {
             const double x = units(Quantity::speed, half.value_or(NAN));
             if (peak->amplification && x >= *panel.x.low && x <= *panel.x.high)
@@ -223,7 +217,7 @@ Chart motion_chart(const model::Case &scene, const std::vector<double> &speeds,
     if (nodes.size() < result.nodes.size())
         subtitle += (subtitle.empty() ? "" : "; ") +
                     fmt::format("{} stations drawn of {}", nodes.size(), result.nodes.size());
-    return stacked(heading + title_of(scene), subtitle, std::move(panels));
+    return {heading + title_of(scene), subtitle, std::move(panels)};
 }
 
 } // namespace
@@ -294,10 +288,10 @@ Chart receptance_chart(const model::Case &scene, const results::ReceptanceRespon
         phase_panel(units, x, "Phase", std::move(phase))};
     if (!tops.empty())
         panels.front().curves.push_back(mark_curve("peaks", tops, 6, 1.4));
-    return stacked("Receptance: " + title_of(scene),
-                   "deflection over force, directions of the deflection and of the force; at " +
-                       units.text(Quantity::speed, response.speed),
-                   std::move(panels));
+    return {"Receptance: " + title_of(scene),
+            "deflection over force, directions of the deflection and of the force; at " +
+                units.text(Quantity::speed, response.speed),
+            std::move(panels)};
 }
 
 Chart gravity_chart(const model::Case &scene, const ResponseResult &result, const Units &units) {
@@ -333,16 +327,16 @@ Chart gravity_chart(const model::Case &scene, const ResponseResult &result, cons
     });
     // A shaft that is equally stiff in all directions stands still in its sag.
     if (!moves)
-        return stacked("Sag under the weight: " + title_of(scene), subtitle, {sag});
-    return stacked(
-        "Motion under the weight: " + title_of(scene), subtitle,
-        {logarithmic_panel(355, x,
-                           chart_axis(units, "Circle at twice the spin speed", Quantity::amplitude),
-                           std::move(circle)),
-         sag,
-         logarithmic_panel(245, x, chart_axis(units, "Bearing force at 2x", Quantity::force),
-                           forces_of(units, of.bearings, &results::GravityBearing::twice, of.curves,
-                                     of.stations.size(), result.speeds))});
+        return {"Sag under the weight: " + title_of(scene), subtitle, {sag}};
+    return {"Motion under the weight: " + title_of(scene),
+            subtitle,
+            {logarithmic_panel(
+                 355, x, chart_axis(units, "Circle at twice the spin speed", Quantity::amplitude),
+                 std::move(circle)),
+             sag,
+             logarithmic_panel(245, x, chart_axis(units, "Bearing force at 2x", Quantity::force),
+                               forces_of(units, of.bearings, &results::GravityBearing::twice,
+                                         of.curves, of.stations.size(), result.speeds))}};
 }
 
 } // namespace whirl::report

@@ -2,8 +2,6 @@
 
 #include "report/pictures/style.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace whirl::report {
@@ -22,62 +20,73 @@ double shaft_radius(const model::Shaft &shaft, double z) {
     return radius;
 }
 
-std::string outline_data(const Units &units, const model::Rotor &rotor, double largest) {
+namespace {
+
+/// Shaft and discs as areas, bearings below them.
+std::vector<ChartCurve> outline(const Units &units, const model::Rotor &rotor, double largest) {
     double thickest = 1e-12;
     for (const auto &segment : rotor.shaft.segments)
         thickest = std::max({thickest, segment.outer_start / 2, segment.outer_end / 2});
     for (const auto &disc : rotor.discs)
         thickest = std::max(thickest, disc.outer / 2);
     const double scale = 0.5 * largest / thickest;
-    std::string data = "$outline << EOD\n";
-    const auto box = [&](double a, double b, double ra, double rb) {
-        data += fmt::format("{0} {2}\n{1} {3}\n{1} {5}\n{0} {4}\n{0} {2}\n\n",
-                            units(Quantity::length, a), units(Quantity::length, b), scale * ra,
-                            scale * rb, -scale * ra, -scale * rb);
+    std::vector<ChartCurve> areas;
+    // Above the axis, and back below it.
+    const auto add = [&](std::vector<PlotPoint> above) {
+        const std::size_t count = above.size();
+        for (std::size_t i = count; i-- > 0;)
+            above.push_back({above[i].x, -*above[i].y});
+        above.push_back(above.front());
+        areas.push_back({"", std::move(above), {"", "#E6E9EC", "1"}});
+        areas.back().filled = true;
     };
+    std::vector<PlotPoint> shaft;
     double z = 0;
     for (const auto &segment : rotor.shaft.segments) {
-        box(z, z + segment.length, segment.outer_start / 2, segment.outer_end / 2);
+        shaft.push_back({units(Quantity::length, z), scale * segment.outer_start / 2});
         z += segment.length;
+        shaft.push_back({units(Quantity::length, z), scale * segment.outer_end / 2});
     }
+    if (!shaft.empty())
+        add(shaft);
     for (const auto &disc : rotor.discs) {
         const double half = std::max(disc.width / 2, 0.004 * z);
-        const double radius = disc.outer > 0 ? disc.outer / 2 : 0.7 * thickest;
-        box(disc.z - half, disc.z + half, radius, radius);
+        const double radius = scale * (disc.outer > 0 ? disc.outer / 2 : 0.7 * thickest);
+        add({{units(Quantity::length, disc.z - half), radius},
+             {units(Quantity::length, disc.z + half), radius}});
     }
-    data += "EOD\n$bearings << EOD\n";
+    ChartCurve bearings{"bearing", {}, {"", "#555555", "1", 9}, 0, 1.4};
     for (const auto &bearing : rotor.supports())
-        data += fmt::format("{} {}\n", units(Quantity::length, bearing.z), -1.12 * largest);
-    return data + "NaN NaN\nEOD\n";
+        bearings.points.push_back({units(Quantity::length, bearing.z), -1.12 * largest});
+    areas.push_back(std::move(bearings));
+    return areas;
 }
 
-std::string curve_legend(double height) {
-    return fmt::format("unset border\nunset tics\nset xrange [0:1]\nset yrange [0:1]\n"
-                       "set key at screen 0.5,{} center center horizontal samplen 4\n"
-                       "plot NaN notitle, keyentry with lines lw 2.2 lc rgb '#0072B2' title 'x', "
-                       "keyentry with lines lw 2.2 dt (10,6) lc rgb '#D55E00' title 'y', "
-                       "keyentry with lines lw 1 lc rgb '#888888' title 'envelope', "
-                       "keyentry with points pt 9 ps 1.4 lc rgb '#555555' title 'bearing'\n"
-                       "unset label\nunset key\nset border\nset tics\n",
-                       height);
+} // namespace
+
+std::vector<ChartCurve>
+curves_over_outline(const Units &units, const model::Rotor &rotor, const std::vector<double> &z,
+                    const std::vector<double> &x, const std::vector<double> &y,
+                    const std::vector<double> &envelope, double factor, double largest) {
+    std::vector<ChartCurve> curves = outline(units, rotor, largest);
+    const auto add = [&](const char *name, const std::vector<double> &values, double times,
+                         const LineStyle &style, double width) {
+        curves.push_back(
+            {name, points_over(z, units.factor(Quantity::length), values, times), style, width});
+    };
+    for (const double sign : {1, -1})
+        add("envelope", envelope, sign * factor, {"", "#888888", "1"}, 1);
+    add("x", x, factor, series_style(0), 2.2);
+    add("y", y, factor, series_style(1), 2.2);
+    return curves;
 }
 
-std::string curves_over_outline(const Units &units, const std::vector<double> &z,
-                                const std::vector<double> &x, const std::vector<double> &y,
-                                const std::vector<double> &envelope, double factor) {
-    std::string data = "$shape << EOD\n";
-    for (std::size_t i = 0; i < std::min(z.size(), x.size()); ++i)
-        data +=
-            fmt::format("{} {} {} {}\n", units(Quantity::length, z[i]), plot_number(x[i] * factor),
-                        plot_number(y[i] * factor), plot_number(envelope[i] * factor));
-    return data + "NaN NaN NaN NaN\nEOD\nplot $outline with filledcurves closed fs solid 1 "
-                  "noborder fc rgb '#F0F1F3', "
-                  "$outline with lines lw 0.7 lc rgb '#C8CDD2', "
-                  "$bearings with points pt 9 ps 1.4 lc rgb '#555555', "
-                  "$shape using 1:4 with lines lw 1 lc rgb '#888888', "
-                  "$shape using 1:(-$4) with lines lw 1 lc rgb '#888888', "
-                  "$shape using 1:2 with lines lw 2.2 lc rgb '#0072B2', "
-                  "$shape using 1:3 with lines lw 2.2 dt (10,6) lc rgb '#D55E00'\n";
+ChartAxis along_shaft(const Units &units, const model::Rotor &rotor) {
+    const double length = units(Quantity::length, std::max(rotor.shaft.length(), 1e-9));
+    ChartAxis axis = chart_axis(units, "z", Quantity::length);
+    axis.low = -0.03 * length;
+    axis.high = 1.03 * length;
+    return axis;
 }
 
 } // namespace whirl::report

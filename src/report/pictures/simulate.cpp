@@ -98,7 +98,6 @@ ChartPanel speed_panel(const Units &units, const SimulateResult &result) {
 ChartPanel balancer_panel(const Units &units, const SimulateResult &result) {
     ChartPanel panel{
         325, time_axis(units, result), chart_axis(units, "Amplitude", Quantity::amplitude), {}};
-    panel.x.title.clear();
     const auto add = [&](const std::string &name, const std::vector<double> &amplitude) {
         std::vector<PlotPoint> points = over_time(units, result, amplitude, Quantity::amplitude);
         points.erase(points.begin(), points.begin() + (points.empty() ? 0 : 1)); // at rest: nothing
@@ -271,8 +270,6 @@ Chart simulate_chart(const model::Case &scene, const SimulateResult &result, con
     }
     if (changes)
         chart.panels.push_back(speed_panel(units, result));
-    if (changes && !result.balancers.empty())
-        chart.panels[1].x.title.clear();
     return chart;
 }
 

@@ -175,41 +175,28 @@ Figure orbits_figure(const model::Case &scene, const std::vector<Orbits> &orbits
         panels);
 }
 
-Figure shapes_figure(const model::Case &scene, const std::vector<DeflectedShape> &shapes,
-                     const Units &units) {
-    const std::size_t rows = std::min(shapes.size(), most_rows);
-    constexpr double panel = 250;
-    const int height = static_cast<int>(125 + panel * static_cast<double>(rows));
-    const double high = height;
-    const double length = units(Quantity::length, std::max(scene.rotor.shaft.length(), 1e-9));
-    std::string panels = panel_margins(0.1, 0.975, 0.01, 0.02) + curve_legend(1 - 78 / high) +
-                         "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\n" +
-                         fmt::format("set xrange [{}:{}]\nset ylabel {}\n", -0.03 * length,
-                                     1.03 * length, axis_text(units, "Deflection", drawn_as));
-    for (std::size_t row = 0; row < rows; ++row) {
+Chart shapes_chart(const model::Case &scene, const std::vector<DeflectedShape> &shapes,
+                   const Units &units) {
+    Chart chart{"Deflected shapes: " + title_of(scene),
+                "at the instant of the largest deflection, with the envelope of the orbits; the "
+                "outline of the rotor is not to that scale",
+                {}};
+    for (std::size_t row = 0; row < std::min(shapes.size(), most_rows); ++row) {
         const DeflectedShape &shape = shapes[row];
         const double largest = shape.largest > 0 ? units(drawn_as, shape.largest) : 1;
-        const double top = 120 + panel * static_cast<double>(row);
-        panels +=
-            outline_data(units, scene.rotor, largest) +
-            panel_margins(0.1, 0.975, 1 - (top + 185) / high, 1 - top / high) +
-            fmt::format(
-                "set yrange [{}:{}]\nset title {} font ',12' offset 0,-0.4\n{}\n", -1.25 * largest,
-                1.25 * largest,
-                plot_text(fmt::format("at {} · largest {} at z = {}",
-                                      drawn_value(units, Quantity::speed, shape.speed, 6),
-                                      drawn_value(units, drawn_as, shape.largest, 4),
-                                      drawn_value(units, Quantity::length, shape.largest_z, 4))),
-                row + 1 == rows ? "set xlabel " + axis_text(units, "z", Quantity::length)
-                                : "unset xlabel") +
-            curves_over_outline(units, shape.z, shape.x, shape.y, shape.envelope,
-                                units.factor(drawn_as));
+        ChartPanel panel{185, along_shaft(units, scene.rotor),
+                         chart_axis(units, "Deflection", drawn_as),
+                         curves_over_outline(units, scene.rotor, shape.z, shape.x, shape.y,
+                                             shape.envelope, units.factor(drawn_as), largest)};
+        panel.y.low = -1.25 * largest;
+        panel.y.high = 1.25 * largest;
+        panel.title = fmt::format("at {} · largest {} at z = {}",
+                                  drawn_value(units, Quantity::speed, shape.speed, 6),
+                                  drawn_value(units, drawn_as, shape.largest, 4),
+                                  drawn_value(units, Quantity::length, shape.largest_z, 4));
+        chart.panels.push_back(std::move(panel));
     }
-    return figure_of(
-        1080, height, "Deflected shapes: " + title_of(scene),
-        "at the instant of the largest deflection, with the envelope of the orbits; the outline of "
-        "the rotor is not to that scale",
-        panels);
+    return chart;
 }
 
 } // namespace whirl::report

@@ -152,7 +152,8 @@ std::vector<Picture> orbit_pictures(const model::Case &scene, const ResponseResu
                             }});
     if (!result.shapes.empty())
         pictures.push_back(
-            {"response_shapes", shapes_figure(scene, result.shapes, units),
+            {"response_shapes",
+             chart_figure(shapes_chart(scene, result.shapes, units), scene, units),
              [&result](const Units &units) { return shapes_csv(result.shapes, units); }});
     return pictures;
 }

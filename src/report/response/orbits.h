@@ -27,8 +27,8 @@ orbit_pictures(const model::Case &scene, const results::ResponseResult &result, 
                                    const std::vector<results::Orbits> &orbits, const Units &units);
 /// One panel a speed: x and y along the shaft at the instant of the largest deflection, and the
 /// envelope of the orbits.
-[[nodiscard]] Figure shapes_figure(const model::Case &scene,
-                                   const std::vector<results::DeflectedShape> &shapes,
-                                   const Units &units);
+[[nodiscard]] Chart shapes_chart(const model::Case &scene,
+                                 const std::vector<results::DeflectedShape> &shapes,
+                                 const Units &units);
 
 } // namespace whirl::report

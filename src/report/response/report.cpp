@@ -573,9 +573,6 @@ Report describe(const model::Case &scene, const ResponseResult &result) {
                                               {json_of, {}, {}, text_of, {}});
     report.csv = parts.front().csv;
     report.chart = parts.front().chart;
-    report.figure = [&scene, chart = report.chart](const Units &units) {
-        return chart_figure(chart(units), scene, units);
-    };
     report.sections = [parts, &result](const Units &units) {
         return sections_of(first_sections(result, units), parts, units);
     };

@@ -459,9 +459,9 @@ std::vector<Section> brief_of(const StabilityResult &result, const Units &units)
 } // namespace
 
 Report describe(const model::Case &scene, const StabilityResult &result) {
-    Report report =
-        report_of<StabilityResult>("stability", "Stability", scene, result,
-                                   {json_of, csv_of, sections_of, text_of, stability_figure});
+    Report report = report_of<StabilityResult>(
+        "stability", "Stability", scene, result,
+        {json_of, csv_of, sections_of, text_of, nullptr, stability_figure});
     const bool states = result.states && !result.states->states.empty();
     if (result.level1 || states) {
         report.pictures = [&scene, &result, states](const Units &units) {

@@ -1,5 +1,5 @@
 // Mode shapes in space: the rotor in perspective, all modes in step. No library takes part.
-const space = document.getElementById("space"), rotor = result.drawn.rotor, drawnModes = result.drawn.modes;
+const space = document.getElementById("space"), rotor = result.drawn.rotor;
 function drawSpace() {
   const xmlns = "http://www.w3.org/2000/svg", wide = 520, high = 300;
   const make = (parent, name, attributes) => {
@@ -36,15 +36,11 @@ function drawSpace() {
     bow * (p.yr[order] * Math.cos(phase) - p.yi[order] * Math.sin(phase))];
   const ring = (z, r) => circle.map(([c, s]) => seen(along(z), r * s, r * c));
   const movers = [], still = [];
-  function panel(mode, of, parent) {
-    const words = `${mode.label ? mode.label + ", " : ""}${said(mode.frequency, "frequency", 6)}, ${of.whirl}`, ratio = of.damping_ratio, more = [];
-    if (mode.at !== result.speed) more.push(`critical speed ${said(mode.at, "speed", 6)}`);
-    if (Math.abs(ratio) > 1e-9) more.push(ratio > 0 ? `damping ratio ${short(ratio, 3)}` : `grows, damping ratio ${short(ratio, 3)}`);
-    const svg = make(parent, "svg", {viewBox: `0 0 ${wide} ${high}`, role: "img", "aria-label": ["Mode " + words, ...more].join(", "), "font-family": "DejaVu Sans, Arial, sans-serif"});
+  function panel(mode, heading, parent) {
+    const svg = make(parent, "svg", {viewBox: `0 0 ${wide} ${high}`, role: "img", "aria-label": "Mode " + heading, "font-family": "DejaVu Sans, Arial, sans-serif"});
     make(svg, "rect", {width: wide, height: high, fill: "#fff"});
-    make(svg, "text", {x: 12, y: 22, "font-size": 14, fill: "#222"}).textContent = words;
-    make(svg, "text", {x: 12, y: 40, "font-size": 12, fill: "#555"}).textContent = more.join(", ");
-    const colour = look[mode.whirl].color;
+    make(svg, "text", {x: 12, y: 22, "font-size": 14, fill: "#222"}).textContent = heading;
+    const colour = {forward: "#0072B2", backward: "#D55E00", mixed: "#007D5A"}[mode.whirl];
     const fixed = (attributes, points) => { const line = make(svg, "polyline", {fill: "none", ...attributes}); still.push(() => line.setAttribute("points", path(points()))); };
     fixed({stroke: "#DDD"}, () => [[-1.1, 0.5], [1.1, 0.5], [1.1, -0.5], [-1.1, -0.5], [-1.1, 0.5]].map(([a, x]) => seen(a, floor, x)));
     fixed({stroke: "#999", "stroke-dasharray": "5 4"}, () => [seen(-1.12, 0, 0), seen(1.12, 0, 0)]);
@@ -88,13 +84,13 @@ function drawSpace() {
       movers.push(() => { const [x, y] = moved(p, 0), [u, v] = seen(along(z), y, x); point.setAttribute("cx", u.toFixed(1)); point.setAttribute("cy", v.toFixed(1)); });
     });
   }
-  const group = (heading, modes, drawn) => {
+  const group = (heading, modes, headings) => {
     if (!modes.length) return;
     if (heading) { const h = document.createElement("h3"); h.textContent = heading; space.append(h); }
     const grid = document.createElement("figure");
     grid.className = "space";
     space.append(grid);
-    modes.forEach((m, k) => panel(m, drawn[k], grid));
+    modes.forEach((m, k) => panel(m, headings[k], grid));
   };
   const controls = document.createElement("p"), button = document.createElement("button"), label = document.createElement("label"), turn = document.createElement("input");
   controls.className = "controls";
@@ -103,8 +99,8 @@ function drawSpace() {
   controls.append(button, " ", label);
   space.append(controls);
   const critical = result.critical_modes || [];
-  group(critical.length ? `At ${said(result.speed, "speed", 6)}` : "", result.modes, drawnModes);
-  group("At the critical speeds", critical, drawnModes.slice(result.modes.length));
+  group(critical.length ? result.drawn.at : "", result.modes, result.drawn.modes);
+  group("At the critical speeds", critical, result.drawn.critical_modes);
   const show = () => movers.forEach(move => move()), redraw = () => { still.forEach(line => line()); show(); };
   let before = null;
   const frame = now => {
