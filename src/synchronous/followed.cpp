@@ -150,6 +150,31 @@ class Follower {
         return std::hypot(v.real(), std::max(std::abs(v.imag()) - heaviest * speed, 0.0));
     }
 
+    /// Two motions that do not oscillate at an end of a step can meet in it and go on as one that
+    /// does: they near one another like a root, and would meet by their rates within twice the way.
+    /// @param inwards  of the step: 1 at its lower end, -1 at its upper one
+    template <class Matters>
+    static bool may_meet(const modes::RootsAt &end, double inwards, double step,
+                         const Matters &matters) {
+        constexpr double hardly = 0.1; // Im l of |Re l|: real but for gyroscopic moments
+        constexpr double one = 1e-9;   // of the value: a double root
+        std::vector<const modes::Root *> real;
+        for (const modes::Root &root : end.roots)
+            if (std::abs(root.value.real() + end.speed) <= hardly * std::abs(root.value.imag()) &&
+                matters(root, end))
+                real.push_back(&root);
+        for (std::size_t i = 0; i < real.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k) {
+                const Complex apart = real[i]->value - real[k]->value;
+                const Complex rate = inwards * (real[i]->rate - real[k]->rate);
+                if (std::abs(apart) > one * std::abs(real[i]->value) &&
+                    (std::conj(apart) * rate).real() < 0 &&
+                    std::abs(apart) <= 2 * step * std::abs(rate))
+                    return true;
+            }
+        return false;
+    }
+
     /// Every motion that could become synchronous in the step is followed through it; their
     /// passages go to `found`.
     bool resolved(const modes::RootsAt &a, const modes::RootsAt &b) {
@@ -157,6 +182,8 @@ class Follower {
         const auto matters = [step](const modes::Root &root, const modes::RootsAt &end) {
             return distance(root.value, end.speed) <= 2 * step * (1 + std::abs(root.rate));
         };
+        if (may_meet(a, 1, step, matters) || may_meet(b, -1, step, matters))
+            return false;
         const modes::Branches branches = modes::followed(a, b, matters);
         std::vector<FoundRoot> roots;
         if (!branches.clear || !std::ranges::all_of(branches.branches, [&](const auto &branch) {
