@@ -115,7 +115,7 @@ Spectrum AllMotions::at(double speed, int piece) const {
 
 Spectrum AllMotions::decomposed_at(double speed, int piece) const {
     const double shift = shift_at(speed);
-    Spectrum out{speed, {}, _rotor.at(speed, piece)};
+    Spectrum out{{speed, {}}, _rotor.at(speed, piece)};
     out.roots = modes::all_roots(out.problem, shift, _zeros);
     constexpr double beyond = 10; // of all that is looked at
     std::erase_if(out.roots, [&](const Root &root) {

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "modes/roots/roots.h"
+#include "modes/roots/branches.h"
 
 #include <complex>
-#include <vector>
 
 namespace whirl::ends {
 
@@ -13,9 +12,7 @@ using DenseProblem = modes::DenseQuadratic<double>;
 
 /// All eigenvalues of a rotor at one speed, both conjugates, but those that are zero at every
 /// speed.
-struct Spectrum {
-    double speed = 0; ///< rad/s
-    std::vector<Root> roots;
+struct Spectrum : modes::RootsAt {
     DenseProblem problem; ///< whose roots they are
 
     [[nodiscard]] int growing() const;

@@ -18,20 +18,6 @@ constexpr double minute = 1e-7;
 constexpr double least = 2e-11;
 constexpr int most_spectra = 4000;
 
-/// Where the real part of a branch passes zero.
-double zero_of(const Branch &branch) {
-    double low = 0;
-    double high = 1;
-    const bool grows = branch.to->value.real() > 0;
-    if ((branch.from->value.real() > 0) == grows)
-        return branch.from->sign() == 0 ? 0 : 1; // at one end it is as good as zero
-    for (int k = 0; k < 60; ++k) {
-        const double middle = (low + high) / 2;
-        ((branch.at(middle).real() > 0) == grows ? high : low) = middle;
-    }
-    return (low + high) / 2;
-}
-
 class Sweep {
   public:
     Sweep(const AllMotions &motions, int piece, const std::vector<double> &speeds)
@@ -103,7 +89,7 @@ class Sweep {
         for (const Branch &branch : branches.branches) {
             const int gain = (branch.to->sign() > 0 ? 1 : 0) - (branch.from->sign() > 0 ? 1 : 0);
             sum += gain;
-            const double t = gain != 0 ? zero_of(branch) : 0;
+            const double t = gain != 0 ? branch.zero() : 0;
             const std::complex<double> value = branch.at(t);
             if (gain == 0 || value.imag() < -1e-9 * _scale)
                 continue;

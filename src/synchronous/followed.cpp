@@ -1,6 +1,8 @@
 #include "synchronous/followed.h"
 
+#include "assembly/planes.h"
 #include "linalg/check.h"
+#include "modes/roots/branches.h"
 #include "synchronous/branch.h"
 #include "synchronous/parts.h"
 #include "synchronous/reduced.h"
@@ -8,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -17,37 +18,7 @@ namespace whirl::synchronous {
 namespace {
 
 using Complex = std::complex<double>;
-
-/// Motions are followed a little beyond those that count, Im l > |Re l|.
-constexpr double least_steepness = 0.5;
-constexpr double followed = 0.75;
-
-/// All eigenvalues with the bearings as they are at one speed.
-struct Sample {
-    double speed = 0;
-    std::vector<ReducedRoot> points;
-    /// Of a conservative problem, all on the axes: W^2 = -l^2 is followed, real and smooth even
-    /// where a stiffness passes zero; l is not.
-    bool squares = false;
-    std::vector<double> heavy; ///< |l| of motions too damped to be points
-};
-
-/// What of a motion is followed between two speeds: l, which is synchronous where Im l = s; or
-/// -i l^2, where its imaginary part is s^2.
-struct Followed {
-    bool squares = false;
-    [[nodiscard]] Complex value(const ReducedRoot &root) const {
-        const Complex l = root.eigenvalue;
-        return squares ? Complex(0, -1) * l * l : l;
-    }
-    [[nodiscard]] Complex rate(const ReducedRoot &root) const {
-        return squares ? Complex(0, -2) * root.eigenvalue * root.slope : root.slope;
-    }
-    [[nodiscard]] double target(double speed) const { return squares ? speed * speed : speed; }
-    [[nodiscard]] double target_rate(double speed) const { return squares ? 2 * speed : 1; }
-};
-
-Followed followed_between(const Sample &a, const Sample &b) { return {a.squares && b.squares}; }
+using assembly::i_unit;
 
 /// A root of the whole rotor.
 struct FoundRoot {
@@ -92,57 +63,6 @@ std::vector<FoundRoot> tidied(std::vector<FoundRoot> roots) {
     return out;
 }
 
-/// A followed motion between two samples: a cubic in u = 0 .. 1.
-struct Cubic {
-    Cubic(const Sample &a, const ReducedRoot &at_a, const Sample &b, const ReducedRoot &at_b)
-        : what(followed_between(a, b)), h(b.speed - a.speed), l0(what.value(at_a)),
-          l1(what.value(at_b)), d0(h * what.rate(at_a)), d1(h * what.rate(at_b)), from(a.speed) {}
-    Followed what;
-    double h;
-    Complex l0, l1, d0, d1;
-    double from;
-
-    [[nodiscard]] Complex value(double u) const {
-        const double v = 1 - u;
-        return v * v * ((1 + 2 * u) * l0 + u * d0) + u * u * ((3 - 2 * u) * l1 - v * d1);
-    }
-    /// Above the synchronous value.
-    [[nodiscard]] double above(double u) const {
-        return value(u).imag() - what.target(from + u * h);
-    }
-    /// By how much values and derivatives disagree with a parabola.
-    [[nodiscard]] double misfit() const { return std::abs(l1 - l0 - (d0 + d1) / 2.0); }
-};
-
-/// Zeros of the cubic as u; none where their number is doubtful.
-/// @param unseen  relative: what the ends do not know of the speeds between
-std::optional<std::vector<double>> zeros_of(const Cubic &cubic, double unseen) {
-    // Of a cubic: three zeros at most, each bracketed unless two lie in one part.
-    constexpr int parts = 32;
-    const double last = cubic.from + cubic.h;
-    const double doubt =
-        2 * cubic.misfit() + (1e-11 + unseen) * last * cubic.what.target_rate(last);
-    std::vector<double> values;
-    for (int i = 0; i <= parts; ++i)
-        values.push_back(cubic.above(i / static_cast<double>(parts)));
-    std::vector<double> zeros;
-    for (std::size_t i = 0; i < parts; ++i) {
-        const bool turns = i > 0 && (values[i] - values[i - 1]) * (values[i + 1] - values[i]) <= 0;
-        if (turns && std::abs(values[i]) < doubt)
-            return std::nullopt;
-        if ((values[i] < 0) == (values[i + 1] < 0))
-            continue;
-        double a = static_cast<double>(i) / parts;
-        double b = static_cast<double>(i + 1) / parts;
-        for (int step = 0; step < 50; ++step) {
-            const double middle = (a + b) / 2;
-            ((cubic.above(middle) < 0) == (values[i] < 0) ? a : b) = middle;
-        }
-        zeros.push_back((a + b) / 2);
-    }
-    return zeros;
-}
-
 /// Relative uncertainty between the ends of a step over several rows.
 constexpr double between = 5e-3;
 
@@ -161,43 +81,33 @@ std::vector<double> rows_at_once(const std::vector<double> &bends, const std::ve
     return out;
 }
 
-/// A piece of the tables, from row to row, or over several rows.
+/// A piece of the tables, from row to row, or over several rows. What is followed of a motion is
+/// v = -i l - s: Re v = Im l - s passes zero where it is synchronous, Im v is -Re l.
 class Follower {
   public:
     /// @param rows   of the piece
     /// @param first  number of the first of them among all
-    /// @param conservative  the problem is
-    Follower(const ReducedSynchronous &reduced, const WholeRoots &roots, bool conservative,
-             std::vector<double> rows, std::size_t first)
-        : _reduced(reduced), _roots(roots), _conservative(conservative), _rows(std::move(rows)),
-          _number(first) {}
+    Follower(const ReducedSynchronous &reduced, const WholeRoots &roots, std::vector<double> rows,
+             std::size_t first)
+        : _reduced(reduced), _roots(roots), _rows(std::move(rows)), _number(first) {}
 
     std::vector<FoundRoot> found;
     std::vector<std::pair<double, double>> doubtful;
 
     /// @throws linalg::SolverError
-    [[nodiscard]] Sample sample(double speed) const {
+    [[nodiscard]] modes::RootsAt sample(double speed) const {
         const auto above = std::upper_bound(_rows.begin() + 1, _rows.end() - 1, speed);
         const auto piece = static_cast<std::size_t>(above - _rows.begin()) - 1;
-        Sample out;
-        out.speed = speed;
-        out.points = _reduced.at(speed, _number + piece, 0);
-        out.squares = _conservative && std::ranges::all_of(out.points, [](const ReducedRoot &root) {
-                          return root.eigenvalue.real() == 0 || root.eigenvalue.imag() == 0;
-                      });
-        if (out.squares)
-            return out;
-        for (const ReducedRoot &root : out.points)
-            if (root.eigenvalue.imag() <= followed * std::abs(root.eigenvalue.real()))
-                out.heavy.push_back(std::abs(root.eigenvalue));
-        std::erase_if(out.points, [](const ReducedRoot &root) {
-            return root.eigenvalue.imag() <= least_steepness * std::abs(root.eigenvalue.real());
-        });
+        modes::RootsAt out = _reduced.at(speed, _number + piece);
+        for (modes::Root &root : out.roots) {
+            root.value = -i_unit * root.value - speed;
+            root.rate = -i_unit * root.rate - 1.0;
+        }
         return out;
     }
 
-    void follow(const Sample &a, const Sample &b, int depth) {
-        if (!hides_motions(a, b, depth) && resolved(a, b))
+    void follow(const modes::RootsAt &a, const modes::RootsAt &b, int depth) {
+        if (resolved(a, b))
             return;
         constexpr int deepest = 18; // where a stiffness passes zero a motion begins like a root
         const int most_samples = 100 + 4 * static_cast<int>(_rows.size());
@@ -205,7 +115,7 @@ class Follower {
             doubtful.emplace_back(a.speed, b.speed);
             return;
         }
-        const Sample middle = sample(cut(a.speed, b.speed));
+        const modes::RootsAt middle = sample(cut(a.speed, b.speed));
         follow(a, middle, depth + 1);
         follow(middle, b, depth + 1);
     }
@@ -213,7 +123,6 @@ class Follower {
   private:
     const ReducedSynchronous &_reduced;
     const WholeRoots &_roots;
-    bool _conservative;
     std::vector<double> _rows;
     std::size_t _number;
     int _samples = 0;
@@ -234,147 +143,93 @@ class Follower {
                    : *(above - 1);
     }
 
-    /// A motion that is too damped to oscillate at an end of a long step may do so within it.
-    static bool hides_motions(const Sample &a, const Sample &b, int depth) {
-        constexpr double long_step = 0.1; // of the speed
-        constexpr int deepest = 8;        // from speed zero on no step is short
-        // A motion whose modulus is five times the speed does not come down to 1x in one
-        // step.
-        constexpr double far = 5;
-        const auto heavy = [&](const Sample &end) {
-            return std::ranges::any_of(end.heavy, [&](double size) {
-                return size > a.speed / far && size < far * b.speed;
-            });
-        };
-        return depth < deepest && b.speed - a.speed > long_step * b.speed && (heavy(a) || heavy(b));
+    /// Distance of a motion from being synchronous and damped so little that it counts,
+    /// Im l > |Re l|, with some allowance.
+    static double distance(Complex v, double speed) {
+        constexpr double heaviest = 1.3; // |Re l| of Im l
+        return std::hypot(v.real(), std::max(std::abs(v.imag()) - heaviest * speed, 0.0));
     }
 
-    /// It could become synchronous in a step of this length.
-    static bool matters(const Followed &what, const ReducedRoot &point, double speed, double step) {
-        const Complex l = point.eigenvalue;
-        const double gap = std::abs(what.value(point).imag() - what.target(speed));
-        return (what.squares || l.imag() > followed * std::abs(l.real())) &&
-               gap <= 2 * step * (what.target_rate(speed + step) + std::abs(what.rate(point)));
-    }
-
-    /// Index of the point of `b` that continues `point`; none where two would do.
-    static std::optional<std::size_t> partner(const Sample &a, const ReducedRoot &point,
-                                              const Sample &b) {
-        std::size_t best = b.points.size();
-        double least = std::numeric_limits<double>::infinity();
-        double second = least;
-        for (std::size_t j = 0; j < b.points.size(); ++j) {
-            const double misfit = Cubic(a, point, b, b.points[j]).misfit();
-            const bool same = best < b.points.size() &&
-                              std::abs(b.points[j].eigenvalue - b.points[best].eigenvalue) <
-                                  1e-9 * std::abs(b.points[j].eigenvalue);
-            if (misfit < least) {
-                second = same ? second : least;
-                least = misfit;
-                best = j;
-            } else if (!same) {
-                second = std::min(second, misfit);
+    /// Two motions that do not oscillate at an end of a step can meet in it and go on as one that
+    /// does: they near one another like a root, and would meet by their rates within twice the way.
+    /// @param inwards  of the step: 1 at its lower end, -1 at its upper one
+    template <class Matters>
+    static bool may_meet(const modes::RootsAt &end, double inwards, double step,
+                         const Matters &matters) {
+        constexpr double hardly = 0.1; // Im l of |Re l|: real but for gyroscopic moments
+        constexpr double one = 1e-9;   // of the value: a double root
+        std::vector<const modes::Root *> real;
+        for (const modes::Root &root : end.roots)
+            if (std::abs(root.value.real() + end.speed) <= hardly * std::abs(root.value.imag()) &&
+                matters(root, end))
+                real.push_back(&root);
+        for (std::size_t i = 0; i < real.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k) {
+                const Complex apart = real[i]->value - real[k]->value;
+                const Complex rate = inwards * (real[i]->rate - real[k]->rate);
+                if (std::abs(apart) > one * std::abs(real[i]->value) &&
+                    (std::conj(apart) * rate).real() < 0 &&
+                    std::abs(apart) <= 2 * step * std::abs(rate))
+                    return true;
             }
-        }
-        const Followed what = followed_between(a, b);
-        const double scale =
-            std::abs(b.speed - a.speed) *
-            (what.target_rate(std::max(a.speed, b.speed)) + std::abs(what.rate(point)));
-        if (best == b.points.size() || 4 * least > second || least > 0.2 * scale)
-            return std::nullopt;
-        return best;
+        return false;
     }
 
-    /// Whether the partner of `point` is that one.
-    static bool continues(const Sample &a, const ReducedRoot &point, const Sample &b,
-                          const ReducedRoot &other) {
-        const auto best = partner(a, point, b);
-        return best && std::abs(b.points[*best].eigenvalue - other.eigenvalue) <=
-                           1e-9 * std::abs(other.eigenvalue);
-    }
-
-    /// Every motion that matters has one partner each way; their zeros go to `found`.
-    bool resolved(const Sample &a, const Sample &b) {
+    /// Every motion that could become synchronous in the step is followed through it; their
+    /// passages go to `found`.
+    bool resolved(const modes::RootsAt &a, const modes::RootsAt &b) {
         const double step = b.speed - a.speed;
-        const Followed what = followed_between(a, b);
-        std::map<std::size_t, std::size_t> pairs;
-        for (std::size_t i = 0; i < a.points.size(); ++i)
-            if (matters(what, a.points[i], a.speed, step)) {
-                const auto j = partner(a, a.points[i], b);
-                if (!j || !continues(b, b.points[*j], a, a.points[i]))
-                    return false;
-                pairs[i] = *j;
-            }
-        for (std::size_t j = 0; j < b.points.size(); ++j)
-            if (matters(what, b.points[j], b.speed, step)) {
-                const auto i = partner(b, b.points[j], a);
-                if (!i || !continues(a, a.points[*i], b, b.points[j]))
-                    return false;
-                if (pairs.count(*i) == 0)
-                    pairs[*i] = j;
-            }
-        std::vector<FoundRoot> roots;
-        if (!one_to_one(a, b, pairs))
+        const auto matters = [step](const modes::Root &root, const modes::RootsAt &end) {
+            return distance(root.value, end.speed) <= 2 * step * (1 + std::abs(root.rate));
+        };
+        if (may_meet(a, 1, step, matters) || may_meet(b, -1, step, matters))
             return false;
-        for (std::size_t j = 0; j < b.points.size(); ++j)
-            if (matters(what, b.points[j], b.speed, step) &&
-                std::ranges::none_of(pairs, [j](const auto &pair) { return pair.second == j; }))
-                return false;
-        for (const auto &[i, j] : pairs)
-            if (!add_zeros(a, i, b, j, roots))
-                return false;
+        const modes::Branches branches = modes::followed(a, b, matters);
+        std::vector<FoundRoot> roots;
+        if (!branches.clear || !std::ranges::all_of(branches.branches, [&](const auto &branch) {
+                return branch.cluster != 0 || add_passage(branch, a, b, roots);
+            }))
+            return false;
         found.insert(found.end(), roots.begin(), roots.end());
         return true;
     }
 
-    /// No point is the partner of two, unless those are one double eigenvalue.
-    static bool one_to_one(const Sample &a, const Sample &b,
-                           std::map<std::size_t, std::size_t> &pairs) {
-        std::map<std::size_t, std::size_t> taken; // j -> i
-        for (auto &[i, j] : pairs) {
-            const auto other = taken.find(j);
-            if (other == taken.end()) {
-                taken[j] = i;
-                continue;
-            }
-            // A double eigenvalue at both ends: its second one is the partner.
-            const Complex l = b.points[j].eigenvalue;
-            std::optional<std::size_t> counterpart;
-            for (std::size_t k = 0; k < b.points.size(); ++k)
-                if (taken.count(k) == 0 &&
-                    std::abs(b.points[k].eigenvalue - l) < 1e-9 * std::abs(l))
-                    counterpart = k;
-            const Complex here = a.points[i].eigenvalue;
-            const Complex there = a.points[other->second].eigenvalue;
-            if (!counterpart || std::abs(here - there) > 1e-9 * std::abs(here))
-                return false;
-            j = *counterpart;
-            taken[j] = i;
+    /// The root of the whole rotor where a motion becomes synchronous, if it does.
+    /// @returns whether that is known
+    bool add_passage(const modes::Branch &branch, const modes::RootsAt &a, const modes::RootsAt &b,
+                     std::vector<FoundRoot> &roots) const {
+        constexpr int samples = 16; // of a cubic, to see two passages in a step
+        const double bend = std::abs(branch.off_parabola());
+        const double unseen = holds_rows(a.speed, b.speed) ? between * b.speed : 0;
+        const double rise = branch.to->value.real() - branch.from->value.real();
+        const auto speed_at = [&](double t) { return a.speed + t * branch.step; };
+        int passages = 0;
+        bool near = false; // as far as the ends say
+        bool above = branch.from->value.real() > 0;
+        for (int k = 1; k <= samples; ++k) {
+            const double t = static_cast<double>(k) / samples;
+            const Complex v = k < samples ? branch.at(t) : branch.to->value;
+            passages += (v.real() > 0) != above ? 1 : 0;
+            above = v.real() > 0;
+            near = near || (k < samples &&
+                            distance(v, speed_at(t)) <= 4 * t * (1 - t) * (bend / 2 + unseen));
         }
-        return true;
-    }
-
-    bool add_zeros(const Sample &a, std::size_t i, const Sample &b, std::size_t j,
-                   std::vector<FoundRoot> &roots) const {
-        const Cubic cubic(a, a.points[i], b, b.points[j]);
-        auto zeros = zeros_of(cubic, holds_rows(a.speed, b.speed) ? between : 0);
-        if (!zeros)
+        if (passages == 0)
+            return !near;
+        const double t = branch.zero();
+        const double speed = speed_at(t);
+        const Complex v = branch.at(t);
+        if (distance(v, speed) > bend + unseen + std::abs(v.real())) // it is damped too much there
+            return passages == 1 || !near;
+        if (passages > 1 || bend + unseen > 0.3 * std::abs(rise))
             return false;
-        for (const double end : {0.0, 1.0})
-            if (std::abs(cubic.above(end)) < one_speed / 2 * cubic.what.target(a.speed))
-                zeros->push_back(end);
-        for (const double u : *zeros) {
-            const Eigen::VectorXcd &shape = (u < 0.5 ? a.points[i] : b.points[j]).shape;
-            const double speed = a.speed + u * cubic.h;
-            const double decay = cubic.what.squares ? 0 : cubic.value(u).real();
-            const auto point = _roots.near({decay, speed}, _reduced.lifted(shape));
-            const double slack =
-                cubic.misfit() / cubic.what.target_rate(speed) + reduced_error * speed;
-            if (!point || std::abs(point->eigenvalue.imag() - speed) > slack + 0.5 * cubic.h)
-                return false;
-            if (point->eigenvalue.imag() > std::abs(point->eigenvalue.real()))
-                roots.push_back(found_root(*point));
-        }
+        const Eigen::VectorXcd &shape = (t < 0.5 ? branch.from : branch.to)->right;
+        const auto point = _roots.near({-v.imag(), speed}, _reduced.lifted(shape));
+        const double slack = bend + reduced_error * speed + branch.step / 2;
+        if (!point || std::abs(point->eigenvalue.imag() - speed) > slack)
+            return false;
+        if (point->eigenvalue.imag() > std::abs(point->eigenvalue.real()))
+            roots.push_back(found_root(*point));
         return true;
     }
 };
@@ -384,8 +239,13 @@ class Follower {
 bool add_constant(const ReducedSynchronous &reduced, const WholeRoots &roots, double speed,
                   std::size_t row, int wanted, double above, double top,
                   std::vector<FoundRoot> &found, std::vector<std::pair<double, double>> &doubtful) {
-    constexpr double steepness_here = 0.9; // a little beyond those that count
-    std::vector<double> taken;             // ascending
+    constexpr double least = 0.9; // Im l of |Re l|: a little beyond those that count
+    std::vector<modes::Root> all = reduced.at(speed, row).roots;
+    std::erase_if(all, [](const modes::Root &root) {
+        return !(root.value.imag() > least * std::abs(root.value.real()));
+    });
+    std::ranges::stable_sort(all, {}, [](const modes::Root &root) { return root.value.imag(); });
+    std::vector<double> taken; // ascending
     // The order of the reduced rotor's roots may not be that of the whole one's.
     constexpr double ahead = 5 * reduced_error;
     const auto enough = [&](double frequency) {
@@ -393,13 +253,13 @@ bool add_constant(const ReducedSynchronous &reduced, const WholeRoots &roots, do
                (wanted <= 0 ||
                 frequency > (1 + ahead) * taken[static_cast<std::size_t>(wanted) - 1]);
     };
-    for (const ReducedRoot &root : reduced.at(speed, row, steepness_here)) {
-        const Complex l = root.eigenvalue;
+    for (const modes::Root &root : all) {
+        const Complex l = root.value;
         if (l.imag() < above * (1 - reduced_error))
             continue;
         if (l.imag() > top * (1 + reduced_error) && enough(l.imag()))
             return false;
-        const auto point = roots.near(l, reduced.lifted(root.shape));
+        const auto point = roots.near(l, reduced.lifted(root.right));
         const bool near = point && std::abs(point->eigenvalue - l) <= reduced_error * std::abs(l);
         const bool twice = point && std::ranges::any_of(found, [&](const FoundRoot &other) {
                                return same(other.mode, found_root(*point).mode);
@@ -547,7 +407,7 @@ SynchronousModes followed_modes(const SynchronousProblem &problem, const WholeRo
         ++i;
     while (i + 1 < rows.size() && !enough()) {
         const std::vector<double> at_once = rows_at_once(bends, rows, i);
-        Follower follower(reduced, roots, problem.conservative(), at_once, i);
+        Follower follower(reduced, roots, at_once, i);
         i += at_once.size() - 1;
         follower.follow(follower.sample(row), follower.sample(at_once.back()), 0);
         found.insert(found.end(), follower.found.begin(), follower.found.end());

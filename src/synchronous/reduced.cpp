@@ -4,7 +4,6 @@
 #include "assembly/planar_part.h"
 #include "linalg/dense/products.h"
 #include "linalg/symmetric_eigen.h"
-#include "modes/roots/roots.h"
 #include "modes/zero_modes.h"
 #include "reduction/planar_shapes.h"
 #include "synchronous/parts.h"
@@ -106,24 +105,18 @@ SharedShapes synchronous_shapes(const assembly::Discretization &rotor, double to
     return {S, std::max(top, square > 0 ? std::sqrt(square) / beyond : 0)};
 }
 
-namespace {
-
-void drop_least(std::vector<ReducedRoot> &roots, int number) {
-    std::ranges::stable_sort(roots, {},
-                             [](const ReducedRoot &root) { return std::abs(root.eigenvalue); });
-    roots.erase(roots.begin(), roots.begin() + std::min<std::ptrdiff_t>(number, std::ssize(roots)));
-}
-
-} // namespace
-
 ReducedSynchronous::ReducedSynchronous(const SynchronousProblem &problem,
                                        const Eigen::MatrixXd &shapes)
     : _problem(problem), _shapes(problem.pairs() ? in_both_planes(shapes) : shapes),
-      _first{projected(problem.first().M), projected(problem.first().D),
-             projected(problem.first().K)},
+      _first{projected(problem.first().M),
+             projected(problem.first().D),
+             projected(problem.first().K),
+             {},
+             {}},
       _scale(assembly::support_scale(problem.rotor())) {
     for (std::size_t i = 0; i < problem.rows().size(); ++i)
-        _changes.push_back({{}, projected(problem.change(i).D), projected(problem.change(i).K)});
+        _changes.push_back(
+            {{}, projected(problem.change(i).D), projected(problem.change(i).K), {}, {}});
     const results::Form motions = problem.pairs() ? results::Form::general : results::Form::planar;
     for (const double row : problem.rows())
         _zeros.push_back(modes::zero_modes(problem.rotor(), motions, row, 0).eigenvalues);
@@ -159,7 +152,7 @@ int ReducedSynchronous::zeros_at(double speed, std::size_t piece) const {
 
 /// K x = W^2 M x through the eigenvalues 1 / (W^2 + t) of L^-1 M L^-H, K + t M = L L^H; none where
 /// that is not positive definite.
-std::vector<ReducedRoot> ReducedSynchronous::conservative(const Dense &at, int zeros) const {
+std::vector<modes::Root> ReducedSynchronous::conservative(const Dense &at, int zeros) const {
     const double lift = 0.3 * assembly::elastic_scale(_problem.rotor());
     // No more than a stiffness that pushes away asks for: rounding is that of t.
     for (const double lifts : {0.0, 1.0, 1e2, 1e4, 1e6, 1e8}) {
@@ -174,57 +167,46 @@ std::vector<ReducedRoot> ReducedSynchronous::conservative(const Dense &at, int z
             continue;
         // A singular M has eigenvalues zero (speeds at infinity) only up to rounding.
         const double zero = 1e-13 * solver.eigenvalues().cwiseAbs().maxCoeff();
-        std::vector<ReducedRoot> out;
-        for (Eigen::Index i = A.rows() - 1; i >= 0 && solver.eigenvalues()(i) > zero; --i) {
-            const double square = 1 / solver.eigenvalues()(i) - t;
+        std::vector<std::pair<double, Eigen::Index>> squares;
+        for (Eigen::Index i = A.rows() - 1; i >= 0 && solver.eigenvalues()(i) > zero; --i)
+            squares.emplace_back(1 / solver.eigenvalues()(i) - t, i);
+        std::ranges::stable_sort(squares, {},
+                                 [](const auto &square) { return std::abs(square.first); });
+        squares.erase(squares.begin(),
+                      squares.begin() + std::min<std::ptrdiff_t>(zeros / 2, std::ssize(squares)));
+        std::vector<modes::Root> out;
+        for (const auto &[square, i] : squares) {
             const double size = std::sqrt(std::abs(square));
-            out.push_back({square > 0 ? Complex(0, size) : Complex(size, 0),
-                           0,
-                           factor.matrixU().solve(solver.eigenvectors().col(i)),
-                           {}});
+            modes::Root root;
+            root.right = root.left = factor.matrixU().solve(solver.eigenvectors().col(i));
+            const double mass = root.right.dot(at.M * root.right).real();
+            for (const double sign : {1.0, -1.0}) { // x^H (l^2 M + K) x = 0
+                root.value = sign * (square > 0 ? Complex(0, size) : Complex(size, 0));
+                root.slope = 2.0 * root.value * mass;
+                out.push_back(root);
+            }
         }
-        drop_least(out, zeros / 2);
         return out;
     }
     return {};
 }
 
-std::vector<ReducedRoot> ReducedSynchronous::any(const Dense &at, int zeros) const {
-    std::vector<ReducedRoot> out;
-    for (modes::Root &root :
-         modes::all_roots<Complex>({at.M, at.D, at.K, {}, {}}, 0.1 * _scale, zeros)) {
-        // Of the modulus: imaginary part of a real root by the complex solver.
-        constexpr double rounding = 1e-9;
+std::vector<modes::Root> ReducedSynchronous::any(const Dense &at, int zeros) const {
+    std::vector<modes::Root> out = modes::all_roots<Complex>(at, 0.1 * _scale, zeros);
+    // Motions of elements almost without mass are lost in rounding among the others.
+    std::erase_if(out, [this](const modes::Root &root) {
         constexpr double far = 1e4;    // of the slow motions
         constexpr double known = 1e-2; // relative
-        Complex l = root.value;
-        // Motions of elements almost without mass are lost in rounding among the others.
-        if (std::abs(l) > far * _scale && root.noise > known * std::abs(l)) {
-            _known_to = std::min(_known_to, std::abs(l));
-            continue;
-        }
-        if (std::abs(l.imag()) < rounding * std::abs(l)) // it does not oscillate
-            l.imag(0);
-        if (l.imag() >= 0)
-            out.push_back({l, 0, std::move(root.right), root.left / std::conj(root.slope)});
-    }
+        const double size = std::abs(root.value);
+        const bool lost = size > far * _scale && root.noise > known * size;
+        if (lost)
+            _known_to = std::min(_known_to, size);
+        return lost;
+    });
     return out;
 }
 
-std::vector<ReducedRoot> ReducedSynchronous::all_at(const Dense &at, int zeros) const {
-    std::vector<ReducedRoot> all;
-    if (_problem.conservative())
-        all = conservative(at, zeros);
-    if (all.empty())
-        return any(at, zeros);
-    for (ReducedRoot &root : all) // x^H (l^2 M + K) x = 0
-        root.left =
-            root.shape / std::conj(2.0 * root.eigenvalue * root.shape.dot(at.M * root.shape));
-    return all;
-}
-
-std::vector<ReducedRoot> ReducedSynchronous::at(double speed, std::size_t piece,
-                                                double steepness) const {
+modes::RootsAt ReducedSynchronous::at(double speed, std::size_t piece) const {
     const std::vector<double> &rows = _problem.rows();
     const bool tables = piece + 1 < rows.size();
     const double length = tables ? rows[piece + 1] - rows[piece] : 1;
@@ -233,35 +215,27 @@ std::vector<ReducedRoot> ReducedSynchronous::at(double speed, std::size_t piece,
         rate.D = (_changes[piece + 1].D - _changes[piece].D) / length;
         rate.K = (_changes[piece + 1].K - _changes[piece].K) / length;
     }
-    // The pieces on both sides of a row agree there.
-    auto known = std::ranges::find_if(_known, [&](const Known &other) {
-        return other.speed == speed &&
-               (other.piece == piece ||
-                (speed == rows[std::max(piece, other.piece)] &&
-                 std::max(piece, other.piece) == std::min(piece, other.piece) + 1));
-    });
-    if (known == _known.end()) {
-        Dense now{_first.M, _first.D + _changes[piece].D, _first.K + _changes[piece].K};
+    modes::RootsAt out{speed, {}};
+    if (_highest && _highest->speed == speed) {
+        out = *_highest;
+    } else {
+        Dense now{_first.M, _first.D + _changes[piece].D, _first.K + _changes[piece].K, {}, {}};
         if (tables) {
             now.D += (speed - rows[piece]) * rate.D;
             now.K += (speed - rows[piece]) * rate.K;
         }
-        constexpr std::size_t most = 4; // speeds: the ends of the pieces in work
-        if (_known.size() == most)
-            _known.erase(_known.begin());
-        known = _known.insert(_known.end(), {speed, piece, all_at(now, zeros_at(speed, piece))});
+        const int zeros = zeros_at(speed, piece);
+        if (_problem.conservative())
+            out.roots = conservative(now, zeros);
+        if (out.roots.empty())
+            out.roots = any(now, zeros);
+        if (!_highest || speed > _highest->speed)
+            _highest = out;
     }
-    std::vector<ReducedRoot> out;
-    for (const ReducedRoot &root : known->roots) {
-        const Complex l = root.eigenvalue;
-        if (std::abs(l) == 0 || l.imag() < steepness * std::abs(l.real()))
-            continue;
-        out.push_back(root);
-        if (tables)
-            out.back().slope = -root.left.dot(l * (rate.D * root.shape) + rate.K * root.shape);
-    }
-    std::ranges::stable_sort(out, {},
-                             [](const ReducedRoot &root) { return root.eigenvalue.imag(); });
+    if (tables)
+        for (modes::Root &root : out.roots)
+            root.rate = -root.left.dot(root.value * (rate.D * root.right) + rate.K * root.right) /
+                        root.slope;
     return out;
 }
 

@@ -1,23 +1,15 @@
 #pragma once
 
+#include "modes/roots/branches.h"
 #include "synchronous/problem.h"
 
 #include <Eigen/Core>
 
-#include <complex>
 #include <limits>
-#include <memory>
+#include <optional>
 #include <vector>
 
 namespace whirl::synchronous {
-
-/// A root l of the reduced problem with the bearings as they are at one speed s.
-struct ReducedRoot {
-    std::complex<double> eigenvalue; ///< l, 1/s
-    std::complex<double> slope;      ///< dl/ds
-    Eigen::VectorXcd shape;          ///< x, over the reduced unknowns
-    Eigen::VectorXcd left;           ///< y with y^H Q = 0, y^H Q' x = 1
-};
 
 /// Planar shapes on which the synchronous motions of a rotor are described, and of others of the
 /// same mesh too, which differ from it in their supports or masses: a critical speed map, random
@@ -46,13 +38,12 @@ class ReducedSynchronous {
     /// @param shapes   N x r
     ReducedSynchronous(const SynchronousProblem &problem, const Eigen::MatrixXd &shapes);
 
-    /// Roots with Im l >= `steepness` |Re l|, bearings as at a speed between the rows `piece` and
+    /// All roots with their rates dl/ds, bearings as at a speed s between the rows `piece` and
     /// `piece` + 1 of the tables (0 of a constant problem); without the motions that no support
-    /// resists, ascending by Im l. Of a conservative problem they are exactly on the axes, where
-    /// they follow from its energies.
+    /// resists. Of a conservative problem they are exactly on the axes, where they follow from its
+    /// energies.
     /// @throws linalg::SolverError
-    [[nodiscard]] std::vector<ReducedRoot> at(double speed, std::size_t piece,
-                                              double steepness) const;
+    [[nodiscard]] modes::RootsAt at(double speed, std::size_t piece) const;
 
     [[nodiscard]] Eigen::VectorXcd lifted(const Eigen::VectorXcd &shape) const;
     /// Up to which |l| all roots so far were resolved, 1/s: those beyond may be lost in rounding.
@@ -61,30 +52,22 @@ class ReducedSynchronous {
     [[nodiscard]] bool whole() const { return _shapes.cols() == _shapes.rows(); }
 
   private:
-    struct Dense {
-        Eigen::MatrixXcd M, D, K;
-    };
+    using Dense = modes::DenseQuadratic<std::complex<double>>;
     const SynchronousProblem &_problem;
     Eigen::MatrixXd _shapes; ///< over the unknowns of the problem
     Dense _first;
     std::vector<Dense> _changes; ///< of D and K
     double _scale;               ///< of the slow motions on the supports, 1/s
     std::vector<int> _zeros;     ///< roots at zero with the bearings as at each row
-    /// All at the last few speeds: at a row they are asked for both pieces that meet there, in
-    /// which the slopes alone differ.
-    struct Known {
-        double speed = 0;
-        std::size_t piece = 0;
-        std::vector<ReducedRoot> roots;
-    };
-    mutable std::vector<Known> _known;
+    /// At the highest speed so far, without rates: at a row they are asked for both pieces that
+    /// meet there, in which those alone differ.
+    mutable std::optional<modes::RootsAt> _highest;
     mutable double _known_to = std::numeric_limits<double>::infinity();
 
     [[nodiscard]] Eigen::MatrixXcd projected(const ComplexQuadratic::Sparse &A) const;
     [[nodiscard]] int zeros_at(double speed, std::size_t piece) const;
-    [[nodiscard]] std::vector<ReducedRoot> conservative(const Dense &at, int zeros) const;
-    [[nodiscard]] std::vector<ReducedRoot> any(const Dense &at, int zeros) const;
-    [[nodiscard]] std::vector<ReducedRoot> all_at(const Dense &at, int zeros) const;
+    [[nodiscard]] std::vector<modes::Root> conservative(const Dense &at, int zeros) const;
+    [[nodiscard]] std::vector<modes::Root> any(const Dense &at, int zeros) const;
 };
 
 } // namespace whirl::synchronous

@@ -304,41 +304,43 @@ TEST(AllCriticalSpeeds, OfMotionsTooDampedToOscillateAtTheRows) {
     const double k0 = 2052.4785;
     const double k1 = 27325858.7;
     const double c0 = 413.19644;
-    const double c1 = 22084.99;
-    for (model::Bearing &bearing : scene.rotor.bearings)
-        set_table(bearing, {{from, k0, k0, c0}, {to, k1, k1, c1}});
-    Speeds expected;
-    const auto add = [&](double inertia, double p) {
-        // k = k0 + kr u, c = c0 + cr u, s = from + u
-        const double kr = p * (k1 - k0) / (to - from) / inertia;
-        const double cr = p * (c1 - c0) / (to - from) / (2 * inertia);
-        const double kf = p * k0 / inertia;
-        const double cf = p * c0 / (2 * inertia);
-        const double a = -cr * cr - 1;
-        const double b = kr - 2 * cf * cr - 2 * from;
-        const double c = kf - cf * cf - from * from;
-        for (const double sign : {-1.0, 1.0}) {
-            const double root = (-b + sign * std::sqrt(b * b - 4 * a * c)) / (2 * a);
-            const double speed = from + root;
-            const double decay = cf + cr * root;
-            if (root > 0 && speed < to && speed > decay)
-                expected.push_back(speed);
+    // At the second row the translations oscillate with much damping, or do not.
+    for (const double c1 : {22084.99, 24500.0}) {
+        for (model::Bearing &bearing : scene.rotor.bearings)
+            set_table(bearing, {{from, k0, k0, c0}, {to, k1, k1, c1}});
+        Speeds expected;
+        const auto add = [&](double inertia, double p) {
+            // k = k0 + kr u, c = c0 + cr u, s = from + u
+            const double kr = p * (k1 - k0) / (to - from) / inertia;
+            const double cr = p * (c1 - c0) / (to - from) / (2 * inertia);
+            const double kf = p * k0 / inertia;
+            const double cf = p * c0 / (2 * inertia);
+            const double a = -cr * cr - 1;
+            const double b = kr - 2 * cf * cr - 2 * from;
+            const double c = kf - cf * cf - from * from;
+            for (const double sign : {-1.0, 1.0}) {
+                const double root = (-b + sign * std::sqrt(b * b - 4 * a * c)) / (2 * a);
+                const double speed = from + root;
+                const double decay = cf + cr * root;
+                if (root > 0 && speed < to && speed > decay)
+                    expected.push_back(speed);
+            }
+        };
+        add(10, 2);
+        add(10, 2);
+        add(0.05 + 0.08, 2 * 0.4 * 0.4);
+        // Below the rows and at the first one every motion is that of the constant supports.
+        for (const auto &[inertia, p] :
+             {std::pair(10.0, 2.0), std::pair(10.0, 2.0), std::pair(0.13, 2 * 0.4 * 0.4)}) {
+            const double decay = p * c0 / (2 * inertia);
+            const double square = p * k0 / inertia - decay * decay;
+            if (square > decay * decay)
+                expected.push_back(std::sqrt(square));
         }
-    };
-    add(10, 2);
-    add(10, 2);
-    add(0.05 + 0.08, 2 * 0.4 * 0.4);
-    // Below the rows and at the first one every motion is that of the constant supports.
-    for (const auto &[inertia, p] :
-         {std::pair(10.0, 2.0), std::pair(10.0, 2.0), std::pair(0.13, 2 * 0.4 * 0.4)}) {
-        const double decay = p * c0 / (2 * inertia);
-        const double square = p * k0 / inertia - decay * decay;
-        if (square > decay * decay)
-            expected.push_back(std::sqrt(square));
+        ASSERT_GE(expected.size(), 4U);
+        std::ranges::sort(expected);
+        expect_all(listed(scene), expected, 1e-9);
     }
-    ASSERT_GE(expected.size(), 4U);
-    std::ranges::sort(expected);
-    expect_all(listed(scene), expected, 1e-9);
 }
 
 // Free in y, on 100 and 200 N/m in x: y does not move, the tilt about it follows that in x, and of

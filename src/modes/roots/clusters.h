@@ -1,15 +1,15 @@
 #pragma once
 
-#include "ends/spectrum.h"
+#include "modes/roots/branches.h"
 
 #include <vector>
 
-namespace whirl::ends {
+namespace whirl::modes {
 
 /// Roots at one end of a step that cannot be distinguished.
 using Cluster = std::vector<const Root *>;
 
-[[nodiscard]] Cluster cluster(const Spectrum &spectrum, const std::vector<int> &numbers);
+[[nodiscard]] Cluster cluster(const RootsAt &spectrum, const std::vector<int> &numbers);
 
 /// A step that a cluster is followed over.
 struct ClusterStep {
@@ -29,8 +29,11 @@ struct ClusterStep {
 /// its modulus there.
 [[nodiscard]] bool off_the_axis(const Cluster &a, const Cluster &b, const ClusterStep &step);
 
+/// Those of each end are one root within rounding: which is which does not matter.
+[[nodiscard]] bool one_root(const Cluster &a, const Cluster &b);
+
 /// As many at both ends, and at one of them they are zero but for rounding: so of balls near rest,
 /// over long steps.
 [[nodiscard]] bool zero_but_for_rounding(const Cluster &a, const Cluster &b);
 
-} // namespace whirl::ends
+} // namespace whirl::modes

@@ -1,9 +1,9 @@
-#include "ends/clusters.h"
+#include "modes/roots/clusters.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace whirl::ends {
+namespace whirl::modes {
 
 namespace {
 
@@ -176,7 +176,7 @@ bool stays_off(const Cluster &a, const Cluster &b, const ClusterStep &step, bool
 
 } // namespace
 
-Cluster cluster(const Spectrum &spectrum, const std::vector<int> &numbers) {
+Cluster cluster(const RootsAt &spectrum, const std::vector<int> &numbers) {
     Cluster out;
     for (const int number : numbers)
         out.push_back(&spectrum.roots[static_cast<std::size_t>(number)]);
@@ -214,6 +214,16 @@ bool off_the_axis(const Cluster &a, const Cluster &b, const ClusterStep &step) {
     return stays_off(a, b, step, false) || (step.is_long && stays_off(a, b, step, true));
 }
 
+bool one_root(const Cluster &a, const Cluster &b) {
+    const auto equal = [](const Cluster &roots) {
+        constexpr double rounding = 1e-9; // of the value: of a root that is double
+        constexpr double known = 3;       // noise of two, each of one part of a value
+        return radius(roots) <=
+               rounding * std::abs(roots.front()->value) + known * roots.front()->noise;
+    };
+    return a.size() == b.size() && !a.empty() && equal(a) && equal(b);
+}
+
 bool zero_but_for_rounding(const Cluster &a, const Cluster &b) {
     const auto in_noise = [](const Cluster &roots) {
         // Noise is that of one part of a value; the modulus has two.
@@ -224,4 +234,4 @@ bool zero_but_for_rounding(const Cluster &a, const Cluster &b) {
     return a.size() == b.size() && (in_noise(a) || in_noise(b));
 }
 
-} // namespace whirl::ends
+} // namespace whirl::modes
