@@ -270,6 +270,7 @@ std::vector<PlacedLabel> placed_labels(const LaidOut &at) {
     if (at.panel.labels.empty())
         return placed;
     LabelPlacer placer = occupied(at);
+    placer.take({0, 0, 210 / at.wide(), 0.04 + 8 / at.high()}); // what says that some are left out
     for (const ChartLabel &label : at.panel.labels) {
         const double x = at.along(label.x);
         const double y = at.up(label.y);
