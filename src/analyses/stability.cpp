@@ -208,7 +208,7 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
         count_resolved_if_driven(*all, model.rotor);
         add_growth(*all, result);
     }
-    std::vector<ends::WholeMotion> roots;
+    std::vector<ends::EndOfGrowth> roots;
     if (range) {
         stage.emplace("unstable bands", 0.3, 0.6);
         roots = search_bands(finder, all ? &*all : nullptr, grid, result);

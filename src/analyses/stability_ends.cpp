@@ -22,27 +22,6 @@ namespace {
 using results::Sentence;
 namespace as = results::as;
 
-/// Inside of the bands and between them.
-std::vector<double> looks(const std::vector<results::Interval> &bands) {
-    std::vector<double> out;
-    for (std::size_t i = 0; i < bands.size(); ++i) {
-        out.push_back((bands[i].from + bands[i].to) / 2);
-        if (i > 0)
-            out.push_back((bands[i - 1].to + bands[i].from) / 2);
-    }
-    return out;
-}
-
-/// Without those in which every motion dies out: noise of eigenvalues that are nearly zero.
-std::vector<results::Interval> those_that_grow(std::vector<results::Interval> bands,
-                                               const ends::AllMotions &motions) {
-    const auto decays = [&motions](const results::Interval &band) {
-        return motions.fastest_growing((band.from + band.to) / 2).value.real() < 0;
-    };
-    std::erase_if(bands, decays);
-    return bands;
-}
-
 /// Of one speed: the fastest growing decides.
 results::Verdict verdict_of(const std::vector<stability::Motion> &motions) {
     const double growth = stability::growth_of(motions);
@@ -52,21 +31,6 @@ results::Verdict verdict_of(const std::vector<stability::Motion> &motions) {
         return motion.value.real() == growth && motion.value.imag() == 0;
     });
     return real ? results::Verdict::diverges : results::Verdict::unstable;
-}
-
-/// All speeds at which the number of growing motions changes, where they tell what there is to tell
-/// of the unstable bands: every motion is damped or grows, and was followed throughout, but for
-/// doubts in fixed axes, where no other search knows better.
-/// @param steps  of the range to begin with
-std::optional<ends::EndsFound> ends_of_damped(const ends::AllMotions &motions, int steps) {
-    ends::EndsFound found = ends::find_ends(motions, {}, steps);
-    const bool counted = std::ranges::all_of(found.ends, [](const auto &end) {
-        return end.growing_below >= 0 && end.growing_above >= 0;
-    });
-    if (found.undamped || !counted ||
-        (!found.doubtful.empty() && results::in_rotating_axes(motions.form())))
-        return std::nullopt;
-    return found;
 }
 
 void note_doubts(const ends::EndsFound &found, std::vector<Sentence> &notes) {
@@ -99,54 +63,6 @@ void note_lost_motions(const std::vector<results::Interval> &doubtful, const cha
 }
 
 namespace {
-
-/// Bands and ends where the search for bands is needed beside that for ends: motions without
-/// damping, equations that stay periodic. Each completes the other; notes where they do not agree.
-/// @param motions  of the rotor; none: form hill
-/// @returns the motions at the ends that are known as roots
-std::vector<ends::WholeMotion> add_bands_and_ends(stability::BandFinder &finder,
-                                                  const ends::AllMotions *motions,
-                                                  const std::vector<double> &grid,
-                                                  results::StabilityResult &result) {
-    const stability::MotionsAt at = [&finder](double speed) { return finder.at(speed); };
-    auto &notes = result.model.notes;
-    const stability::BandsFound bands = finder.find(grid);
-    result.unstable = motions != nullptr ? those_that_grow(bands.bands, *motions) : bands.bands;
-    note_lost_motions(bands.doubtful, "the motions", notes);
-    const results::Interval range{grid.front(), grid.back()};
-    ends::EndsFound found = motions != nullptr ? ends::find_ends(*motions, looks(result.unstable))
-                                               : ends::multiplier_ends(at, grid, result.unstable);
-    note_doubts(found, notes);
-    const std::vector<double> edges =
-        ends::reconcile(found, result.unstable, at, finder.model().form, range);
-    if (!edges.empty())
-        notes.emplace_back(
-            edges.size() == 1
-                ? "at {} an unstable band ends, but no change of the number of growing motions was "
-                  "found"
-                : "at {} unstable bands end, but no change of the number of growing motions was "
-                  "found",
-            as::speed.list(edges, 10));
-    if (motions != nullptr) {
-        const std::vector<results::Interval> all = result.unstable;
-        result.unstable = those_that_grow(all, *motions);
-        for (const results::Interval &band : all)
-            if (std::ranges::find(result.unstable, band) == result.unstable.end())
-                std::erase_if(found.ends, [&band](const results::StabilityEnd &end) {
-                    return end.speed >= band.from && end.speed <= band.to;
-                });
-    }
-    const bool counted = std::ranges::all_of(found.ends, [](const auto &end) {
-        return end.growing_below >= 0 && end.growing_above >= 0;
-    });
-    if (!counted) {
-        notes.emplace_back("the ends of growth are not listed: so many lie so close together that "
-                           "the growing motions between them could not be counted");
-        return {};
-    }
-    result.ends = std::move(found.ends);
-    return std::move(found.roots);
-}
 
 /// No answer where none was found to grow and not all are counted.
 double growth_of(const ends::FastestGrowing &fastest) {
@@ -213,21 +129,17 @@ void add_growth(const ends::AllMotions &motions, results::StabilityResult &resul
 BandsBetween bands_between_ends(stability::BandFinder &finder, const std::vector<double> &grid) {
     if (finder.model().resisted)
         return {};
-    if (finder.model().form != results::Form::hill)
-        try {
-            if (auto found = ends_of_damped({finder, grid}, ends::few_steps))
-                return {{ends::bands_of(*found, {grid.front(), grid.back()}),
-                         std::move(found->doubtful)},
-                        std::move(found->roots)};
-        } catch (const linalg::SolverError &) { // the search for bands has other ways
-        }
-    return {finder.find(grid), {}};
+    if (finder.model().form == results::Form::hill)
+        return {finder.find(grid), {}};
+    ends::EndsFound found = ends::find_ends({finder, grid}, ends::few_steps);
+    return {{ends::bands_of(found, {grid.front(), grid.back()}), std::move(found.doubtful)},
+            std::move(found.roots)};
 }
 
 std::vector<results::EndErrors> band_errors(const stability::BandFinder &finder,
                                             const std::vector<results::Interval> &bands,
                                             const std::vector<double> &grid,
-                                            const std::vector<ends::WholeMotion> &roots) {
+                                            const std::vector<ends::EndOfGrowth> &roots) {
     std::optional<ends::FinerEnds> finer;
     const auto by_root = [&](double speed, double inward, double reach) -> std::optional<double> {
         const auto root = std::ranges::find_if(
@@ -242,20 +154,35 @@ std::vector<results::EndErrors> band_errors(const stability::BandFinder &finder,
     return stability::band_errors(finder, bands, {grid.front(), grid.back()}, by_root);
 }
 
-std::vector<ends::WholeMotion> search_bands(stability::BandFinder &finder,
+std::vector<ends::EndOfGrowth> search_bands(stability::BandFinder &finder,
                                             const ends::AllMotions *motions,
                                             const std::vector<double> &grid,
                                             results::StabilityResult &result) {
     if (finder.model().resisted)
         return {};
-    auto found = motions != nullptr ? ends_of_damped(*motions, ends::usual_steps) : std::nullopt;
-    if (found) {
-        note_doubts(*found, result.model.notes);
-        result.unstable = ends::bands_of(*found, {grid.front(), grid.back()});
-        result.ends = std::move(found->ends);
-        return std::move(found->roots);
+    std::vector<Sentence> &notes = result.model.notes;
+    ends::EndsFound found;
+    if (motions != nullptr) {
+        found = ends::find_ends(*motions);
+        result.unstable = ends::bands_of(found, {grid.front(), grid.back()});
+    } else {
+        stability::BandsFound bands = finder.find(grid);
+        note_lost_motions(bands.doubtful, "the motions", notes);
+        result.unstable = std::move(bands.bands);
+        found = ends::multiplier_ends([&finder](double speed) { return finder.at(speed); }, grid,
+                                      result.unstable);
     }
-    return add_bands_and_ends(finder, motions, grid, result);
+    note_doubts(found, notes);
+    const bool counted = std::ranges::all_of(found.ends, [](const auto &end) {
+        return end.growing_below >= 0 && end.growing_above >= 0;
+    });
+    if (!counted) {
+        notes.emplace_back("the ends of growth are not listed: so many lie so close together that "
+                           "the growing motions between them could not be counted");
+        return {};
+    }
+    result.ends = std::move(found.ends);
+    return std::move(found.roots);
 }
 
 void add_growth_of_all_speeds(const ends::AllMotions &motions, results::StabilityResult &result) {

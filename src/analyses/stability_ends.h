@@ -25,7 +25,7 @@ void add_hill_growth(const stability::BandFinder &finder, double from,
 /// Unstable bands, and the motions at their ends that are known as roots.
 struct BandsBetween {
     stability::BandsFound found;
-    std::vector<ends::WholeMotion> roots;
+    std::vector<ends::EndOfGrowth> roots;
 };
 
 /// Unstable bands by the ends of growth, where these are certain, else by the search for bands.
@@ -42,13 +42,13 @@ void note_lost_motions(const std::vector<results::Interval> &doubtful, const cha
 /// @param grid  over which they were looked for
 [[nodiscard]] std::vector<results::EndErrors>
 band_errors(const stability::BandFinder &finder, const std::vector<results::Interval> &bands,
-            const std::vector<double> &grid, const std::vector<ends::WholeMotion> &roots);
+            const std::vector<double> &grid, const std::vector<ends::EndOfGrowth> &roots);
 
 /// Unstable bands and the speeds at which the number of growing motions changes: by the ends of
 /// growth where these are certain, else by the search for bands beside them.
 /// @param motions  of the rotor; none: form hill
 /// @returns the motions at the ends that are known as roots
-[[nodiscard]] std::vector<ends::WholeMotion> search_bands(stability::BandFinder &finder,
+[[nodiscard]] std::vector<ends::EndOfGrowth> search_bands(stability::BandFinder &finder,
                                                           const ends::AllMotions *motions,
                                                           const std::vector<double> &grid,
                                                           results::StabilityResult &result);

@@ -134,6 +134,18 @@ std::optional<WholeMotion> AllMotions::of_whole(const WholeMotion &guess) const 
     return at_its_speed(_whole_at->problem, guess, _pencil);
 }
 
+bool AllMotions::conserves(double speed) const {
+    // Relative, of sums of element matrices; a real asymmetry is an input, far larger.
+    constexpr double rounding = 1e-12;
+    const modes::QuadraticAt at = _whole.at(speed);
+    const auto with_transposed = [](const Eigen::SparseMatrix<double> &A, double sign) {
+        return Eigen::SparseMatrix<double>(A + sign * Eigen::SparseMatrix<double>(A.transpose()))
+                   .norm() <= rounding * A.norm();
+    };
+    return !_discretization.rotor().damped() && with_transposed(at.D, 1) &&
+           with_transposed(at.K, -1) && with_transposed(at.M, -1);
+}
+
 void AllMotions::count_resolved() {
     _resolved = ends::resolved_up_to(_discretization, _shapes.get(), (_from + _to) / 2);
     _drives_all = true;

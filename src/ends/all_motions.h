@@ -75,6 +75,10 @@ class AllMotions {
     }
     [[nodiscard]] const modes::FormMatrices &whole() const { return _whole; }
 
+    /// Whether nothing damps or drives the rotor at a speed, but for rounding: with l every -l* is
+    /// an eigenvalue, and what begins to grow other than at zero does so where two motions meet.
+    [[nodiscard]] bool conserves(double speed) const;
+
     /// |l| up to which the motions that grow are counted as resolved, 1/s: infinite unless set.
     [[nodiscard]] double resolved_up_to() const { return _resolved; }
     /// Sets it from the mesh (resolved_reach.h) and the shapes. From then on fastest_growing()

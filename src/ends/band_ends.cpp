@@ -15,71 +15,12 @@ using results::StabilityEnd;
 using stability::Motion;
 using stability::MotionsAt;
 
-/// An end of a band and a change of the count within this part of the speed are the same.
-constexpr double same = 1e-6;
-
-bool near(double a, double b) { return std::abs(a - b) <= same * std::abs(b); }
-
 int growing(const std::vector<Motion> &motions) {
     return static_cast<int>(std::ranges::count_if(motions, &Motion::grows));
 }
 
 bool begins_or_ends_growth(const StabilityEnd &end) {
     return (end.growing_below > 0) != (end.growing_above > 0);
-}
-
-/// Moves stability limits onto the ends of bands that they belong to.
-void snap(std::vector<StabilityEnd> &ends, const std::vector<results::Interval> &bands) {
-    for (StabilityEnd &end : ends) {
-        if (!begins_or_ends_growth(end))
-            continue;
-        for (const results::Interval &band : bands) {
-            const double edge = end.growing_above > 0 ? band.from : band.to;
-            if (near(end.speed, edge))
-                end.speed = edge;
-        }
-    }
-}
-
-/// A band without stability limits of its own.
-void take_up(std::vector<StabilityEnd> &ends, const results::Interval &band, const MotionsAt &at,
-             results::Form form, const results::Interval &range) {
-    const std::vector<Motion> inside = at((band.from + band.to) / 2);
-    const int count = std::max(1, growing(inside));
-    const double frequency = std::abs(stability::fastest_growing(inside).value.imag());
-    for (const bool begins : {true, false}) {
-        const double speed = begins ? band.from : band.to;
-        if (speed == range.from || speed == range.to)
-            continue;
-        StabilityEnd end;
-        end.speed = speed;
-        end.kind = frequency == 0 ? EndKind::zero : EndKind::collision;
-        (results::in_rotating_axes(form) ? end.frequency_rotating : end.frequency) = frequency;
-        (begins ? end.growing_above : end.growing_below) = count;
-        ends.push_back(end);
-    }
-    std::ranges::sort(ends, {}, &StabilityEnd::speed);
-}
-
-bool overlap(const results::Interval &a, const results::Interval &b) {
-    return std::max(a.from, b.from) < std::min(a.to, b.to);
-}
-
-/// A band that the search has carried on to a border of the range, although nothing grows there: it
-/// begins or ends at a stability limit in between.
-bool carried_to_border(double edge, const results::Interval &band, const EndsFound &found,
-                       const MotionsAt &at, const results::Interval &range) {
-    return (edge == range.from || edge == range.to) &&
-           std::ranges::any_of(found.ends,
-                               [&](const StabilityEnd &end) {
-                                   return begins_or_ends_growth(end) && end.speed > band.from &&
-                                          end.speed < band.to &&
-                                          (end.growing_above > 0) == (edge == range.from) &&
-                                          std::ranges::any_of(found.roots, [&](const auto &root) {
-                                              return root.speed == end.speed;
-                                          });
-                               }) &&
-           growing(at(edge)) == 0;
 }
 
 /// The motions at a speed, and how many of them grow.
@@ -198,34 +139,6 @@ std::vector<results::Interval> bands_of(const EndsFound &found, const results::I
     if (unstable)
         out.push_back({start, range.to});
     return out;
-}
-
-std::vector<double> reconcile(EndsFound &found, std::vector<results::Interval> &bands,
-                              const MotionsAt &at, results::Form form,
-                              const results::Interval &range) {
-    snap(found.ends, bands);
-    const std::vector<results::Interval> by_ends = bands_of(found, range);
-    for (const results::Interval &band : bands)
-        if (std::ranges::none_of(by_ends, [&](const auto &other) { return overlap(band, other); }))
-            take_up(found.ends, band, at, form, range);
-    const std::vector<results::Interval> all = bands_of(found, range);
-    std::vector<double> unexplained;
-    for (const results::Interval &band : bands)
-        for (const double edge : {band.from, band.to})
-            if (std::ranges::none_of(all,
-                                     [&](const results::Interval &other) {
-                                         return near(edge, other.from) || near(edge, other.to);
-                                     }) &&
-                !carried_to_border(edge, band, found, at, range))
-                unexplained.push_back(edge);
-    if (unexplained.empty())
-        bands = all;
-    // The number may change there without growth ceasing: bands differ, the list does not.
-    std::erase_if(unexplained, [&](double edge) {
-        return std::ranges::any_of(found.ends,
-                                   [edge](const auto &end) { return near(end.speed, edge); });
-    });
-    return unexplained;
 }
 
 EndsFound multiplier_ends(const MotionsAt &at, const std::vector<double> &speeds,

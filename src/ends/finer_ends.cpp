@@ -44,19 +44,19 @@ Eigen::VectorXcd FinerEnds::embedded(const Eigen::VectorXcd &vector) const {
     return out;
 }
 
-std::optional<double> FinerEnds::error(const WholeMotion &own, double inward, double reach) const {
+std::optional<double> FinerEnds::error(const EndOfGrowth &own, double inward, double reach) const {
     constexpr double alike = 0.5; // of 1: above a half no other motion can be as much alike
     WholeMotion guess = own;
     guess.right = embedded(own.right);
     guess.left = embedded(own.left);
-    const auto other = on_the_axis(_matrices, guess, own.value.imag() == 0);
-    if (!other || !(std::abs(other->speed - own.speed) <= reach) ||
-        !(own.rate.real() * inward > 0) || !(other->rate.real() * inward > 0) ||
+    const auto other = own.kind == results::EndKind::collision
+                           ? collision(_matrices, guess, reach)
+                           : on_the_axis(_matrices, guess, own.kind == results::EndKind::zero);
+    if (!other || !(std::abs(other->speed - own.speed) <= reach) || !(own.inward * inward > 0) ||
+        !(other->inward * inward > 0) ||
         !(likeness(guess.right, other->right, _matrices.mass()) > alike))
         return std::nullopt;
-    const double rounding =
-        own.noise / std::abs(own.rate.real()) + other->noise / std::abs(other->rate.real());
-    const double error = rounding + 1e-12 * std::abs(own.speed) +
+    const double error = own.blur + other->blur + 1e-12 * std::abs(own.speed) +
                          mesh_error::estimate_safety * std::abs(other->speed - own.speed);
     return std::isfinite(error) ? std::optional(error) : std::nullopt;
 }

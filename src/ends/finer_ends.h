@@ -28,11 +28,11 @@ class FinerEnds {
 
     /// Error of an end, rad/s: its distance to that of the finer model, with safety, and what
     /// rounding leaves open in both.
-    /// @param own     the motion on the axis, of the rotor itself (on_the_axis())
+    /// @param own     the motion on the axis, of the rotor itself
     /// @param inward  1 where something grows above its speed, -1 below
     /// @param reach   rad/s; an end farther away is another one
     /// @returns nothing where the finer model's end is not found for certain
-    [[nodiscard]] std::optional<double> error(const WholeMotion &own, double inward,
+    [[nodiscard]] std::optional<double> error(const EndOfGrowth &own, double inward,
                                               double reach) const;
 
   private:

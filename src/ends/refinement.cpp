@@ -3,6 +3,7 @@
 #include "linalg/sparse_factor.h"
 #include "linalg/sparse_sum.h"
 #include "linalg/unit_scales.h"
+#include "modes/roots/double_root.h"
 
 #include <cmath>
 #include <limits>
@@ -106,10 +107,11 @@ bool iterate(const modes::QuadraticAt &p, Complex l, bool at_zero, WholeMotion &
 } // namespace
 
 /// Newton's method, with better vectors at each step.
-std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole, const WholeMotion &guess,
+std::optional<EndOfGrowth> on_the_axis(const modes::FormMatrices &whole, const WholeMotion &guess,
                                        bool at_zero) {
     constexpr int most_steps = 25; // a guard: quadratic, linear at double roots
-    WholeMotion m = guess;
+    EndOfGrowth m{guess};
+    m.kind = at_zero ? results::EndKind::zero : results::EndKind::pair;
     m.value = {0, at_zero ? 0 : guess.value.imag()};
     const double scale = std::max(std::abs(guess.speed), std::abs(m.value));
     Settled settled;
@@ -141,10 +143,29 @@ std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole, const W
         m.rate = -f.by_speed / f.by_root;
         if (settled(relative)) {
             m.noise = noise_of(problem, m, f.by_root);
+            m.inward = m.rate.real() > 0 ? 1 : -1;
+            m.blur = m.noise / std::abs(m.rate.real());
             return m;
         }
     }
     return std::nullopt;
+}
+
+std::optional<EndOfGrowth> collision(const modes::FormMatrices &whole, const WholeMotion &guess,
+                                     double reach) {
+    const auto found =
+        modes::double_root<Complex>([&whole](double speed) { return whole.at(speed); }, guess.speed,
+                                    Complex(0, guess.value.imag()), guess.right, reach);
+    if (!found)
+        return std::nullopt;
+    EndOfGrowth out;
+    out.speed = found->speed;
+    out.value = found->value;
+    out.right = out.left = found->shape; // Q is Hermitian
+    out.kind = results::EndKind::collision;
+    out.inward = found->opens ? -1 : 1;
+    out.blur = found->noise;
+    return out;
 }
 
 std::optional<WholeMotion> at_its_speed(const modes::QuadraticAt &whole, const WholeMotion &guess,

@@ -2,6 +2,7 @@
 
 #include "modes/form_matrices.h"
 #include "modes/roots/whole_pencil.h"
+#include "results/stability.h"
 
 #include <Eigen/Core>
 
@@ -19,13 +20,26 @@ struct WholeMotion {
     double noise = 0;             ///< found: how far rounding of the matrices can move l, 1/s
 };
 
+/// A motion of the whole rotor at an end of its growth: on the imaginary axis.
+struct EndOfGrowth : WholeMotion {
+    results::EndKind kind = results::EndKind::pair;
+    int inward = 0;  ///< 1: it grows above its speed, -1: below
+    double blur = 0; ///< how far rounding of the matrices can move the speed, rad/s
+};
+
 /// The speed next to `guess` at which a root i w of the whole rotor lies on the imaginary axis:
 /// Newton's method for y^H Q(i w, speed) x = 0, two real equations for w and the speed, with x and
 /// y by inverse iteration at each step, so that its error is squared twice over.
 /// @param at_zero  w is zero and stays so: one equation for the speed
 /// @returns nothing where it does not converge
-[[nodiscard]] std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole,
+[[nodiscard]] std::optional<EndOfGrowth> on_the_axis(const modes::FormMatrices &whole,
                                                      const WholeMotion &guess, bool at_zero);
+
+/// The speed next to `guess` at which two motions of the whole rotor, without damping, meet on the
+/// imaginary axis and part: there y^H Q(i w, speed) x = 0 has a double root (double_root.h).
+/// @param reach  how far from the guess's speed, rad/s
+[[nodiscard]] std::optional<EndOfGrowth> collision(const modes::FormMatrices &whole,
+                                                   const WholeMotion &guess, double reach);
 
 /// The root of the whole rotor next to `guess` at its speed.
 /// @param whole   at that speed

@@ -19,8 +19,7 @@ using Complex = std::complex<double>;
 constexpr double at_rest = 1e-6;
 
 /// Speeds to begin with in one piece of the range, which is ascending and does not cross zero.
-std::vector<double> base_speeds(double from, double to, const std::vector<double> &probe_speeds,
-                                double top, double step) {
+std::vector<double> base_speeds(double from, double to, double top, double step) {
     const double rest = at_rest * top;
     const double low = std::abs(from) < rest ? rest : from;
     const double high = std::abs(to) < rest ? -rest : to;
@@ -31,7 +30,6 @@ std::vector<double> base_speeds(double from, double to, const std::vector<double
     const int steps = std::max(2, static_cast<int>(std::ceil((high - low) / step)));
     for (int k = 1; k < steps; ++k)
         out.push_back(low + (high - low) * k / steps);
-    out.insert(out.end(), probe_speeds.begin(), probe_speeds.end());
     std::ranges::sort(out);
     out.erase(std::unique(out.begin(), out.end()), out.end());
     std::erase_if(out, [&](double speed) { return speed < low || speed > high; });
@@ -40,8 +38,7 @@ std::vector<double> base_speeds(double from, double to, const std::vector<double
 
 /// A change as the whole rotor has it, with what it does to the number of growing motions.
 struct Found {
-    WholeMotion motion;
-    EndKind kind = EndKind::pair;
+    EndOfGrowth motion; ///< a collision that the whole rotor does not have: of the reduced one
     int gain = 0;
     bool together = false; ///< with others that rounding does not distinguish
     double place = 0; ///< the same change of the reduced rotor, whose motions are counted, rad/s
@@ -49,15 +46,14 @@ struct Found {
 
 class EndSearch {
   public:
-    EndSearch(const AllMotions &motions, const std::vector<double> &probe_speeds, int steps)
-        : _motions(motions) {
+    EndSearch(const AllMotions &motions, int steps) : _motions(motions) {
         const RotorPieces &rotor = motions.rotor();
         const double from = rotor.from(0);
         const double to = rotor.to(rotor.pieces() - 1);
         const double top = std::max(std::abs(from), std::abs(to));
         for (int piece = 0; piece < rotor.pieces(); ++piece) {
-            const auto speeds = base_speeds(rotor.from(piece), rotor.to(piece), probe_speeds, top,
-                                            (to - from) / steps);
+            const auto speeds =
+                base_speeds(rotor.from(piece), rotor.to(piece), top, (to - from) / steps);
             if (speeds.size() < 2)
                 continue;
             const Swept range = swept(motions, piece, speeds);
@@ -87,10 +83,8 @@ class EndSearch {
                                                       std::abs(_counts.rbegin()->first));
         constexpr double slow = 0.05; // balls near rest: powers of the speed
         for (const auto &[speed, count] : _counts) {
-            if (count.unknown + count.hidden == 0 || std::abs(speed) <= slow * top ||
-                at_an_end(speed))
+            if (count.hidden == 0 || std::abs(speed) <= slow * top || at_an_end(speed))
                 continue;
-            _out.undamped = _out.undamped || count.unknown > 0;
             if (count.hidden > 0)
                 _out.doubtful.push_back({speed, speed});
         }
@@ -98,7 +92,7 @@ class EndSearch {
             const Found &found = _found[i];
             StabilityEnd end;
             end.speed = found.motion.speed;
-            end.kind = found.kind;
+            end.kind = found.motion.kind;
             end.growing_below = growing[i];
             end.growing_above = growing[i + 1];
             if (end.growing_below + found.gain != end.growing_above && !found.together &&
@@ -111,7 +105,7 @@ class EndSearch {
             end.resolved.above = resolved_growing[passed];
             if (end.growing_below != end.growing_above)
                 _out.ends.push_back(end);
-            if (found.kind != EndKind::collision)
+            if (found.motion.inward != 0)
                 _out.roots.push_back(found.motion);
         }
         return std::move(_out);
@@ -167,9 +161,10 @@ class EndSearch {
             guess.right = guess.right.conjugate().eval();
             guess.left = guess.left.conjugate().eval();
         }
-        const bool collide = change.undamped && !at_zero;
-        const auto exact = collide ? std::nullopt : on_the_axis(_motions.whole(), guess, at_zero);
+        const bool collide = (change.undamped || _motions.conserves(place)) && !at_zero;
         const double reach = 3 * (change.to - change.from) + 1e-4 * std::abs(change.speed);
+        const auto exact = collide ? collision(_motions.whole(), guess, reach)
+                                   : on_the_axis(_motions.whole(), guess, at_zero);
         // A pair next to zero can lead to where two real roots meet, which is another motion.
         constexpr double like = 0.5;
         const bool confirmed = exact && std::abs(exact->speed - change.speed) <= reach &&
@@ -179,16 +174,18 @@ class EndSearch {
         const bool by_one = confirmed && std::abs(change.gain) == 1;
         if (!at_zero && (by_one || (!confirmed && !change.smooth)))
             if (const auto zero = zero_beside(change, guess)) {
-                _found.push_back({*zero, EndKind::zero, change.gain, false, change.speed});
+                _found.push_back({*zero, change.gain, false, change.speed});
                 return;
             }
-        if (confirmed && (at_zero || exact->rate.real() * single > 0)) {
-            _found.push_back({*exact, at_zero ? EndKind::zero : EndKind::pair,
-                              at_zero ? change.gain : 2 * single, false, change.speed});
+        if (confirmed && (at_zero || exact->inward == single)) {
+            _found.push_back(
+                {*exact, at_zero || collide ? change.gain : 2 * single, false, change.speed});
         } else if (!change.smooth && change.from != change.to &&
                    change.to - change.from < 1e-9 * std::abs(change.speed)) {
-            guess.value = {0, std::abs(change.value.imag())};
-            _found.push_back({guess, EndKind::collision, change.gain, false, change.speed});
+            EndOfGrowth reduced{guess};
+            reduced.kind = EndKind::collision;
+            reduced.value = {0, std::abs(change.value.imag())};
+            _found.push_back({reduced, change.gain, false, change.speed});
         } else if (change.smooth) {
             _out.doubtful.push_back({change.from, change.to});
         }
@@ -200,7 +197,7 @@ class EndSearch {
 
     /// A pair next to zero that does not reach the axis: two real roots met, one of which passes
     /// zero.
-    [[nodiscard]] std::optional<WholeMotion> zero_beside(const Change &change,
+    [[nodiscard]] std::optional<EndOfGrowth> zero_beside(const Change &change,
                                                          WholeMotion guess) const {
         if (std::abs(guess.value) > std::sqrt(hidden) * std::abs(change.speed))
             return std::nullopt;
@@ -227,8 +224,8 @@ class EndSearch {
             return std::abs(found.motion.value) <= std::sqrt(hidden) * std::abs(found.motion.speed);
         };
         for (Found &found : _found) {
-            const bool zero = found.kind == EndKind::zero;
-            const bool after_zero = !out.empty() && out.back().kind == EndKind::zero;
+            const bool zero = found.motion.kind == EndKind::zero;
+            const bool after_zero = !out.empty() && out.back().motion.kind == EndKind::zero;
             const bool near = !out.empty() && (zero || after_zero) && next_to_zero(found) &&
                               next_to_zero(out.back()) &&
                               found.motion.speed - out.back().motion.speed <=
@@ -258,7 +255,8 @@ class EndSearch {
         for (std::size_t i = 1; i < _found.size(); ++i) {
             const Found &a = _found[i - 1];
             const Found &b = _found[i];
-            if (a.kind == b.kind && b.kind != EndKind::collision && same_root(a.motion, b.motion))
+            if (a.motion.kind == b.motion.kind && b.motion.kind != EndKind::collision &&
+                same_root(a.motion, b.motion))
                 _out.doubtful.push_back({a.motion.speed, b.motion.speed});
         }
     }
@@ -323,8 +321,8 @@ class EndSearch {
 
 } // namespace
 
-EndsFound find_ends(const AllMotions &motions, const std::vector<double> &probe_speeds, int steps) {
-    return EndSearch(motions, probe_speeds, steps).ends();
+EndsFound find_ends(const AllMotions &motions, int steps) {
+    return EndSearch(motions, steps).ends();
 }
 
 } // namespace whirl::ends

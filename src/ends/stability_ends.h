@@ -18,19 +18,14 @@ struct EndsFound {
     int growing_from = 0;                    ///< motions that grow at the beginning of the range
     /// Where the number of growing motions does not follow from the ends.
     std::vector<results::Interval> doubtful;
-    /// The motions on the imaginary axis at the ends that are roots (kinds zero and pair).
-    std::vector<WholeMotion> roots;
-    /// Of some motions rounding hides whether they grow: there is no damping, and collisions of
-    /// theirs are found more surely by a search for them (stability/).
-    bool undamped = false;
+    /// The motions on the imaginary axis at the ends that were found on the whole rotor.
+    std::vector<EndOfGrowth> roots;
 };
 
 /// Every speed of the range at which the number of growing motions changes. All eigenvalues of the
 /// reduced rotor are followed through the range (sweep.h); each change is found again with the
 /// whole rotor, as a root (refinement.h), relative 1e-12 but for rounding.
-/// @param probe_speeds  further speeds to count at, as inside of bands known already
 /// @param steps  to begin with
-[[nodiscard]] EndsFound find_ends(const AllMotions &motions,
-                                  const std::vector<double> &probe_speeds, int steps = usual_steps);
+[[nodiscard]] EndsFound find_ends(const AllMotions &motions, int steps = usual_steps);
 
 } // namespace whirl::ends

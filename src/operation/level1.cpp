@@ -315,7 +315,7 @@ class Answer {
         double from = 0;
         for (double to = least * _scale; to <= largest * _scale; from = to, to *= 100) {
             const CoupledRotor coupled = rotor(from, to);
-            const ends::EndsFound found = ends::find_ends(coupled.motions(), {});
+            const ends::EndsFound found = ends::find_ends(coupled.motions());
             const auto first = std::ranges::find_if(found.ends, [](const auto &end) {
                 return end.resolved.motion && end.resolved.below <= 0 && end.resolved.above > 0;
             });
@@ -358,11 +358,11 @@ class Answer {
     }
 
     void add_end(const CouplingRange &range, const results::StabilityEnd &end,
-                 const std::vector<ends::WholeMotion> &roots) {
+                 const std::vector<ends::EndOfGrowth> &roots) {
         const double q = range.q(end.speed);
         _out.critical_cross_coupling = q;
         _out.critical_frequency = end.frequency.value_or(0);
-        const auto root = std::ranges::find(roots, end.speed, &ends::WholeMotion::speed);
+        const auto root = std::ranges::find(roots, end.speed, &ends::EndOfGrowth::speed);
         if (root != roots.end()) {
             _out.critical_frequency = std::abs(root->value.imag());
             _out.error = error_of(range, *root);
@@ -374,7 +374,7 @@ class Answer {
     }
 
     /// Relative difference to that of finer elements.
-    [[nodiscard]] double error_of(const CouplingRange &range, const ends::WholeMotion &root) const {
+    [[nodiscard]] double error_of(const CouplingRange &range, const ends::EndOfGrowth &root) const {
         // Of the threshold: thousand times what its refinement leaves.
         constexpr double rounding = 1e-10;
         if (_d.rigid())

@@ -4,7 +4,6 @@
 #include "analyses/stability.h"
 #include "assembly/rotating_system.h"
 #include "assembly/system.h"
-#include "ends/band_ends.h"
 #include "ends/stability_ends.h"
 #include "ends/sweep.h"
 #include "stability/band_finder.h"
@@ -197,7 +196,7 @@ ends::EndsFound ends_of(const Drawn &drawn, const assembly::Discretization &d, d
     model.order = drawn.rotor.shaft.order;
     stability::BandFinder finder(model, arrangement);
     const auto shapes = finder.good_shapes(model::SpeedRange{from, to, 11}.values());
-    return ends::find_ends(ends::AllMotions(d, drawn.form, arrangement, shapes, from, to), {});
+    return ends::find_ends(ends::AllMotions(d, drawn.form, arrangement, shapes, from, to));
 }
 
 // Every third rotor has no turning asymmetry; every sixth has finer elements (no ends among those
@@ -321,25 +320,6 @@ TEST(GrowthReach, IsTheFrequencyAtWhichAMassOnOneBearingBeginsToGrow) {
     EXPECT_EQ(reach(results::Form::general, 500), 500);
     rotor.bearings[0].rows[0].c.setZero();
     EXPECT_EQ(reach(results::Form::general, 500), HUGE_VAL);
-}
-
-// The search for bands carries on to rest what hardly grows there. A root says where it begins.
-TEST(Reconcile, ABandBeginsAtTheRootBeforeTheBorder) {
-    const stability::MotionsAt at = [](double speed) {
-        stability::Motion motion;
-        motion.value = {speed - 3, 900};
-        return std::vector{motion};
-    };
-    ends::EndsFound found;
-    found.ends.resize(1);
-    found.ends[0].speed = 3;
-    found.ends[0].kind = results::EndKind::pair;
-    found.ends[0].growing_above = 2;
-    found.roots.resize(1);
-    found.roots[0].speed = 3;
-    std::vector<results::Interval> bands{{0, 10}};
-    EXPECT_TRUE(ends::reconcile(found, bands, at, results::Form::general, {0, 10}).empty());
-    EXPECT_EQ(bands, (std::vector<results::Interval>{{3, 10}}));
 }
 
 // S1's rotor: a real root passes zero at both ends of its band.

@@ -40,7 +40,7 @@ bool drives_every_frequency(const model::Rotor &rotor) {
 
 /// By finer elements, of ends that are roots.
 void add_errors(const ends::AllMotions &motions, const stability::StabilityModel &model,
-                const std::vector<ends::WholeMotion> &roots,
+                const std::vector<ends::EndOfGrowth> &roots,
                 std::vector<results::StabilityEnd> &ends) {
     std::optional<ends::FinerEnds> finer;
     for (results::StabilityEnd &end : ends) {
@@ -60,7 +60,7 @@ void add_errors(const ends::AllMotions &motions, const stability::StabilityModel
 /// Bands between the ends of resolved motions, with the errors of these.
 void add_resolved_bands(results::StabilityResult &result) {
     const std::vector<double> &speeds = result.speeds;
-    ends::EndsFound found{result.ends, result.resolved_growth.front() > 0 ? 1 : 0, {}, {}, false};
+    ends::EndsFound found{result.ends, result.resolved_growth.front() > 0 ? 1 : 0, {}, {}};
     if (!found.ends.empty())
         found.growing_from = found.ends.front().growing_below;
     result.resolved_unstable = ends::bands_of(found, {speeds.front(), speeds.back()});
@@ -210,7 +210,7 @@ void count_resolved_if_driven(ends::AllMotions &motions, const model::Rotor &rot
 }
 
 void separate_resolved(const ends::AllMotions &motions, const stability::StabilityModel &model,
-                       const std::vector<ends::WholeMotion> &roots,
+                       const std::vector<ends::EndOfGrowth> &roots,
                        results::StabilityResult &result) {
     const double top = motions.resolved_up_to();
     if (!std::isfinite(top))

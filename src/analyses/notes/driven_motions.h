@@ -18,7 +18,7 @@ void count_resolved_if_driven(ends::AllMotions &motions, const model::Rotor &rot
 /// by finer elements and the growth of the resolved motions.
 /// @param roots  the motions at the ends that are known as roots
 void separate_resolved(const ends::AllMotions &motions, const stability::StabilityModel &model,
-                       const std::vector<ends::WholeMotion> &roots,
+                       const std::vector<ends::EndOfGrowth> &roots,
                        results::StabilityResult &result);
 
 /// Notes on what drives the motions that grow, where it drives fast ones: an axial torque that has

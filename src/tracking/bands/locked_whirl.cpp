@@ -6,9 +6,9 @@
 #include "linalg/check.h"
 #include "linalg/quadratic/quadratic_eigen.h"
 #include "model/errors.h"
+#include "modes/roots/double_root.h"
 #include "reduction/projection.h"
 #include "results/formulation.h"
-#include "tracking/bands/double_root.h"
 #include "tracking/crossing_step.h"
 
 #include <algorithm>
@@ -21,6 +21,8 @@
 namespace whirl::tracking {
 
 namespace {
+
+using DoubleRoot = modes::DoubleRoot<double>;
 
 /// The locked motion at an end still counts as whirl.
 bool whirls(const DoubleRoot &end) {
@@ -38,8 +40,9 @@ std::vector<DoubleRoot> roots_between(const modes::SpectrumSolver &solver, const
     for (const Count *from : {&a, &b})
         for (std::size_t i = 0; i < std::min(most, from->others.size()); ++i) {
             const modes::WhirlMode &mode = from->others[i];
-            const auto root = double_root(problem_at, from->speed, mode.rotating_value.real(),
-                                          mode.rotating_vector.real(), b.speed - a.speed);
+            const auto root =
+                modes::double_root<double>(problem_at, from->speed, mode.rotating_value.real(),
+                                           mode.rotating_vector.real(), b.speed - a.speed);
             if (root && root->speed > a.speed && root->speed < b.speed && whirls(*root) &&
                 std::ranges::none_of(out, [&](const DoubleRoot &other) {
                     // Without damping motions that grow and die out alike meet at one speed.
@@ -201,11 +204,12 @@ std::optional<std::vector<LockEnd>> of_whole(const modes::SpectrumSolver &whole,
     const auto problem_at = [&whole](double speed) { return whole.problem_at(speed); };
     std::vector<LockEnd> out;
     for (const LockEnd &end : ends) {
-        const auto root = double_root(problem_at, end.speed, end.real,
-                                      reduction::Projection(*reduced.shapes())
-                                          .lifted(end.shape.cast<std::complex<double>>())
-                                          .real(),
-                                      near * std::abs(end.speed));
+        const auto root =
+            modes::double_root<double>(problem_at, end.speed, end.real,
+                                       reduction::Projection(*reduced.shapes())
+                                           .lifted(end.shape.cast<std::complex<double>>())
+                                           .real(),
+                                       near * std::abs(end.speed));
         if (!root || root->opens != (end.outside < end.speed))
             return std::nullopt;
         out.push_back(end_of(*root));
