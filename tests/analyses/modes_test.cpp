@@ -171,7 +171,9 @@ TEST(ModeShapes, with_balls_held_at_critical_speeds) {
     scene.rotor.discs = {tests::disc(0.5, 2, 0, 0)};
     model::Balancer balancer;
     balancer.z = 0.5;
-    balancer.parts = model::Balls{{{2, 0.1, 0.05, 0.1}}};
+    model::Balls balls;
+    balls.rows = {{2, 0.1, 0.05, 0.1}};
+    balancer.parts = balls;
     scene.rotor.balancers = {balancer};
     scene.speeds = model::SpeedRange{0, 500, 3};
     scene.campbell.modes = 2;
