@@ -103,6 +103,14 @@ Balancer balancer_of(const toml::table &table) {
         for (const toml::table *row : tables_of(table, "rows"))
             out.rows.push_back(row_of(*row));
     }
+    if (const toml::array *radii = table["radii"].as_array()) {
+        out.rows.clear();
+        for (const toml::node &radius : *radii) {
+            out.rows.push_back(row_of(table));
+            out.rows.back().n = 1;
+            out.rows.back().radius = number(radius);
+        }
+    }
     if (out.ring) {
         const double clearance = number(table, "clearance");
         const double outer = number(table, "outer_radius");

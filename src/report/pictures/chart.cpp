@@ -91,7 +91,7 @@ std::string axis_commands(const ChartAxis &axis, char name, bool empty) {
                "{0} logscale {1}\nset format {1} '{2}'\nset {1}range [{3}:{4}]\n"
                "set {1}tics {5}\n",
                axis.logarithmic ? "set" : "unset", name,
-               axis.logarithmic && (name == 'y' || axis.high.value_or(0) > 1e4) ? "10^{%L}" : "%g",
+               axis.logarithmic && (name == 'y' || axis.high.value_or(0) > 1e4) ? "10^{%L}" : "%h",
                end(axis.low, axis.logarithmic ? 1 : 0), end(axis.high, axis.logarithmic ? 10 : 1),
                axis.names.empty() ? "enhanced " + ticks_of(axis, name) : named_ticks(axis)) +
            second_axis(axis, name) +
