@@ -419,6 +419,11 @@ class SupplyFinder {
     [[nodiscard]] bool any_pendulum() const {
         return std::ranges::any_of(_capacities, &Capacity::pendulums);
     }
+    /// In some plane no motion lets the balls of all races rest apart.
+    [[nodiscard]] bool several_centres() const {
+        return std::ranges::any_of(_active,
+                                   [](const Place &place) { return place.capacity.centres; });
+    }
     /// One plane of each place.
     [[nodiscard]] std::vector<Index> first_planes() const {
         std::vector<Index> out;
@@ -569,8 +574,8 @@ class SupplyFinder {
         const auto fine = [&](const Eigen::VectorXcd &u) {
             return (u.cwiseAbs().array() >= least.array() * (1 - just)).all();
         };
-        if (std::ranges::any_of(_active, [](const Place &place) { return place.capacity.centres; }))
-            return out; // no motion stills them all
+        if (several_centres())
+            return out;
         const Eigen::MatrixXd B = at.real_matrix(planes);
         const std::optional<TakingAway> away = taking_away(B, w, capacity);
         std::optional<Eigen::VectorXcd> needed;
@@ -766,13 +771,11 @@ class SupplyFinder {
             notes.emplace_back("where balancers need more than their capacity and the criterion "
                                "does not hold, where they end is not known: null among the "
                                "residuals");
-        const bool centres =
-            std::ranges::any_of(_active, [](const Place &place) { return place.capacity.centres; });
-        if (centres)
+        if (several_centres())
             notes.emplace_back("races in one plane are off the axis by different eccentricities: "
                                "no motion of the plane lets the balls of all of them rest apart, "
                                "and what they supply is not answered");
-        if (holds(Supply::unknown) && !any_pendulum() && !centres)
+        if (holds(Supply::unknown) && !any_pendulum() && !several_centres())
             notes.emplace_back(
                 "at some speeds where balancers need more than their capacity, where "
                 "they end was not found: null among the residuals");
@@ -818,10 +821,8 @@ class SupplyFinder {
 
 void add_supply(const model::Case &scene, const criterion::BalanceScene &s,
                 results::BalanceResult &result) {
-    const bool centred = std::ranges::all_of(scene.rotor.balancers, [](const auto &balancer) {
-        return balancers::kind_of(balancer)->race_centre() == 0.0;
-    });
-    if (centred && unbalanced_rotor(scene, s).imbalances.empty())
+    if (!balancers::has_eccentric_race(scene.rotor.balancers) &&
+        unbalanced_rotor(scene, s).imbalances.empty())
         return;
     if (s.formulation.form == results::Form::hill) {
         result.model.notes.emplace_back(

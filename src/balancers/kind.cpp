@@ -37,4 +37,10 @@ std::unique_ptr<Kind> kind_of(const model::Balancer &balancer) {
     return std::visit([](const auto &parts) { return kind_of(parts); }, balancer.parts);
 }
 
+bool has_eccentric_race(const std::vector<model::Balancer> &balancers) {
+    return std::ranges::any_of(balancers, [](const model::Balancer &balancer) {
+        return kind_of(balancer)->race_centre() != 0.0;
+    });
+}
+
 } // namespace whirl::balancers

@@ -153,4 +153,7 @@ class Kind {
 [[nodiscard]] std::unique_ptr<Kind> kind_of(const model::Pendulums &pendulums);
 [[nodiscard]] std::unique_ptr<Kind> kind_of(const model::Rings &rings);
 
+/// The centre of some race lies off the axis.
+[[nodiscard]] bool has_eccentric_race(const std::vector<model::Balancer> &balancers);
+
 } // namespace whirl::balancers

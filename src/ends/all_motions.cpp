@@ -137,13 +137,14 @@ std::optional<WholeMotion> AllMotions::of_whole(const WholeMotion &guess) const 
 bool AllMotions::conserves(double speed) const {
     // Relative, of sums of element matrices; a real asymmetry is an input, far larger.
     constexpr double rounding = 1e-12;
+    if (_discretization.rotor().damped())
+        return false;
     const modes::QuadraticAt at = _whole.at(speed);
     const auto with_transposed = [](const Eigen::SparseMatrix<double> &A, double sign) {
         return Eigen::SparseMatrix<double>(A + sign * Eigen::SparseMatrix<double>(A.transpose()))
                    .norm() <= rounding * A.norm();
     };
-    return !_discretization.rotor().damped() && with_transposed(at.D, 1) &&
-           with_transposed(at.K, -1) && with_transposed(at.M, -1);
+    return with_transposed(at.D, 1) && with_transposed(at.K, -1) && with_transposed(at.M, -1);
 }
 
 void AllMotions::count_resolved() {

@@ -83,9 +83,7 @@ class EndSearch {
                                                       std::abs(_counts.rbegin()->first));
         constexpr double slow = 0.05; // balls near rest: powers of the speed
         for (const auto &[speed, count] : _counts) {
-            if (count.hidden == 0 || std::abs(speed) <= slow * top || at_an_end(speed))
-                continue;
-            if (count.hidden > 0)
+            if (count.hidden > 0 && std::abs(speed) > slow * top && !at_an_end(speed))
                 _out.doubtful.push_back({speed, speed});
         }
         for (std::size_t i = 0; i < _found.size(); ++i) {

@@ -21,10 +21,7 @@ bool balanced_position_exists(const model::Rotor &rotor) {
     const bool pendulums = std::ranges::any_of(rotor.balancers, [](const model::Balancer &b) {
         return balancers::kind_of(b)->circled().empty() && b.imbalance > 0;
     });
-    const bool eccentric = std::ranges::any_of(rotor.balancers, [](const model::Balancer &b) {
-        return balancers::kind_of(b)->race_centre() != 0.0;
-    });
-    return !others && !pendulums && !eccentric;
+    return !others && !pendulums && !balancers::has_eccentric_race(rotor.balancers);
 }
 
 /// The masses cancel the imbalances of their balancers to a twentieth.

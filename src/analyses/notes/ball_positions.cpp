@@ -8,11 +8,8 @@ namespace whirl::analyses {
 
 bool balls_stand_elsewhere(const model::Rotor &rotor) {
     const auto counts = [](const model::Imbalance &imbalance) { return imbalance.mr != 0; };
-    const auto off_centre = [](const model::Balancer &balancer) {
-        return balancers::kind_of(balancer)->race_centre() != 0.0;
-    };
     return !rotor.balancers.empty() && (std::ranges::any_of(rotor.imbalances, counts) ||
-                                        std::ranges::any_of(rotor.balancers, off_centre));
+                                        balancers::has_eccentric_race(rotor.balancers));
 }
 
 void note_other_positions(const model::Rotor &rotor, std::vector<results::Sentence> &notes) {

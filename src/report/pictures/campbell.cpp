@@ -47,9 +47,10 @@ std::vector<bool> other_of_two(const CampbellMode &mode, const std::vector<doubl
     return out;
 }
 
-/// In a Hill series motions that resonate exchange their larger parts. Where a line begins or ends
-/// beside that, nothing before or after tells that its step is one to the other motion, but that
-/// the other line goes the opposite way.
+/// Two motions of a Hill series that resonate exchange their larger parts, so that a line steps
+/// from the one to the other. At the beginning or end of a line, where there is no slope to compare
+/// the step with, it is known by another line that steps the opposite way between the same
+/// frequencies.
 bool exchanged(const CampbellMode &mode, const CampbellResult &result, std::size_t i) {
     constexpr double near = 0.1; // of the step
     const auto here = entry(mode.frequency, i);
