@@ -59,6 +59,7 @@ const Columns<SteadyState> state_columns{
     {ForReaders("stability"), stable_text},
     {"growth", InCsv("growth"), ForReaders("growth", "{:.5g}"), Quantity::rate,
      &SteadyState::growth},
+    {"growth_error", Quantity::rate, &SteadyState::growth_error},
     {"least_growth", Quantity::rate, &SteadyState::least_growth},
     {"growing", InCsv("growing"), Quantity::number,
      [](const auto &state) { return count_json(state.growing); }},

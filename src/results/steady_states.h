@@ -30,6 +30,7 @@ struct SteadyState {
     /// Largest real part of small motions about it, 1/s, of a family over those looked at; without
     /// the motions along the family.
     double growth = 0;              ///< NaN: not known
+    double growth_error = 0;        ///< how far rounding can move it, 1/s
     double least_growth = 0;        ///< of a family, over those looked at
     int growing = 0;                ///< roots with a positive real part, or not_counted
     std::string why;                ///< stability is not known (of all members); empty: it is

@@ -48,6 +48,7 @@ void add_member(const SteadyState &member, SteadyState &family) {
         family.why = member.why;
     // A comparison with what is not known is false: fmax and fmin take the other one.
     family.growth = std::fmax(family.growth, member.growth);
+    family.growth_error = std::fmax(family.growth_error, member.growth_error);
     family.least_growth = std::fmin(family.least_growth, member.growth);
     family.growing = std::max(family.growing, member.growing);
 }
@@ -509,34 +510,55 @@ void StateSearch::describe(Found &found, double speed) const {
         state.residual = std::max(state.residual, state.amplitudes.back());
     }
     state.stable.reset();
-    Eigen::VectorXcd roots;
-    try {
-        roots = roots_of(_equations.about(found.x, speed));
-    } catch (const linalg::SolverError &error) {
-        state.growth = state.least_growth = std::numeric_limits<double>::quiet_NaN();
-        state.growing = results::not_counted;
-        state.why = error.sentence().text();
-        return;
-    }
     state.why.clear();
-    std::sort(roots.data(), roots.data() + roots.size(),
-              [](const auto &a, const auto &b) { return std::abs(a) < std::abs(b); });
-    const Eigen::VectorXd parts = roots.tail(roots.size() - found.along - turning).real();
-    // Of the largest root: what rounding makes of a root that is zero.
-    const double nothing = 1e-12 * std::abs(roots(roots.size() - 1)) + 1e-10 * std::abs(speed);
-    const Eigen::VectorXcd moving = roots.tail(parts.size());
-    Index fastest = 0;
-    state.growth = state.least_growth = parts.maxCoeff(&fastest);
-    found.fastest = moving(fastest);
-    state.growing = 0;
+    state.growth = state.growth_error = state.least_growth =
+        std::numeric_limits<double>::quiet_NaN();
+    state.growing = results::not_counted;
+    try {
+        judge(found, found.along + turning);
+    } catch (const linalg::SolverError &error) {
+        state.why = error.sentence().text();
+    }
+}
+
+void StateSearch::judge(Found &found, int zeros) const {
+    SteadyState &state = found.state;
+    const modes::DenseQuadratic<double> motions = _equations.about(found.x, state.speed);
+    const double shift = modes::usual_shift(state.speed, 0);
+    const std::vector<std::complex<double>> values = modes::all_values(motions, shift, zeros);
+    // Rounding of values that almost coincide is its root, of others far less: it is asked for
+    // where the sign could be that.
+    constexpr double clear = 1e-6;
+    const auto sharp = [&](std::complex<double> value) {
+        if (std::abs(value.real()) <= clear * std::max(std::abs(value), shift))
+            return modes::with_vectors(motions, value);
+        modes::Root root;
+        root.value = value;
+        return root;
+    };
+    const auto growth = [](std::complex<double> value) { return value.real(); };
+    const modes::Root fastest =
+        modes::with_vectors(motions, *std::ranges::max_element(values, {}, growth));
+    found.fastest = fastest.value;
     found.least_growing = 0;
-    for (const std::complex<double> &root : moving)
-        if (root.real() > nothing &&
-            (state.growing++ == 0 || root.real() < found.least_growing.real()))
-            found.least_growing = root;
-    found.damped = parts.minCoeff() < -nothing;
-    if (std::abs(state.growth) > nothing)
-        state.stable = state.growth < 0;
+    found.damped = false;
+    int growing = 0;
+    for (const std::complex<double> &value : values) {
+        if (value.imag() < 0) // counted with its conjugate
+            continue;
+        const modes::Root root = sharp(value);
+        found.damped = found.damped || root.sign() < 0;
+        if (root.sign() <= 0)
+            continue;
+        if (growing == 0 || growth(root.value) < growth(found.least_growing))
+            found.least_growing = root.value;
+        growing += value.imag() > 0 ? 2 : 1;
+    }
+    state.growth = state.least_growth = growth(fastest.value);
+    state.growth_error = fastest.noise;
+    state.growing = growing;
+    if (fastest.sign() != 0)
+        state.stable = fastest.sign() < 0;
 }
 
 void StateSearch::add_states(int index, double speed, double deflection, std::vector<Found> &out,

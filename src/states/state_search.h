@@ -65,6 +65,10 @@ class StateSearch {
     void describe(Found &found, double speed) const;
 
   private:
+    /// Sets growth and stability. @param zeros  roots that are zero wherever the masses stand
+    /// @throws linalg::SolverError
+    void judge(Found &found, int zeros) const;
+
     struct Mass {
         Eigen::Index coordinate; ///< among all angles
         double moment;           ///< kg m

@@ -154,15 +154,15 @@ SteadyEquations::Balance SteadyEquations::balance(const Eigen::VectorXd &x, doub
     const Index n = unknowns();
     const Index r = rotor.size();
     Balance out;
-    SmallMotions &m = out.motions;
-    m.inertia = m.damping = m.stiffness = Eigen::MatrixXd::Zero(n, n);
-    m.inertia.topLeftCorner(r2, r2).setIdentity();
+    modes::DenseQuadratic<double> &m = out.motions;
+    m.M = m.D = m.K = Eigen::MatrixXd::Zero(n, n);
+    m.M.topLeftCorner(r2, r2).setIdentity();
     Eigen::MatrixXd C = rotor.supports_at(speed).damping;
     add_complex(rotor.internal, speed * (2 * Eigen::MatrixXd::Identity(r, r) - rotor.gyroscopic),
                 C);
-    m.damping.topLeftCorner(r2, r2) = C;
+    m.D.topLeftCorner(r2, r2) = C;
     const Eigen::MatrixXd K = stiffness(speed);
-    m.stiffness.topLeftCorner(r2, r2) = K;
+    m.K.topLeftCorner(r2, r2) = K;
     const Eigen::VectorXd fixed = load(speed);
     const auto u = x.head(r2);
     out.left = Eigen::VectorXd::Zero(n);
@@ -170,8 +170,8 @@ SteadyEquations::Balance SteadyEquations::balance(const Eigen::VectorXd &x, doub
     out.sizes = Eigen::VectorXd::Zero(n);
     out.sizes.head(r2) = fixed.cwiseAbs() + K.cwiseAbs() * u.cwiseAbs();
     for_tilting_masses(speed, [&](const Eigen::MatrixXd &rows, const balancers::AtRest &rest) {
-        m.inertia.topLeftCorner(r2, r2) += rows.transpose() * rest.inertia * rows;
-        m.damping.topLeftCorner(r2, r2) += rows.transpose() * rest.gyroscopic * rows;
+        m.M.topLeftCorner(r2, r2) += rows.transpose() * rest.inertia * rows;
+        m.D.topLeftCorner(r2, r2) += rows.transpose() * rest.gyroscopic * rows;
     });
     for (Index first = r2; const simulation::FreeParts &free : _parts.free) {
         const Eigen::MatrixXd rows = _rows.middleRows<4>(4 * free.plane);
@@ -188,9 +188,9 @@ SteadyEquations::Balance SteadyEquations::balance(const Eigen::VectorXd &x, doub
             whole.block(first, 0, size, r2) += part.bottomLeftCorner(size, 4) * rows;
             whole.block(first, first, size, size) += part.bottomRightCorner(size, size);
         };
-        add(rest.inertia, m.inertia);
-        add(rest.gyroscopic + rest.damping, m.damping);
-        add(rest.stiffness, m.stiffness);
+        add(rest.inertia, m.M);
+        add(rest.gyroscopic + rest.damping, m.D);
+        add(rest.stiffness, m.K);
         first += size;
     }
     return out;
@@ -201,8 +201,8 @@ Eigen::VectorXd SteadyEquations::with_angles(const Eigen::VectorXd &angles, doub
     Eigen::VectorXd x = Eigen::VectorXd::Zero(unknowns());
     x.tail(angles.size()) = angles;
     const Balance at = balance(x, speed, 0); // linear in u at constant angles
-    x.head(r2) = linalg::solved(at.motions.stiffness.topLeftCorner(r2, r2).eval().partialPivLu(),
-                                at.left.head(r2));
+    x.head(r2) =
+        linalg::solved(at.motions.K.topLeftCorner(r2, r2).eval().partialPivLu(), at.left.head(r2));
     return x;
 }
 
@@ -220,7 +220,7 @@ double SteadyEquations::refine(Eigen::VectorXd &x, double speed, double deflecti
     double left = left_of(at);
     for (int i = 0; i < most_steps && left > 0; ++i) {
         // Each equation over its size, or directions of small forces would not count.
-        Eigen::MatrixXd A = at.motions.stiffness;
+        Eigen::MatrixXd A = at.motions.K;
         Eigen::VectorXd b = at.left;
         for (Eigen::Index row = 0; row < A.rows(); ++row) {
             const double size = A.row(row).cwiseAbs().maxCoeff();
@@ -248,30 +248,8 @@ double SteadyEquations::refine(Eigen::VectorXd &x, double speed, double deflecti
     return left;
 }
 
-SteadyEquations::SmallMotions SteadyEquations::about(const Eigen::VectorXd &x, double speed) const {
+modes::DenseQuadratic<double> SteadyEquations::about(const Eigen::VectorXd &x, double speed) const {
     return balance(x, speed, 0).motions;
-}
-
-Eigen::VectorXcd roots_of(const SteadyEquations::SmallMotions &motions) {
-    const Index n = motions.inertia.rows();
-    // Unknowns of unit inertia, and rates over the fastest of them: rounding is by the largest
-    // entry.
-    const Eigen::VectorXd unit = motions.inertia.diagonal().cwiseSqrt().cwiseInverse();
-    const auto scaled = [&unit](const Eigen::MatrixXd &A) -> Eigen::MatrixXd {
-        return unit.asDiagonal() * A * unit.asDiagonal();
-    };
-    const Eigen::PartialPivLU<Eigen::MatrixXd> inertia(scaled(motions.inertia));
-    const Eigen::MatrixXd stiffness = linalg::solved(inertia, scaled(motions.stiffness));
-    const double rate = std::sqrt(stiffness.cwiseAbs().maxCoeff());
-    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-    A.topRightCorner(n, n).diagonal().setConstant(rate);
-    A.bottomLeftCorner(n, n) = -stiffness / rate;
-    A.bottomRightCorner(n, n) = -linalg::solved(inertia, scaled(motions.damping));
-    try {
-        return linalg::general_eigenvalues(A);
-    } catch (const linalg::SolverError &) { // balls at one angle: many equal roots
-        return linalg::general_eigen_otherwise(A).values;
-    }
 }
 
 } // namespace whirl::states

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/case.h"
+#include "modes/roots/roots.h"
 #include "simulation/moving_parts.h"
 
 #include <Eigen/Core>
@@ -55,11 +56,8 @@ class SteadyEquations {
     /// @returns what is left of the equations over the sizes of their terms
     double refine(Eigen::VectorXd &x, double speed, double deflection) const;
 
-    /// Small motions about a state: M q'' + C q' + K q = 0.
-    struct SmallMotions {
-        Eigen::MatrixXd inertia, damping, stiffness;
-    };
-    [[nodiscard]] SmallMotions about(const Eigen::VectorXd &x, double speed) const;
+    /// Small motions about a state: M q'' + D q' + K q = 0.
+    [[nodiscard]] modes::DenseQuadratic<double> about(const Eigen::VectorXd &x, double speed) const;
 
   private:
     simulation::MovingParts _parts;
@@ -69,7 +67,7 @@ class SteadyEquations {
     struct Balance {
         Eigen::VectorXd left;  ///< what is not in balance
         Eigen::VectorXd sizes; ///< of the terms of each
-        SmallMotions motions;
+        modes::DenseQuadratic<double> motions;
     };
     [[nodiscard]] Balance balance(const Eigen::VectorXd &x, double speed, double deflection) const;
     /// Calls `add` for each fixed mass that tilts with its plane, with the rows of that plane, 4 x
@@ -78,9 +76,5 @@ class SteadyEquations {
                             const std::function<void(const Eigen::MatrixXd &rows,
                                                      const balancers::AtRest &rest)> &add) const;
 };
-
-/// Roots of small motions, 1/s.
-/// @throws linalg::SolverError
-[[nodiscard]] Eigen::VectorXcd roots_of(const SteadyEquations::SmallMotions &motions);
 
 } // namespace whirl::states

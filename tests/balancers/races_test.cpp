@@ -282,8 +282,8 @@ TEST(EccentricRace, SmallMotionsAreThoseOfTheMotionInTime) {
         const auto state = std::ranges::find_if(
             all, [](const auto &found) { return found.state.kind == Kind::coincident; });
         ASSERT_NE(state, all.end());
-        const Eigen::VectorXcd expected =
-            states::roots_of(search.equations().about(state->x, speed));
+        const std::vector<modes::Root> expected =
+            modes::all_roots(search.equations().about(state->x, speed), speed, 0);
         model::Case started = scene;
         started.simulate.ball_angles.clear();
         for (const auto &angles : state->state.angles)
@@ -303,10 +303,10 @@ TEST(EccentricRace, SmallMotionsAreThoseOfTheMotionInTime) {
             J.col(i) = (rates.at(still + one) - rates.at(still - one)) / (2 * step);
         }
         const Eigen::VectorXcd found = J.eigenvalues();
-        ASSERT_EQ(found.size(), expected.size());
-        const double size = expected.cwiseAbs().maxCoeff();
-        for (const Complex root : expected)
-            EXPECT_LT((found.array() - root).abs().minCoeff(), 1e-8 * size) << root;
+        ASSERT_EQ(found.size(), std::ssize(expected));
+        const double size = found.cwiseAbs().maxCoeff();
+        for (const modes::Root &root : expected)
+            EXPECT_LT((found.array() - root.value).abs().minCoeff(), 1e-8 * size) << root.value;
     }
 }
 

@@ -91,10 +91,10 @@ TEST(SteadyEquations, SmallMotionsAreThoseOfTheEquationsInTime) {
         const InTime in_time(search.equations(), scene.speed);
         bool undecided = false;
         for (const StateSearch::Found &found : search.at(scene.speed, undecided)) {
-            const SteadyEquations::SmallMotions m = search.equations().about(found.x, scene.speed);
-            const Eigen::PartialPivLU<Eigen::MatrixXd> inertia(m.inertia);
-            const Eigen::MatrixXd by_place = -inertia.solve(m.stiffness);
-            const Eigen::MatrixXd by_rate = -inertia.solve(m.damping);
+            const modes::DenseQuadratic<double> m = search.equations().about(found.x, scene.speed);
+            const Eigen::PartialPivLU<Eigen::MatrixXd> inertia(m.M);
+            const Eigen::MatrixXd by_place = -inertia.solve(m.K);
+            const Eigen::MatrixXd by_rate = -inertia.solve(m.D);
             const Eigen::Index n = found.x.size();
             const Eigen::VectorXd none = Eigen::VectorXd::Zero(n);
             Eigen::MatrixXd places(n, n);

@@ -208,6 +208,22 @@ Root with_vectors(const DenseQuadratic<double> &p, Complex value) {
         out.right = factors.solution(std::move(out.right)).normalized();
         out.left = factors.adjoint_solution(std::move(out.left)).normalized();
     }
+    const Eigen::VectorXcd M_x = p.M * out.right;
+    const Eigen::VectorXcd D_x = p.D * out.right;
+    const Eigen::VectorXcd K_x = p.K * out.right;
+    const Complex left_over = out.left.dot(value * value * M_x + value * D_x + K_x);
+    out.slope = out.left.dot(2.0 * value * M_x + D_x);
+    // Beside an almost equal root the quotient would lead away, and the noise says that.
+    if (std::abs(left_over) < offset * std::abs(value * out.slope)) {
+        out.value -= left_over / out.slope;
+        out.sharp = true;
+    }
+    const double size = std::abs(value);
+    const Eigen::MatrixXd entries =
+        size * size * p.M.cwiseAbs() + size * p.D.cwiseAbs() + p.K.cwiseAbs();
+    out.noise =
+        machine * of_entries *
+        (out.left.cwiseAbs().dot(entries * out.right.cwiseAbs()) / std::abs(out.slope) + size);
     return out;
 }
 

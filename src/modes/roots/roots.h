@@ -50,7 +50,8 @@ template <class Scalar>
 [[nodiscard]] std::vector<std::complex<double>> all_values(const DenseQuadratic<double> &problem,
                                                            double shift, int zeros);
 
-/// The eigenvalue with its vectors, by inverse iteration from both sides; without rate and noise.
+/// The eigenvalue with its vectors, by inverse iteration from both sides, and their quotient;
+/// without its rate.
 /// @param value  as all_values() has it
 /// @throws linalg::SolverError
 [[nodiscard]] Root with_vectors(const DenseQuadratic<double> &problem, std::complex<double> value);
