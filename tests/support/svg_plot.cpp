@@ -137,12 +137,12 @@ class Reader {
         bool power = false;
         const pugi::xml_node raised = text.child("tspan").next_sibling("tspan");
         if (raised && raised.attribute("dy").as_double() < 0) {
-            // 10 with an exponent marks a logarithmic axis, 2x10 with one a large number.
-            value = std::strtod(raised.text().get(), nullptr);
+            // 10 with an exponent marks a logarithmic axis, 2×10 with one a large number.
+            const double exponent = std::strtod(raised.text().get(), nullptr);
             const std::string base = text.child("tspan").text().get();
-            power = base.find('x') == std::string::npos;
-            if (!power)
-                value = std::strtod(base.c_str(), nullptr) * std::pow(10, value);
+            const double mantissa = std::strtod(base.c_str(), nullptr);
+            power = mantissa == 10;
+            value = power ? exponent : mantissa * std::pow(10, exponent);
         } else {
             char *end = nullptr;
             value = std::strtod(words.c_str(), &end);
