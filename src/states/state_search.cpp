@@ -526,19 +526,23 @@ void StateSearch::judge(Found &found, int zeros) const {
     const modes::DenseQuadratic<double> motions = _equations.about(found.x, state.speed);
     const double shift = modes::usual_shift(state.speed, 0);
     const std::vector<std::complex<double>> values = modes::all_values(motions, shift, zeros);
-    // Rounding of values that almost coincide is its root, of others far less: it is asked for
-    // where the sign could be that.
+    // Where the sign could be rounding a root is refined; the values themselves have lost what is
+    // small beside the shift that they were found from, which the quotient of vectors has not.
     constexpr double clear = 1e-6;
-    const auto sharp = [&](std::complex<double> value) {
-        if (std::abs(value.real()) <= clear * std::max(std::abs(value), shift))
-            return modes::with_vectors(motions, value);
-        modes::Root root;
-        root.value = value;
+    constexpr double of_shift = 1e-12;
+    const auto refined = [&](std::complex<double> value) {
+        modes::Root root = modes::with_vectors(motions, value);
+        if (!root.sharp)
+            root.noise = std::max(root.noise, of_shift * shift);
         return root;
     };
+    const auto sign = [&](std::complex<double> value) {
+        const double growth = value.real();
+        return std::abs(growth) > clear * std::max(std::abs(value), shift) ? (growth > 0 ? 1 : -1)
+                                                                           : refined(value).sign();
+    };
     const auto growth = [](std::complex<double> value) { return value.real(); };
-    const modes::Root fastest =
-        modes::with_vectors(motions, *std::ranges::max_element(values, {}, growth));
+    const modes::Root fastest = refined(*std::ranges::max_element(values, {}, growth));
     found.fastest = fastest.value;
     found.least_growing = 0;
     found.damped = false;
@@ -546,12 +550,12 @@ void StateSearch::judge(Found &found, int zeros) const {
     for (const std::complex<double> &value : values) {
         if (value.imag() < 0) // counted with its conjugate
             continue;
-        const modes::Root root = sharp(value);
-        found.damped = found.damped || root.sign() < 0;
-        if (root.sign() <= 0)
+        const int grows = sign(value);
+        found.damped = found.damped || grows < 0;
+        if (grows <= 0)
             continue;
-        if (growing == 0 || growth(root.value) < growth(found.least_growing))
-            found.least_growing = root.value;
+        if (growing == 0 || growth(value) < growth(found.least_growing))
+            found.least_growing = value;
         growing += value.imag() > 0 ? 2 : 1;
     }
     state.growth = state.least_growth = growth(fastest.value);
