@@ -112,7 +112,7 @@ struct Chart {
     bool apart = false; ///< on pages a figure each: on paper a page may end between two of them
 };
 
-/// A plane about the origin, with circles of round radii up to the largest that is drawn.
+/// A plane about the origin, with circles of the largest radius that is drawn and of half of it.
 /// @param size  pixels
 [[nodiscard]] ChartPanel polar_panel(int size, const ChartAxis &x, const ChartAxis &y,
                                      double largest);

@@ -103,7 +103,7 @@ struct Range {
     double low = 0;
     double high = 1;
 };
-/// Smallest and largest of the values, widened where they are equal.
+/// Smallest and largest of the values, widened where they are equal but for rounding.
 [[nodiscard]] Range range_of(const std::vector<double> &values);
 
 } // namespace whirl::report
