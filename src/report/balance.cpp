@@ -403,9 +403,13 @@ std::vector<Picture> pictures_of(const model::Case &scene, const BalanceResult &
         pictures.push_back(
             {"residual", chart_figure(residual_chart(scene, result, units), scene, units), {}});
     if (result.states && !result.states->states.empty())
-        pictures.push_back({"states", states_figure(scene, *result.states, units), {}});
+        pictures.push_back(
+            {"states", chart_figure(states_chart(scene, *result.states, units), scene, units), {}});
     if (result.placement)
-        pictures.push_back({"placement", placement_figure(scene, *result.placement, units), {}});
+        pictures.push_back(
+            {"placement",
+             chart_figure(placement_chart(scene, *result.placement, units), scene, units),
+             {}});
     for (std::size_t i = 0; i < result.pendulum.size(); ++i) {
         const results::PendulumBalance &of = result.pendulum[i];
         const std::string number = i == 0 ? "" : "_" + std::to_string(i + 1);

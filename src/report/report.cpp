@@ -126,9 +126,8 @@ class Writer {
 } // namespace
 
 std::optional<Figure> main_figure(const Report &report, const Units &units) {
-    if (report.chart)
-        return chart_figure(report.chart(units), *report.scene, units);
-    return report.figure ? std::optional(report.figure(units)) : std::nullopt;
+    return report.chart ? std::optional(chart_figure(report.chart(units), *report.scene, units))
+                        : std::nullopt;
 }
 
 Files write_report(const Report &report, const fs::path &folder) {

@@ -93,9 +93,8 @@ struct Report {
         sections{};                                   ///< below the diagram of the page
     std::function<std::string(const Units &)> text{}; ///< for the terminal
     std::function<Chart(const Units &)> chart{};      ///< the main picture
-    std::function<Figure(const Units &)> figure{};    ///< the same where nothing describes it
     // What some commands have:
-    std::function<Drawing(const Units &)> drawing{}; ///< in place of the figure
+    std::function<Drawing(const Units &)> drawing{}; ///< in place of the chart
     std::function<std::vector<Picture>(const Units &)> pictures{};
     std::function<std::vector<TableFile>()> tables{}; ///< beside <command>.csv
     std::string pictures_heading{}; ///< of their section of the page, after as many others as
@@ -119,8 +118,6 @@ template <class Result> struct Parts {
     std::vector<Section> (*sections)(const Result &, const Units &);
     std::string (*text)(const model::Case &, const Result &, const Units &);
     Chart (*chart)(const model::Case &, const Result &, const Units &);
-    /// The main picture where it has no such description.
-    Figure (*figure)(const model::Case &, const Result &, const Units &) = nullptr;
 };
 
 /// The report of a result from its parts.
@@ -140,10 +137,6 @@ template <class Result>
     if (parts.chart)
         report.chart = [&scene, &result, chart = parts.chart](const Units &units) {
             return chart(scene, result, units);
-        };
-    if (parts.figure)
-        report.figure = [&scene, &result, figure = parts.figure](const Units &units) {
-            return figure(scene, result, units);
         };
     return report;
 }

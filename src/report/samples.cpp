@@ -192,9 +192,8 @@ std::string text_of(const model::Case &scene, const SamplesResult &result, const
 } // namespace
 
 Report describe(const model::Case &scene, const SamplesResult &result) {
-    return report_of<SamplesResult>(
-        "samples", "Uncertain entries", scene, result,
-        {json_of, csv_of, sections_of, text_of, nullptr, samples_figure});
+    return report_of<SamplesResult>("samples", "Uncertain entries", scene, result,
+                                    {json_of, csv_of, sections_of, text_of, samples_chart});
 }
 
 } // namespace whirl::report

@@ -390,7 +390,7 @@ std::string text_of(const model::Case &scene, const WeightsResult &result, const
 Report describe(const model::Case &scene, const WeightsResult &result) {
     Report report =
         report_of<WeightsResult>("weights", "Correction weights", scene, result,
-                                 {json_of, csv_of, sections_of, text_of, nullptr, weights_figure});
+                                 {json_of, csv_of, sections_of, text_of, weights_chart});
     if (result.influence_curves.empty())
         return report;
     report.pictures = [&](const Units &units) {

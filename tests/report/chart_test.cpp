@@ -4,9 +4,11 @@
 #include "report/pictures/chart.h"
 #include "sample_results.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <sstream>
 
 namespace whirl::report {
@@ -103,6 +105,59 @@ TEST(Chart, LogarithmicAxesShowDecadesBelowTheLargest) {
     EXPECT_DOUBLE_EQ(*axis.low, 1);
     span_decades(axis, {chart_curve("", {{0, 0}, {1, 0}}, 0)}, 1e-6);
     EXPECT_FALSE(axis.logarithmic) << "nothing moves";
+}
+
+// The areas of a map cover its rectangle once, but for places without a number; each is that of its
+// places and ends halfway to those of another level.
+TEST(Chart, AreasOfAMapCoverItOnce) {
+    const std::vector<double> x{0, 1, 3, 4}, y{10, 20, 40};
+    const auto areas = chart_map(x, y, {{-1, -1, 2, 2}, {-1, NAN, 2, 5}, {0, 0, 0, -1}},
+                                 {{-0.5, {"low"}}, {1, {"middle"}}, {2, {"high"}}});
+    ASSERT_EQ(areas.size(), 3U);
+    std::vector<double> sizes;
+    for (const ChartCurve &of : areas) {
+        double twice = 0; // by the shoelace formula, area by area
+        for (std::size_t i = 0; i + 1 < of.points.size(); ++i)
+            if (of.points[i].y && of.points[i + 1].y)
+                twice +=
+                    of.points[i].x * *of.points[i + 1].y - of.points[i + 1].x * *of.points[i].y;
+        sizes.push_back(twice / 2);
+    }
+    // Widths 0.5, 1.5, 1.5, 0.5, heights 5, 15, 10; 5 is more than the last level.
+    EXPECT_DOUBLE_EQ(sizes[0], 2 * 5 + 0.5 * 15 + 0.5 * 10);
+    EXPECT_DOUBLE_EQ(sizes[1], 3.5 * 10);
+    EXPECT_DOUBLE_EQ(sizes[2], 2 * 5 + 1.5 * 15);
+    EXPECT_EQ(areas[2].name, "high");
+}
+
+TEST(Chart, PiecesThatMeetAreOneLine) {
+    std::vector<PlotPoint> line;
+    add_piece(line, {0, 0}, {1, 1});
+    add_piece(line, {1, 1}, {2, 0});
+    add_piece(line, {3, 0}, {4, 1});
+    ASSERT_EQ(line.size(), 6U);
+    EXPECT_FALSE(line[3].y) << "a gap";
+}
+
+// A circle is round: as many pixels up as across.
+TEST(Chart, PolarPanelsAreAsWideAsHigh) {
+    const Chart chart{"", "", {polar_panel(400, {.title = "x"}, {.title = "y"}, 3)}};
+    const Figure figure = chart_figure(chart, sample_case(), {});
+    const auto margin = [&figure](const std::string &name) {
+        const std::string before = "set " + name + "margin at screen ";
+        return std::stod(figure.script.substr(figure.script.find(before) + before.size()));
+    };
+    EXPECT_NEAR((margin("r") - margin("l")) * figure.width, 400, 1e-9);
+    EXPECT_NEAR((margin("t") - margin("b")) * figure.height, 400, 1e-9);
+}
+
+// Both ends of a line at the ends of the panel's axis: beyond these gnuplot would draw none of it.
+TEST(Chart, UprightLinesEndWhereTheirPanelDoes) {
+    ChartPanel panel{200, {.title = "x", .low = 0, .high = 1}, {.low = -1. / 3, .high = 2e5 / 7}};
+    panel.curves = {upright_line(panel, 0.5, {"mark"})};
+    const std::string script = chart_figure({"", "", {panel}}, sample_case(), {}).script;
+    EXPECT_NE(script.find(fmt::format("set yrange [{}:{}]", -1. / 3, 2e5 / 7)), std::string::npos);
+    EXPECT_NE(script.find(fmt::format("\n0.5 {}\n0.5 {}\n", -1. / 3, 2e5 / 7)), std::string::npos);
 }
 
 // A picture without a curve is drawn, not refused.

@@ -89,11 +89,22 @@ TEST(OperationBand, IsCutAtTheAxis) {
 
 TEST(OperationBand, HasEdgesForWhatLiesOverIt) {
     const model::Case scene = running_case();
-    const std::string both = operation_edges(scene, usual, {0, usual(Quantity::speed, 1000)});
-    for (const double speed : {usual(Quantity::speed, 100), usual(Quantity::speed, 200)})
-        EXPECT_NE(both.find(fmt::format("from first {:.9g},graph 0", speed)), std::string::npos);
-    EXPECT_EQ(operation_edges(scene, usual, {0, usual(Quantity::speed, 90)}), "");
-    EXPECT_EQ(operation_edges(model::Case{}, usual, {0, usual(Quantity::speed, 1000)}), "");
+    const auto edges = [](const model::Case &of, double fastest, bool upright) {
+        ChartPanel panel{100, along_speeds(usual, {0, fastest}), {.low = 0, .high = 1}};
+        if (!upright)
+            std::swap(panel.x, panel.y);
+        add_operation(of, usual, {"edge", "#000000"}, panel);
+        std::vector<double> places;
+        for (const ChartCurve &line : panel.curves)
+            if (line.name == "edge")
+                places.push_back(upright ? line.points.front().x : *line.points.front().y);
+        return places;
+    };
+    const std::vector<double> both{usual(Quantity::speed, 100), usual(Quantity::speed, 200)};
+    EXPECT_EQ(edges(scene, 1000, true), both);
+    EXPECT_EQ(edges(scene, 1000, false), both);
+    EXPECT_TRUE(edges(scene, 90, true).empty());
+    EXPECT_TRUE(edges(model::Case{}, 1000, true).empty());
 }
 
 class OperationReport : public ScratchFolder {};

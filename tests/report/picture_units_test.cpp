@@ -147,7 +147,7 @@ TEST(PictureUnits, OfAResponseAreThoseOfPeaksAndForces) {
     expect_labels(figure(other), {"Spin speed (Hz)", "Amplitude pk-pk (mil)",
                                   "Largest bearing force (lbf)", "race, z = 6.89 in"});
     const auto polar = [&](const Units &units) {
-        return polar_figure(sample_case(), result, units);
+        return chart_figure(polar_chart(sample_case(), result, units), sample_case(), units);
     };
     expect_scaled(polar, {{amplitude, amplitude}});
     expect_labels(polar(other), {"x pk-pk (mil)", "33.42 Hz"});

@@ -8,6 +8,7 @@
 #include "results/stability.h"
 #include "sample_results.h"
 
+#include <algorithm>
 #include <complex>
 #include <random>
 #include <sstream>
@@ -150,25 +151,31 @@ TEST(PlotData, TheOtherOneOfTwoFrequenciesIsNotJoined) {
 }
 
 // Between two speeds the curve of growth leaves zero at the end of the band, not at the speed
-// before it; numbers at its axis differ from each other.
+// before it.
 TEST(PlotData, GrowthIsZeroAtTheEndsOfBands) {
     results::StabilityResult result;
     result.speeds = {0, 10, 20, 30};
     result.growth = {-1, -1, 4, -1};
     result.unstable = {{18 / usual.factor(Quantity::speed), 25 / usual.factor(Quantity::speed)}};
-    const std::string script = stability_figure(sample_case(), result, usual).script;
-    const std::string block = script.substr(script.find("$curve0"));
-    const std::size_t begins = block.find("\n18 0\n");
-    const std::size_t ends = block.find("\n25 0\n");
-    ASSERT_NE(begins, std::string::npos) << block;
-    ASSERT_NE(ends, std::string::npos) << block;
-    EXPECT_LT(begins, ends);
-    result.growth = {-0.003351, -0.0033515, -0.003352, -0.0033525};
-    result.unstable = {};
-    EXPECT_NE(stability_figure(sample_case(), result, usual).script.find("set format y '%.6g'"),
-              std::string::npos);
-    result.growth = {-100.00001, -100.00002, -100.00003, -100.00004};
-    EXPECT_NE(stability_figure(sample_case(), result, usual).script.find("set format y '%.9g'"),
+    const Chart chart = stability_chart(sample_case(), result, usual);
+    const auto growth = std::ranges::find(chart.panels.front().curves, "growth", &ChartCurve::name);
+    ASSERT_NE(growth, chart.panels.front().curves.end());
+    std::vector<double> zeros;
+    for (const PlotPoint &point : growth->points)
+        if (point.y == 0.0)
+            zeros.push_back(point.x);
+    ASSERT_EQ(zeros.size(), 2U);
+    EXPECT_NEAR(zeros[0], 18, 1e-12);
+    EXPECT_NEAR(zeros[1], 25, 1e-12);
+    EXPECT_TRUE(std::ranges::is_sorted(growth->points, {}, &PlotPoint::x));
+}
+
+// Numbers at an axis differ from each other.
+TEST(PlotData, NumbersAtANarrowAxisHaveTheDigitsThatTellThemApart) {
+    ChartPanel panel{200, {.title = "x", .low = 0, .high = 1}, {.title = "y"}};
+    panel.curves = {{"", {{0, -100.00001}, {1, -100.00004}}, {}}};
+    const Chart chart{"", "", {panel}};
+    EXPECT_NE(chart_figure(chart, sample_case(), usual).script.find("set format y '%.9g'"),
               std::string::npos);
 }
 
@@ -201,28 +208,33 @@ TEST(PlotData, PolarLoopsAreRound) {
     result.speeds = result.curves.speeds;
     result.nodes[0].amplitude = result.curves.values[0];
     result.nodes[0].phase = result.curves.phases[0];
-    const std::string script = polar_figure(sample_case(), result, usual).script;
-    const std::size_t from = script.find("$curve0 << EOD\n");
-    ASSERT_NE(from, std::string::npos);
-    std::istringstream data(script.substr(from + 15, script.find("EOD", from + 15) - from - 15));
-    int points = 0;
-    for (double x = 0, y = 0; data >> x >> y; ++points)
-        EXPECT_NEAR(std::hypot(x, y + usual(Quantity::amplitude, radius)),
+    const auto panel = [&result] {
+        return polar_chart(sample_case(), result, usual).panels.front();
+    };
+    const auto points = [](const ChartPanel &panel, const std::string &name) {
+        const auto curve = std::ranges::find(panel.curves, name, &ChartCurve::name);
+        return curve == panel.curves.end() ? std::vector<PlotPoint>{} : curve->points;
+    };
+    const std::vector<PlotPoint> loop = points(panel(), "z = 0 m");
+    for (const PlotPoint &at : loop)
+        EXPECT_NEAR(std::hypot(at.x, *at.y + usual(Quantity::amplitude, radius)),
                     usual(Quantity::amplitude, radius),
                     0.0025 * usual(Quantity::amplitude, radius));
-    EXPECT_GT(points, 40);
-    EXPECT_NE(script.find("set xlabel " + plot_text("x (µm)")), std::string::npos);
+    EXPECT_GT(loop.size(), 40U);
+    EXPECT_EQ(panel().x.title, "x (µm)");
     // A probe has a phase of its own: it is drawn in the place of the station.
     result.probes.resize(1);
     result.probes[0].name = "1Y";
     result.probes[0].angle = pi / 2;
     result.curves.values.push_back({1e-6, 2e-6, 1e-6});
     result.curves.phases.push_back({0, pi / 2, pi});
-    const std::string read = polar_figure(sample_case(), result, usual).script;
-    EXPECT_NE(read.find("1Y, z = 0 m at 90°"), std::string::npos);
-    EXPECT_NE(read.find("set xlabel " + plot_text("in phase (µm)")), std::string::npos);
-    EXPECT_EQ(read.find("$curve1 << EOD"), std::string::npos);
-    EXPECT_NE(read.find("$curve0 << EOD\n1 0\n"), std::string::npos) << "1 um at no angle";
+    const ChartPanel read = panel();
+    EXPECT_EQ(read.x.title, "in phase (µm)");
+    EXPECT_TRUE(points(read, "z = 0 m").empty());
+    const std::vector<PlotPoint> probe = points(read, "1Y, z = 0 m at 90°");
+    ASSERT_FALSE(probe.empty());
+    EXPECT_NEAR(probe.front().x, 1, 1e-12) << "1 um at no angle";
+    EXPECT_NEAR(*probe.front().y, 0, 1e-12);
 }
 
 TEST(PlotData, SpreadKeepsGapOrderAndRange) {

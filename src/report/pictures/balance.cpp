@@ -70,14 +70,7 @@ class BandRows {
         for (const auto &band : bands) {
             const double from = _units(Quantity::speed, band.from);
             const double to = _units(Quantity::speed, band.to);
-            ChartCurve bar{name,
-                           {{from, _base + low},
-                            {to, _base + low},
-                            {to, _base + high},
-                            {from, _base + high},
-                            {from, _base + low}},
-                           {"", colour, "1"}};
-            bar.filled = true;
+            ChartCurve bar = chart_bar({from, to}, {_base + low, _base + high}, {name, colour});
             bar.texts = {
                 name + ": " +
                 _units.text(model::Sentence("{}", model::as::speed.range(band.from, band.to, 10)))};
@@ -220,7 +213,7 @@ ChartPanel signature_panel(const Units &units, const BalanceResult &result, cons
     panel.y.high = 1.05 * folded(largest, unit);
     panel.y.low = -*panel.y.high;
     name_powers(unit, largest, panel.y);
-    panel.curves.push_back({"", {{*x.low, 0}, {*x.high, 0}}, {"", "#555555", "1"}, 1});
+    panel.curves.push_back(level_line(panel, 0, {"", "#555555", "1"}));
     for (const int sign : {0, -1, 1})
         add_eigenvalues(units, result, mass, unit, sign, panel);
     return panel;
@@ -234,21 +227,14 @@ Chart balance_chart(const model::Case &scene, const BalanceResult &result, const
                 "balanced position, and motions in time; numbers: ends in " +
                     units.name(Quantity::speed),
                 {}};
-    const Range speeds = speed_range(units, result.speeds);
-    ChartAxis x = chart_axis(units, "Spin speed", Quantity::speed);
-    x.low = speeds.low;
-    x.high = speeds.high;
+    const ChartAxis x = along_speeds(units, result.speeds);
     ChartPanel bands{0, x, {}, {}};
     const BandRows rows(result, units, bands);
     if (bands.y.names.empty())
         return chart;
-    for (const double critical : result.critical_speeds) {
-        const double at = units(Quantity::speed, critical);
-        bands.curves.push_back({"critical speed",
-                                {{at, bands.y.low}, {at, bands.y.high}},
-                                {"", "#777777", "(4,4)"},
-                                1});
-    }
+    for (const double critical : result.critical_speeds)
+        bands.curves.push_back(upright_line(bands, units(Quantity::speed, critical),
+                                            {"critical speed", "#777777", "(4,4)"}));
     chart.panels = {bands, signature_panel(units, result, x)};
     return chart;
 }

@@ -57,14 +57,6 @@ void take(ChartPanel &panel, const BalanceResult &result, std::vector<PlotPoint>
     panel.curves.push_back({name, std::move(points), style, point ? 0 : width, point ? 1.0 : 0.0});
 }
 
-ChartAxis speeds_of(const Units &units, const BalanceResult &result) {
-    ChartAxis axis = chart_axis(units, "Spin speed", Quantity::speed);
-    const Range range = speed_range(units, result.speeds);
-    axis.low = range.low;
-    axis.high = range.high;
-    return axis;
-}
-
 ChartPanel left_panel(const Units &units, const BalanceResult &result, const LeftAt &left,
                       bool legend) {
     const std::vector<bool> &works = result.supply->works;
@@ -72,7 +64,7 @@ ChartPanel left_panel(const Units &units, const BalanceResult &result, const Lef
     idle.flip();
     const double bottom = drawn_zero * units(Quantity::amplitude, largest_of(left.amplitude));
     ChartPanel panel{230,
-                     speeds_of(units, result),
+                     along_speeds(units, result.speeds),
                      chart_axis(units, "Amplitude", Quantity::amplitude),
                      {},
                      place_text(units, left.name, left.z)};
@@ -98,7 +90,7 @@ ChartPanel need_panel(const Units &units, const BalanceResult &result) {
         return plane.capacity && *plane.capacity > 0;
     });
     ChartPanel panel{230,
-                     speeds_of(units, result),
+                     along_speeds(units, result.speeds),
                      shares ? ChartAxis{.title = "Needed over capacity"}
                             : chart_axis(units, "Needed", Quantity::imbalance),
                      {}};

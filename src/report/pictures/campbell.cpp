@@ -338,7 +338,7 @@ std::optional<ChartPanel> damping_panel(const CampbellView &shown, const ChartAx
     ChartPanel panel{270, x, {.title = "Logarithmic decrement"}, {}};
     panel.y.low = std::min(bottom, -0.04 * top);
     panel.y.high = std::max(top, 0.02);
-    panel.curves.push_back({"", {{*x.low, 0}, {*x.high, 0}}, {"", "#555555", "1"}, 1});
+    panel.curves.push_back(level_line(panel, 0, {"", "#555555", "1"}));
     add_growth(shown, panel.curves);
     add_modes(shown, false, panel.curves);
     panel.ends = mode_names(shown);
@@ -359,10 +359,7 @@ bool grows(const CampbellMode &mode, std::size_t index) {
 
 Chart campbell_chart(const model::Case &scene, const CampbellResult &result, const Units &units) {
     const CampbellView shown{result, units, false};
-    const Range speeds = speed_range(units, result.speeds);
-    ChartAxis x = chart_axis(units, "Spin speed", Quantity::speed);
-    x.low = speeds.low;
-    x.high = speeds.high;
+    const ChartAxis x = along_speeds(units, result.speeds);
     ChartAxis y = chart_axis(units, "Whirl frequency", Quantity::frequency);
     y.low = 0;
     if (!units.asked(Quantity::frequency))

@@ -39,6 +39,13 @@ bool draws_nothing(const ChartPanel &panel) {
     });
 }
 
+/// With which numbers at an axis from one value to another differ.
+int digits_between(const Range &range) {
+    const double largest = std::max(std::abs(range.low), std::abs(range.high));
+    const double digits = 2 + std::ceil(std::log10(largest / (range.high - range.low)));
+    return static_cast<int>(std::min(digits, 15.0)); // or the axis has no length
+}
+
 /// Numbers 1, 2, 5 of every power of ten on a logarithmic axis that has few of these; else
 /// gnuplot's own.
 std::string ticks_of(const ChartAxis &axis, char name) {
@@ -81,7 +88,9 @@ std::string second_axis(const ChartAxis &axis, char name) {
                        plot_text(axis.second->title), name == 'x' ? " offset 0,-0.4" : "");
 }
 
-std::string axis_commands(const ChartAxis &axis, char name, bool empty) {
+std::string axis_commands(const ChartAxis &axis, const Range &range, char name, bool empty) {
+    constexpr int usual = 6; // digits
+    const int digits = digits_between(range);
     const auto end = [empty](const std::optional<double> &at, double otherwise) {
         return at      ? fmt::format("{}", *at) // in full: a curve may end there
                : empty ? fmt::format("{}", otherwise)
@@ -91,7 +100,9 @@ std::string axis_commands(const ChartAxis &axis, char name, bool empty) {
                "{0} logscale {1}\nset format {1} '{2}'\nset {1}range [{3}:{4}]\n"
                "set {1}tics {5}\n",
                axis.logarithmic ? "set" : "unset", name,
-               axis.logarithmic && (name == 'y' || axis.high.value_or(0) > 1e4) ? "10^{%L}" : "%h",
+               axis.logarithmic && (name == 'y' || axis.high.value_or(0) > 1e4) ? "10^{%L}"
+               : !axis.logarithmic && digits > usual ? fmt::format("%.{}g", digits)
+                                                     : "%h",
                end(axis.low, axis.logarithmic ? 1 : 0), end(axis.high, axis.logarithmic ? 10 : 1),
                axis.names.empty() ? "enhanced " + ticks_of(axis, name) : named_ticks(axis)) +
            second_axis(axis, name) +
@@ -102,7 +113,7 @@ std::string axis_commands(const ChartAxis &axis, char name, bool empty) {
 std::string chart_look(const ChartCurve &curve) {
     const LineStyle &style = curve.style;
     if (curve.filled)
-        return fmt::format("with filledcurves closed fs solid 1 noborder fc rgb '{}'",
+        return fmt::format("with filledcurves closed fs solid 1 border lc rgb '{0}' fc rgb '{0}'",
                            style.colour);
     std::string look =
         fmt::format("with {}{} lc rgb '{}'", curve.width > 0 ? "lines" : "",
@@ -138,6 +149,8 @@ struct LaidOut {
 double panels_wide(const Chart &chart) {
     return std::ranges::any_of(chart.panels, &ChartPanel::beside) ? 900 : 752;
 }
+
+constexpr int legended_left = 112; // where panels begin: room for a name beside eight characters
 
 constexpr double end_size = 11; // of the letters of names at the ends of curves, pixels
 constexpr double end_gap = 16;  // from the curves to these, pixels
@@ -181,7 +194,10 @@ Chart prepared(Chart chart) {
 /// Panels from above; one beside another shares its row.
 /// @param left  where they begin, pixels
 std::vector<LaidOut> laid_out(const Chart &chart, double left) {
-    constexpr double between = 60; // panels beside each other, pixels
+    const bool named = std::ranges::any_of(chart.panels, [](const ChartPanel &panel) {
+        return panel.beside && !panel.y.title.empty();
+    });
+    const double between = named ? 100 : 60; // panels beside each other, pixels
     constexpr int second_title = 44;
     std::vector<LaidOut> out;
     int top = chart_head;
@@ -200,7 +216,10 @@ std::vector<LaidOut> laid_out(const Chart &chart, double left) {
         else
             top += panel.title.empty() ? 0 : chart_above_title;
         out.push_back({panel, range(panel.x, true), range(panel.y, false), from,
-                       from + (halved(chart, i) ? half : panels_wide(chart)), top});
+                       from + (panel.square       ? panel.height
+                               : halved(chart, i) ? half
+                                                  : panels_wide(chart)),
+                       top});
         top += panel.height + (panel.x.title.empty() ? chart_below_numbers : chart_below_name);
     }
     return out;
@@ -368,6 +387,7 @@ Json chart_panel_json(const LaidOut &at) {
     const ChartPanel &panel = at.panel;
     return {{"title", panel.title},
             {"height", panel.height},
+            {"square", panel.square},
             {"x", chart_axis_json(panel.x)},
             {"y", chart_axis_json(panel.y)},
             {"curves", json_list(panel.curves, chart_curve_json)},
@@ -399,12 +419,115 @@ ChartAxis chart_axis(const Units &units, const std::string &what, Quantity quant
             .spin_speed = quantity == Quantity::speed};
 }
 
+ChartAxis along_speeds(const Units &units, const std::vector<double> &speeds) {
+    ChartAxis axis = chart_axis(units, "Spin speed", Quantity::speed);
+    const Range range = range_of(speeds);
+    axis.low = units(Quantity::speed, range.low);
+    axis.high = units(Quantity::speed, range.high);
+    return axis;
+}
+
 ChartCurve chart_curve(const std::string &name, std::vector<PlotPoint> points, std::size_t index,
                        double width, const std::string &dash) {
     ChartCurve curve{name, std::move(points), series_style(index), width, 0};
     if (!dash.empty())
         curve.style.dash = dash;
     return curve;
+}
+
+ChartCurve branch_curve(const std::string &name, std::optional<bool> stable,
+                        const std::string &colour) {
+    return {name + (!stable   ? ", neither"
+                    : *stable ? ", stable"
+                              : ", unstable"),
+            {},
+            {"", colour,
+             !stable   ? "(2,4)"
+             : *stable ? "1"
+                       : "(14,7)",
+             !stable   ? 1
+             : *stable ? 7
+                       : 6},
+            stable.value_or(false) ? 2.6 : 1.4};
+}
+
+ChartCurve level_line(const ChartPanel &panel, double y, const LineStyle &style, double width) {
+    return {style.name, {{*panel.x.low, y}, {*panel.x.high, y}}, style, width};
+}
+
+ChartCurve upright_line(const ChartPanel &panel, double x, const LineStyle &style, double width) {
+    return {style.name, {{x, panel.y.low}, {x, panel.y.high}}, style, width};
+}
+
+ChartCurve chart_bar(Range x, Range y, const LineStyle &style) {
+    ChartCurve bar{
+        style.name,
+        {{x.low, y.low}, {x.high, y.low}, {x.high, y.high}, {x.low, y.high}, {x.low, y.low}},
+        style};
+    bar.filled = true;
+    return bar;
+}
+
+std::vector<ChartCurve> chart_map(const std::vector<double> &x, const std::vector<double> &y,
+                                  const std::vector<std::vector<double>> &values,
+                                  const std::vector<ChartLevel> &levels) {
+    std::vector<ChartCurve> areas;
+    for (const ChartLevel &level : levels)
+        areas.push_back({level.style.name, {}, level.style, 0, 0, false, 1, {}, true});
+    const auto edges = [](const std::vector<double> &places, std::size_t from, std::size_t to) {
+        return Range{from == 0 ? places[from] : (places[from - 1] + places[from]) / 2,
+                     to + 1 == places.size() ? places[to] : (places[to] + places[to + 1]) / 2};
+    };
+    const auto level_of = [&](double value) {
+        const auto at = std::ranges::lower_bound(levels, value, {}, &ChartLevel::most);
+        return std::isnan(value) ? areas.size() : static_cast<std::size_t>(at - levels.begin());
+    };
+    for (std::size_t j = 0; j < y.size(); ++j)
+        for (std::size_t i = 0, last = 0; i < x.size(); i = last + 1) {
+            const std::size_t level = level_of(values[j][i]);
+            for (last = i; last + 1 < x.size() && level_of(values[j][last + 1]) == level;)
+                ++last; // those beside each other as one
+            if (level == areas.size())
+                continue;
+            add_area(areas[level].points, chart_bar(edges(x, i, last), edges(y, j, j), {}).points);
+        }
+    std::erase_if(areas, [](const ChartCurve &area) { return area.points.empty(); });
+    return areas;
+}
+
+ChartCurve upright_band(const ChartPanel &panel, Range x, const LineStyle &style) {
+    return chart_bar(x, {*panel.y.low, *panel.y.high}, style);
+}
+
+void add_piece(std::vector<PlotPoint> &line, const PlotPoint &from, const PlotPoint &to) {
+    const bool on = !line.empty() && line.back().x == from.x && line.back().y == from.y;
+    if (!on && !line.empty())
+        line.push_back({from.x, std::nullopt});
+    if (!on)
+        line.push_back(from);
+    line.push_back(to);
+}
+
+void add_area(std::vector<PlotPoint> &areas, const std::vector<PlotPoint> &area) {
+    if (!areas.empty())
+        areas.push_back({areas.back().x, std::nullopt});
+    areas.insert(areas.end(), area.begin(), area.end());
+}
+
+ChartPanel polar_panel(int size, const ChartAxis &x, const ChartAxis &y, double largest) {
+    largest = largest > 0 && std::isfinite(largest) ? largest : 1;
+    ChartPanel panel{size, x, y};
+    panel.square = true;
+    for (ChartAxis *axis : {&panel.x, &panel.y}) {
+        axis->high = 1.15 * largest;
+        axis->low = -*axis->high;
+    }
+    const LineStyle grey{"", "#DDDDDD"};
+    panel.curves = {level_line(panel, 0, grey, 0.8),
+                    upright_line(panel, 0, grey, 0.8),
+                    {"", circle_points(largest / 2), grey, 0.8},
+                    {"", circle_points(largest), grey, 0.8}};
+    return panel;
 }
 
 void span_decades(ChartAxis &axis, const std::vector<ChartCurve> &curves, double share,
@@ -437,13 +560,13 @@ void span_decades(ChartAxis &axis, const std::vector<ChartCurve> &curves, double
 Figure chart_figure(const Chart &described, const model::Case &scene, const Units &units) {
     constexpr double beside_second = 95; // room of a second axis, pixels
     const Chart chart = prepared(described);
-    std::vector<std::string> names{"operating speeds"};
+    double widest = text_width("operating speeds", picture_font); // in the legend
     double left = legended_left;
     double gap = 15; // from the panels to the legend
     for (const ChartPanel &panel : chart.panels) {
         for (const ChartCurve &curve : panel.curves)
             if (!curve.on_page)
-                names.push_back(curve.name);
+                widest = std::max(widest, text_width(curve.name, picture_font));
         for (const auto &[at, name] : panel.y.names)
             left = std::max(left, text_width(name, picture_font) + 20);
         gap = panel.y.second ? 15 + beside_second : gap;
@@ -453,8 +576,10 @@ Figure chart_figure(const Chart &described, const model::Case &scene, const Unit
     for (const LaidOut &at : panels)
         height = at.top + at.panel.height +
                  (at.panel.x.title.empty() ? chart_below_numbers : chart_below_name);
-    const LegendedFigure room =
-        beside_legend(left + panels_wide(chart) + gap - 15, 1080, height, names);
+    constexpr double sample = 62; // as gnuplot draws it: the line before a name and the gaps
+    constexpr double least = 1080;
+    const double right = left + panels_wide(chart) + gap;
+    const double wide = std::max(least, std::ceil(right + sample + widest + 8));
     std::string script = grid;
     std::set<std::string> keyed{""}; // names in the legend, each once
     for (const LaidOut &at : panels) {
@@ -464,12 +589,12 @@ Figure chart_figure(const Chart &described, const model::Case &scene, const Unit
             if (!curve.on_page)
                 drawn.add(curve.points, chart_look(curve),
                           keyed.insert(curve.name).second ? plot_text(curve.name) : "");
-        script += panel_margins(at.left / room.width, at.right / room.width,
-                                1 - (at.top + at.high()) / height, 1 - double(at.top) / height) +
-                  axis_commands(panel.x, 'x', draws_nothing(panel)) +
-                  axis_commands(panel.y, 'y', draws_nothing(panel)) +
+        script += panel_margins(at.left / wide, at.right / wide, 1 - (at.top + at.high()) / height,
+                                1 - double(at.top) / height) +
+                  axis_commands(panel.x, at.x, 'x', draws_nothing(panel)) +
+                  axis_commands(panel.y, at.y, 'y', draws_nothing(panel)) +
                   fmt::format("set key at graph {},1 left top reverse Left vertical samplen 3\n",
-                              (left + panels_wide(chart) + gap - at.left) / at.wide()) +
+                              (right - at.left) / at.wide()) +
                   (panel.title.empty() ? "unset title\n"
                                        : fmt::format("set title {} font ',12' offset 0,-0.4\n",
                                                      plot_text(panel.title)));
@@ -487,7 +612,7 @@ Figure chart_figure(const Chart &described, const model::Case &scene, const Unit
     if (chart.panels.empty())
         script += "set xrange [0:1]\nset yrange [0:1]\nset label 'nothing to draw' at graph "
                   "0.5,0.5 center\nplot NaN notitle\n";
-    return figure_of(room.width, height, chart.title, chart.subtitle, script);
+    return figure_of(static_cast<int>(wide), height, chart.title, chart.subtitle, script);
 }
 
 Json chart_json(const Chart &described) {

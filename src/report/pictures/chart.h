@@ -32,6 +32,10 @@ struct ChartAxis {
     std::optional<Second> second{};
 };
 [[nodiscard]] ChartAxis chart_axis(const Units &units, const std::string &what, Quantity quantity);
+/// Of spin speeds, from the first to the last of them, widened where there is one.
+[[nodiscard]] ChartAxis along_speeds(const Units &units, const std::vector<double> &speeds);
+
+struct ChartPanel;
 
 struct ChartCurve {
     std::string name; ///< in the legend, once in a figure; empty: not there
@@ -49,6 +53,39 @@ struct ChartCurve {
                                      std::size_t index, double width = 1.8,
                                      const std::string &dash = "");
 
+/// A branch of motions: solid where they are stable, dashed unstable, dotted neither, which the
+/// name says too.
+[[nodiscard]] ChartCurve branch_curve(const std::string &name, std::optional<bool> stable,
+                                      const std::string &colour);
+inline constexpr std::optional<bool> stabilities[] = {true, false, std::nullopt};
+/// Goes on from the end of a line, or after a gap from elsewhere.
+void add_piece(std::vector<PlotPoint> &line, const PlotPoint &from, const PlotPoint &to);
+
+/// Lines from end to end of a panel, of which the axes have these.
+[[nodiscard]] ChartCurve level_line(const ChartPanel &panel, double y, const LineStyle &style,
+                                    double width = 1);
+[[nodiscard]] ChartCurve upright_line(const ChartPanel &panel, double x, const LineStyle &style,
+                                      double width = 1);
+/// A filled rectangle.
+[[nodiscard]] ChartCurve chart_bar(Range x, Range y, const LineStyle &style);
+/// The same over the height of a panel.
+[[nodiscard]] ChartCurve upright_band(const ChartPanel &panel, Range x, const LineStyle &style);
+
+/// Values of a map up to which something is drawn in a colour.
+struct ChartLevel {
+    double most;
+    LineStyle style;
+};
+/// A map as areas, a curve for each level that there is: around each place of [y][x] up to halfway
+/// to the next; nothing where there is no number, or one above the last level.
+[[nodiscard]] std::vector<ChartCurve> chart_map(const std::vector<double> &x,
+                                                const std::vector<double> &y,
+                                                const std::vector<std::vector<double>> &values,
+                                                const std::vector<ChartLevel> &levels);
+
+/// One more of the areas of a filled curve.
+void add_area(std::vector<PlotPoint> &areas, const std::vector<PlotPoint> &area);
+
 /// What a point is, beside it where there is room; or the name of a curve at its end.
 struct ChartLabel {
     std::string text;
@@ -58,13 +95,14 @@ struct ChartLabel {
 
 struct ChartPanel {
     int height = 300; ///< pixels
-    ChartAxis x, y;
-    std::vector<ChartCurve> curves;
+    ChartAxis x{}, y{};
+    std::vector<ChartCurve> curves{};
     std::string title{};
     std::vector<ChartLabel> labels{};
     /// Names right of the ends of curves, apart from one another; below those that leave at the
     /// top.
     std::vector<ChartLabel> ends{};
+    bool square = false; ///< as wide as high
     bool beside = false; ///< in files right of the panel before, each half as wide
 };
 
@@ -73,6 +111,11 @@ struct Chart {
     std::vector<ChartPanel> panels;
     bool apart = false; ///< on pages a figure each: on paper a page may end between two of them
 };
+
+/// A plane about the origin, with circles of the largest radius that is drawn and of half of it.
+/// @param size  pixels
+[[nodiscard]] ChartPanel polar_panel(int size, const ChartAxis &x, const ChartAxis &y,
+                                     double largest);
 
 /// Ends of a logarithmic axis that shows so much below the largest value of all curves, and of that
 /// of the smallest curve; linear where nothing is above zero.

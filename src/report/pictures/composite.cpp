@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace whirl::report {
@@ -16,33 +15,36 @@ using results::BalancerNumbers;
 using results::CompositeCurves;
 using Values = std::vector<double>;
 
-/// One line of a panel.
-struct Line {
-    const Values &y;
-    LineStyle style;
-    std::string title;
-    double width = 2;
-};
+const LineStyle grey{"", "#9A9A9A", "(3,4)"};
 
-/// @param first  behind the lines
-std::string plot_lines(const Values &x, const std::vector<Line> &lines,
-                       const std::string &first = "") {
-    Curves drawn;
-    drawn.add(first);
-    for (const Line &line : lines)
-        drawn.add(points_over(x, 1, line.y, 1), line_look(line.style, line.width),
-                  line.title.empty() ? "" : "'" + line.title + "'");
-    return drawn.script();
+/// From zero, or below the least value, to above the largest.
+void span(ChartPanel &panel, bool from_zero) {
+    Values values;
+    for (const ChartCurve &curve : panel.curves)
+        for (const PlotPoint &point : curve.points)
+            values.push_back(point.y.value_or(0));
+    const Range range = range_of(values);
+    const double margin = 0.06 * (range.high - range.low);
+    panel.y.low = from_zero ? -0.03 * range.high : range.low - margin;
+    panel.y.high = range.high + margin;
 }
 
-const LineStyle grey{"", "#9A9A9A", "(3,4)", 7};
+/// Over the balls' mass, with a mark at the case's own.
+ChartPanel mass_panel(const BalancerNumbers &balancer, const std::string &what,
+                      std::vector<ChartCurve> curves, bool from_zero = true) {
+    ChartPanel panel{200,
+                     {.title = "n m / M_s", .low = 0, .high = balancer.curves->m.back()},
+                     {.title = what},
+                     std::move(curves)};
+    span(panel, from_zero);
+    panel.curves.push_back(
+        upright_line(panel, balancer.dimensionless.m, {"the case", "#B00020", "(6,4)"}));
+    return panel;
+}
 
-/// Axes of a panel over the balls' mass, with a mark at the case's own.
-std::string mass_axes(const BalancerNumbers &balancer, const std::string &title) {
-    return fmt::format("set title '{}'\nset xlabel 'n m / M_s'\nset xrange [0:{}]\n"
-                       "set yrange [0:*]\nset grid lc rgb '#E4E4E4' lt 1\nunset arrow\n",
-                       title, balancer.curves->m.back()) +
-           upright(balancer.dimensionless.m, "lc rgb '#B00020' lw 1 dt (6,4)");
+ChartCurve over(const Values &x, const Values &y, const std::string &name, const LineStyle &style,
+                double width = 2) {
+    return {name, points_over(x, 1, y, 1), style, width};
 }
 
 /// The unsigned harmonic gives other curves.
@@ -50,93 +52,78 @@ bool paper_differs(const BalancerNumbers &balancer) {
     return std::abs(*balancer.D - std::abs(*balancer.D)) > 1e-9;
 }
 
-std::string inertia_panel(const BalancerNumbers &balancer) {
+std::vector<ChartCurve> inertia_curves(const BalancerNumbers &balancer) {
     const CompositeCurves &c = *balancer.curves;
-    std::vector<Line> lines{{c.A_m, series_style(2), "A_m"},
-                            {c.A_C1, series_style(0), "A_{C1}"},
-                            {c.A_C2, series_style(1), "A_{C2}"}};
-    if (paper_differs(balancer)) {
-        lines.push_back({c.A_C1_paper, grey, "A_{C1}, A_{C2} with |D|", 1.4});
-        lines.push_back({c.A_C2_paper, grey, "", 1.4});
-    }
-    return mass_axes(balancer, "Inertias of the balls and of the rotor / A_Σ") +
-           // Room for the legend above the curves.
-           fmt::format("set yrange [0:{}]\nset key top left opaque maxrows 2\n",
-                       1.45 * std::max({c.A_C1.back(), c.A_C2.back(), c.A_C1_paper.back(),
-                                        c.A_C2_paper.back(), c.A_m.back()})) +
-           plot_lines(c.m, lines) + "unset label\n"; // the heading is drawn
+    std::vector<ChartCurve> curves{over(c.m, c.A_m, "A_m", series_style(2)),
+                                   over(c.m, c.A_C1, "A_C1", series_style(0)),
+                                   over(c.m, c.A_C2, "A_C2", series_style(1))};
+    if (paper_differs(balancer))
+        for (const Values *paper : {&c.A_C1_paper, &c.A_C2_paper})
+            curves.push_back(over(c.m, *paper, "A_C1, A_C2 with |D|", grey, 1.4));
+    return curves;
 }
 
-std::string anisotropy_panel(const BalancerNumbers &balancer) {
+std::vector<ChartCurve> anisotropy_curves(const BalancerNumbers &balancer) {
     const CompositeCurves &c = *balancer.curves;
-    std::string text =
-        mass_axes(balancer, "Inertial anisotropy / A_Σ") + "set key left top opaque maxrows 4\n";
-    std::string band;
+    std::vector<ChartCurve> curves;
     if (!c.A_least.empty() && std::abs(c.A_largest.back() - c.A_least.back()) > 1e-9) {
-        text += "$band << EOD\n";
-        for (std::size_t i = 0; i < c.m.size(); ++i)
-            text += fmt::format("{} {} {}\n", c.m[i], c.A_least[i], c.A_largest[i]);
-        text += "EOD\n";
-        band =
-            "$band using 1:2:3 with filledcurves lc rgb '#D6E6F2' title 'all balanced positions'";
+        ChartCurve band = over(c.m, c.A_least, "all balanced positions", {"", "#D6E6F2"});
+        for (std::size_t i = c.m.size(); i-- > 0;)
+            band.points.push_back({c.m[i], c.A_largest[i]});
+        band.filled = true;
+        curves.push_back(band);
     }
-    LineStyle bound = grey;
-    bound.dash = "1";
-    std::vector<Line> lines{{c.A_without, bound, "D_A = 0 and 1", 1}, {c.A_full, bound, "", 1}};
+    for (const Values *bound : {&c.A_without, &c.A_full})
+        curves.push_back(over(c.m, *bound, "D_A = 0 and 1", {"", grey.colour}, 1));
     if (paper_differs(balancer))
-        lines.push_back({c.A_paper, series_style(1),
-                         fmt::format("unsigned D_A = {:.4g}", std::abs(*balancer.D))});
-    lines.push_back(
-        {c.A, series_style(0),
-         std::abs(balancer.D->imag()) > 1e-12
-             ? fmt::format("D = {:.4g} {:+.4g} i", balancer.D->real(), balancer.D->imag())
-             : fmt::format("D_c = {:.4g}", balancer.D->real())});
-    return text + plot_lines(c.m, lines, band);
+        curves.push_back(over(c.m, c.A_paper,
+                              fmt::format("unsigned D_A = {:.4g}", std::abs(*balancer.D)),
+                              series_style(1)));
+    curves.push_back(
+        over(c.m, c.A,
+             std::abs(balancer.D->imag()) > 1e-12
+                 ? fmt::format("D = {:.4g} {:+.4g} i", balancer.D->real(), balancer.D->imag())
+                 : fmt::format("D_c = {:.4g}", balancer.D->real()),
+             series_style(0)));
+    return curves;
 }
 
-std::string polar_panel(const BalancerNumbers &balancer) {
+/// About axes across the rotor, by their direction from the imbalance.
+ChartPanel direction_panel(const BalancerNumbers &balancer, const Units &units) {
     const CompositeCurves &c = *balancer.curves;
-    return mass_axes(balancer, "Polar inertia C / A_Σ") + "unset key\nset yrange [*:*]\n" +
-           plot_lines(c.m, {{c.C, series_style(0), ""}});
-}
-
-/// The curve with radius A_C in the direction of its axis.
-std::string hodograph_panel(const BalancerNumbers &balancer) {
-    const CompositeCurves &c = *balancer.curves;
-    const auto around = [&](const Values &radius) {
-        std::vector<PlotPoint> points;
-        for (std::size_t i = 0; i < radius.size(); ++i)
-            points.push_back({radius[i] * std::cos(c.angle[i]), radius[i] * std::sin(c.angle[i])});
-        return points;
-    };
-    const double reach = 1.15 * std::max(*std::max_element(c.A_C.begin(), c.A_C.end()),
-                                         *std::max_element(c.A_C_paper.begin(), c.A_C_paper.end()));
-    Curves drawn;
-    drawn.add(around(Values(c.angle.size(), 1)), "with lines lw 1 dt (2,3) lc rgb '#7A7A7A'",
-              "'mean, A_Σ'");
+    const Values angle = scaled(c.angle, units.factor(Quantity::angle));
+    ChartPanel panel{200,
+                     chart_axis(units, "Direction from the imbalance", Quantity::angle),
+                     {.title = "A_C / A_Σ"}};
+    panel.title = "Diametral inertia about an axis, by its direction";
+    panel.x.low = 0;
+    panel.x.high = units(Quantity::angle, 2 * pi);
+    panel.x.step = *panel.x.high / 8;
+    panel.curves = {over(angle, Values(angle.size(), 1), "mean, A_Σ", {"", "#7A7A7A", "(2,3)"}, 1)};
     if (paper_differs(balancer))
-        drawn.add(around(c.A_C_paper), line_look(series_style(1), 1.8), "'unsigned D_A'");
-    drawn.add(around(c.A_C), line_look(series_style(0), 2), "'A_C'");
-    return "unset arrow\nset title 'Diametral inertia / A_Σ about an axis, by its direction'\n"
-           "set size ratio -1\nset xlabel 'direction of the imbalance'\n"
-           "set key outside right center\n" +
-           axes_over({-reach, reach}, {-reach, reach}) + drawn.script();
+        panel.curves.push_back(over(angle, c.A_C_paper, "unsigned D_A", series_style(1), 1.8));
+    panel.curves.push_back(over(angle, c.A_C, "A_C", series_style(0)));
+    span(panel, false);
+    return panel;
 }
 
 } // namespace
 
-Figure composite_figure(const model::Case &scene, const results::ShowResult &result,
-                        std::size_t index, const Units &units) {
+Chart composite_chart(const model::Case &scene, const results::ShowResult &result,
+                      std::size_t index, const Units &units) {
     const BalancerNumbers &balancer = result.balancers.at(index);
-    const std::string name = model::name_or_number(balancer.name, "balancer", index);
-    return figure_of(1180, 940, "Composite rotor: " + title_of(scene),
-                     fmt::format("{} at z = {}, capacity E = {}; dotted upright line: the case",
-                                 name, drawn_value(units, Quantity::length, balancer.z),
-                                 std::isinf(balancer.E) ? "infinite" : drawn_number(balancer.E)),
-                     panel_margins(0.07, 0.47, 0.56, 0.87) + inertia_panel(balancer) +
-                         panel_margins(0.56, 0.97, 0.56, 0.87) + anisotropy_panel(balancer) +
-                         panel_margins(0.07, 0.47, 0.08, 0.43) + polar_panel(balancer) +
-                         panel_margins(0.56, 0.97, 0.08, 0.43) + hodograph_panel(balancer));
+    const CompositeCurves &c = *balancer.curves;
+    return {"Composite rotor: " + title_of(scene),
+            fmt::format("{} at z = {}, capacity E = {}; n m / M_s: mass of the balls over that of "
+                        "the rotor",
+                        model::name_or_number(balancer.name, "balancer", index),
+                        drawn_value(units, Quantity::length, balancer.z),
+                        std::isinf(balancer.E) ? "infinite" : drawn_number(balancer.E)),
+            {mass_panel(balancer, "Inertias / A_Σ", inertia_curves(balancer)),
+             mass_panel(balancer, "Anisotropy / A_Σ", anisotropy_curves(balancer)),
+             mass_panel(balancer, "Polar inertia C / A_Σ", {over(c.m, c.C, "C", series_style(3))},
+                        false),
+             direction_panel(balancer, units)}};
 }
 
 } // namespace whirl::report

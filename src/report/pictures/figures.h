@@ -30,6 +30,7 @@ struct Placement;
 struct ReceptanceResponse;
 struct ResponseResult;
 struct RigidLimitResult;
+struct SampledAnswer;
 struct SamplesResult;
 struct ShowResult;
 struct SimulateResult;
@@ -103,8 +104,8 @@ struct ModeCurves {
 
 /// Growth over speed with the unstable bands shaded, critical and additional speeds marked, and
 /// the intervals over the arrangements of the balls as bars; with a map its picture below.
-[[nodiscard]] Figure stability_figure(const model::Case &scene,
-                                      const results::StabilityResult &result, const Units &units);
+[[nodiscard]] Chart stability_chart(const model::Case &scene,
+                                    const results::StabilityResult &result, const Units &units);
 
 /// Critical speeds over the stiffness of the supports, both logarithmic, with the stiffness of the
 /// bearings over speed and its crossings; below, the deflections of the forward motions at the soft
@@ -113,8 +114,8 @@ struct ModeCurves {
                                        const Units &units);
 
 /// Logarithmic decrement over added cross coupling, its root and what is anticipated marked.
-[[nodiscard]] Figure level1_figure(const model::Case &scene, const results::Level1 &level1,
-                                   const Units &units);
+[[nodiscard]] Chart level1_chart(const model::Case &scene, const results::Level1 &level1,
+                                 const Units &units);
 
 /// Motion over time: amplitudes at the balancers, below them the angles of balls or pendulums in
 /// the rotor (for balls that lag: their speed over that of the rotor), and the speed where it
@@ -125,8 +126,8 @@ struct ModeCurves {
 
 /// Spectra one behind the other, over speed where that only rises or only falls, else over time;
 /// multiples of the spin speed as lines.
-[[nodiscard]] Figure waterfall_figure(const model::Case &scene, const results::Waterfall &waterfall,
-                                      const Units &units);
+[[nodiscard]] Chart waterfall_chart(const model::Case &scene, const results::Waterfall &waterfall,
+                                    const Units &units);
 
 /// Relative differences between model and rigid closed forms, logarithmic: over the stiffness of
 /// the shaft, with a guide of slope -1 and the stiffness of 1 %, and over the number of elements.
@@ -135,8 +136,10 @@ struct ModeCurves {
 
 /// One panel an answer, for the first of them: histogram of the samples, quantiles with their
 /// intervals, and the case as it is.
-[[nodiscard]] Figure samples_figure(const model::Case &scene, const results::SamplesResult &result,
-                                    const Units &units);
+[[nodiscard]] Chart samples_chart(const model::Case &scene, const results::SamplesResult &result,
+                                  const Units &units);
+/// Of what an answer says.
+[[nodiscard]] ChartAxis answer_axis(const Units &units, const results::SampledAnswer &answer);
 
 /// Answers over the first entry: a panel for those of one kind, a curve each; with two entries a
 /// panel an answer, a curve for each value of the second.
@@ -157,28 +160,28 @@ struct ModeCurves {
 
 /// Steady states: the largest amplitude of the balancers' planes over spin speed, branch by branch,
 /// coloured by what the balls do, stable ones solid and unstable ones dashed, with their borders.
-[[nodiscard]] Figure states_figure(const model::Case &scene, const results::SteadyStates &states,
-                                   const Units &units);
+[[nodiscard]] Chart states_chart(const model::Case &scene, const results::SteadyStates &states,
+                                 const Units &units);
 
 /// Limit cycles along a branch: largest and least amplitude over a period over spin speed, with
 /// folds and borders of stability.
 /// @param found  with a branch
-[[nodiscard]] Figure cycle_figure(const model::Case &scene, const results::FoundCycle &found,
-                                  const Units &units);
+[[nodiscard]] Chart cycle_chart(const model::Case &scene, const results::FoundCycle &found,
+                                const Units &units);
 
 /// The same with the motions of a sweep in time over them, up and down.
-[[nodiscard]] Figure held_sweep_figure(const model::Case &scene, const results::HeldSweep &sweep,
-                                       const Units &units);
+[[nodiscard]] Chart held_sweep_chart(const model::Case &scene, const results::HeldSweep &sweep,
+                                     const Units &units);
 
 /// Where motions end, over two of the angles at which their balls start: a coloured cell each of a
 /// grid, a point each of random starts; and the angles of the states.
-[[nodiscard]] Figure starts_figure(const model::Case &scene, const results::ManyStarts &starts,
-                                   const Units &units);
+[[nodiscard]] Chart starts_chart(const model::Case &scene, const results::ManyStarts &starts,
+                                 const Units &units);
 
 /// Where along the shaft one balancer, and two, would work: the criterion over position and speed
 /// with the rotor below it, and over two positions at one speed.
-[[nodiscard]] Figure placement_figure(const model::Case &scene, const results::Placement &map,
-                                      const Units &units);
+[[nodiscard]] Chart placement_chart(const model::Case &scene, const results::Placement &map,
+                                    const Units &units);
 
 /// Efficiency of a four-pendulum balancer over spin speed: planar forms, and the steady motions on
 /// the flexible shaft by their stability.
@@ -196,13 +199,13 @@ struct ModeCurves {
 /// axis; with the signed D, and with the unsigned D_A of the paper beside it.
 ///
 /// @param index  of a balancer with curves
-[[nodiscard]] Figure composite_figure(const model::Case &scene, const results::ShowResult &result,
-                                      std::size_t index, const Units &units);
+[[nodiscard]] Chart composite_chart(const model::Case &scene, const results::ShowResult &result,
+                                    std::size_t index, const Units &units);
 
 /// Tilt of the rigid rotor: critical speeds, stability limits and the unstable region ("-") over
 /// the anisotropy, and over the polar inertia at the case's anisotropy.
-[[nodiscard]] Figure anisotropy_figure(const model::Case &scene,
-                                       const results::AnisotropyChart &chart, const Units &units);
+[[nodiscard]] Chart anisotropy_chart(const model::Case &scene,
+                                     const results::AnisotropyChart &chart, const Units &units);
 
 /// Side view of the rotor to scale: shaft with bores and cones, discs, bearings, balancers,
 /// correction planes and anisotropies. Diameters of very slender rotors are enlarged, and the
@@ -215,8 +218,8 @@ struct ModeCurves {
 
 /// Polar plots: readings before and after, a panel a speed (the first ones), and the weights in
 /// their planes; from the model the amplitudes over speed below.
-[[nodiscard]] Figure weights_figure(const model::Case &scene, const results::WeightsResult &result,
-                                    const Units &units);
+[[nodiscard]] Chart weights_chart(const model::Case &scene, const results::WeightsResult &result,
+                                  const Units &units);
 
 /// Response to a unit weight over speed, a pair of panels a plane: amplitudes (logarithmic) and
 /// phases of what moves. @param result  with the influence over speed

@@ -94,16 +94,4 @@ std::string left_out(int count, const std::string &mark, const std::string &at) 
                                     count, mark, count == 1 ? "" : "s", at);
 }
 
-std::string leader(const LabelPlacer::Box &label, double x, double y) {
-    // From the nearest place of the box, none from one that stands beside what it names.
-    const double u = std::clamp(x, label.x, label.x + label.width);
-    const double v = std::clamp(y, label.y + 0.2 * label.height, label.y + 0.8 * label.height);
-    if (std::hypot(u - x, v - y) < 0.5 * label.height)
-        return {};
-    return fmt::format(
-        "set arrow from graph {:.5g},graph {:.5g} to graph {:.5g},graph {:.5g} nohead "
-        "front lw 0.7 lc rgb '#777777'\n",
-        u, v, x, y);
-}
-
 } // namespace whirl::report

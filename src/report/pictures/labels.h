@@ -37,7 +37,4 @@ class LabelPlacer {
 /// @param at  where, in parts of the graph: "0,1.06"
 [[nodiscard]] std::string left_out(int count, const std::string &mark, const std::string &at);
 
-/// A line from a label to what it names, at (x, y); all in parts of the graph.
-[[nodiscard]] std::string leader(const LabelPlacer::Box &label, double x, double y);
-
 } // namespace whirl::report

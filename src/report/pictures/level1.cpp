@@ -22,30 +22,12 @@ Unit unit_of(const Units &units, double largest) {
     return units.unit(Quantity::stiffness);
 }
 
-/// Where the curve passes zero: a circle and its number.
-std::string root_mark(double q, double largest, const Unit &unit) {
-    const bool right = q < 0.7 * largest;
-    return fmt::format("set label 1 {} at first {:.9g},0 {} offset {},1 point pt 6 ps 1.7 lw 1.6 "
-                       "font ',11' front\n",
-                       plot_text("Q₀ = " + drawn_number(q, 6) + " " + unit.name), q,
-                       right ? "left" : "right", right ? 1 : -1);
-}
-
-std::string anticipated_line(double q) {
-    return upright(q, "back lw 1.3 dt (9,7) lc rgb '#7A5200'") +
-           fmt::format("set label 2 'anticipated' at first {:.9g},graph 0.96 left offset 0.7,0 "
-                       "font ',10' textcolor '#7A5200'\n",
-                       q);
-}
-
 } // namespace
 
-Figure level1_figure(const model::Case &scene, const results::Level1 &level1, const Units &units) {
-    constexpr int height = 520;
-    constexpr double pixel = 1.0 / height;
-    const Unit unit = unit_of(
-        units, std::max(level1.q.empty() ? 0 : level1.q.back(), level1.anticipated.value_or(0)));
-    const std::vector<PlotPoint> points = points_over(level1.q, unit.factor, level1.log_dec, 1);
+Chart level1_chart(const model::Case &scene, const results::Level1 &level1, const Units &units) {
+    const double last = level1.q.empty() ? 0 : level1.q.back();
+    const Unit unit = unit_of(units, std::max(last, level1.anticipated.value_or(0)));
+    const double largest = unit.factor * std::max(last, 1.02 * level1.anticipated.value_or(0));
     double low = 0;
     double high = 0;
     for (const double log_dec : level1.log_dec)
@@ -54,31 +36,31 @@ Figure level1_figure(const model::Case &scene, const results::Level1 &level1, co
             high = std::max(high, log_dec);
         }
     const double margin = high > low ? 0.08 * (high - low) : 0.1;
-    double largest = points.empty() || points.back().x <= 0 ? 1 : points.back().x;
-    largest = std::max(largest, 1.02 * level1.anticipated.value_or(0) * unit.factor);
-    Curves drawn;
-    drawn.add(points, "with lines lw 2.2 lc rgb '#0072B2'");
-    std::string panel =
-        panel_margins(0.1, 0.96, 70 * pixel, 1 - 80 * pixel) +
-        axes_over({0, largest}, {low - margin, high + margin}) + grid +
-        fmt::format("set xlabel {}\n"
-                    "set ylabel 'Logarithmic decrement'\n"
-                    "set xzeroaxis lt 1 lw 1.2 lc rgb '#555555'\nunset key\n"
-                    "set object rectangle from graph 0,graph 0 to graph 1,first 0 behind fs solid "
-                    "noborder fc rgb '#FBE3EA'\n"
-                    "set label 3 'grows' at graph 0.01,first {:.9g} left font ',10' textcolor "
-                    "'#B0305C'\n",
-                    plot_text("Added cross coupling Q = kxy = −kyx (" + unit.name + ")"),
-                    low - 0.4 * margin);
-    if (const auto &root = level1.critical_cross_coupling; root && *root * unit.factor <= largest)
-        panel += root_mark(*root * unit.factor, largest, unit);
+    ChartPanel panel{
+        370,
+        {.title = "Added cross coupling Q = kxy = −kyx (" + unit.name + ")",
+         .unit = unit.name,
+         .low = 0,
+         .high = largest > 0 ? largest : 1},
+        {.title = "Logarithmic decrement", .low = low - margin, .high = high + margin}};
+    panel.curves = {
+        chart_bar({0, *panel.x.high}, {*panel.y.low, 0}, {"grows", "#FBE3EA"}),
+        level_line(panel, 0, {"", "#555555"}, 1.2),
+        {"", points_over(level1.q, unit.factor, level1.log_dec, 1), {"", "#0072B2"}, 2.2}};
     if (level1.anticipated)
-        panel += anticipated_line(*level1.anticipated * unit.factor);
-    return figure_of(1080, height, "Level-I stability: " + title_of(scene),
-                     fmt::format("at {}, cross coupling Q added at z = {}",
-                                 drawn_value(units, Quantity::speed, level1.speed, 6),
-                                 drawn_value(units, Quantity::length, level1.z)),
-                     panel + drawn.script());
+        panel.curves.push_back(upright_line(panel, *level1.anticipated * unit.factor,
+                                            {"anticipated", "#7A5200", "(9,7)"}, 1.3));
+    if (const auto &root = level1.critical_cross_coupling;
+        root && *root * unit.factor <= *panel.x.high) { // where the curve passes zero
+        const double q = *root * unit.factor;
+        panel.curves.push_back({"", {{q, 0}}, {"", "#000000", "1", 6}, 0, 1.7});
+        panel.labels.push_back({"Q₀ = " + drawn_number(q, 6) + " " + unit.name, q, 0});
+    }
+    return {"Level-I stability: " + title_of(scene),
+            fmt::format("at {}, cross coupling Q added at z = {}",
+                        drawn_value(units, Quantity::speed, level1.speed, 6),
+                        drawn_value(units, Quantity::length, level1.z)),
+            {panel}};
 }
 
 } // namespace whirl::report

@@ -51,30 +51,21 @@ std::string operation_band(const model::Case &scene, const Units &units, Range r
     return out;
 }
 
-std::string operation_edges(const model::Case &scene, const Units &units, Range range) {
+void add_operation(const model::Case &scene, const Units &units, const LineStyle &style,
+                   ChartPanel &panel) {
     if (!scene.operation)
-        return "";
-    std::string out;
-    for (const double speed : {scene.operation->from, scene.operation->to})
-        out += line_at(units(Quantity::speed, speed), range, SpeedAxis::x,
-                       "back lc rgb '#5B8C3A' dt (6,3)");
-    return out;
-}
-
-std::string operation_lines(const model::Case &scene, const Units &units, Range range,
-                            SpeedAxis axis) {
-    if (!scene.operation)
-        return "";
-    const model::Operation &running = *scene.operation;
-    std::string out;
-    for (const double speed : {running.from, running.to, running.trip.value_or(running.to)})
-        out +=
-            line_at(units(Quantity::speed, speed), range, axis, "front lc rgb '#FFC83D' dt (9,5)");
-    if (shown_band(scene, units, range) && axis == SpeedAxis::y)
-        out += fmt::format("set label 'operating speeds' at graph 0.015,first {:.9g} left offset "
-                           "0,-0.6 font ',9' front textcolor '#FFC83D'\n",
-                           shown_band(scene, units, range)->high);
-    return out;
+        return;
+    const auto add = [&](double speed, const LineStyle &look) {
+        const double at = units(Quantity::speed, speed);
+        if (panel.x.spin_speed && within({*panel.x.low, *panel.x.high}, at))
+            panel.curves.push_back(upright_line(panel, at, look, 1.4));
+        if (panel.y.spin_speed && within({*panel.y.low, *panel.y.high}, at))
+            panel.curves.push_back(level_line(panel, at, look, 1.4));
+    };
+    for (const double end : {scene.operation->from, scene.operation->to})
+        add(end, style);
+    if (scene.operation->trip)
+        add(*scene.operation->trip, {"", trip_colour});
 }
 
 std::string operation_key(const model::Case &scene, const Units &units, Range range) {

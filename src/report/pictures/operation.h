@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/case.h"
-#include "report/pictures/style.h"
+#include "report/pictures/chart.h"
 
 #include <string>
 
@@ -17,14 +17,10 @@ enum class SpeedAxis { x, y };
 [[nodiscard]] std::string operation_band(const model::Case &scene, const Units &units, Range range,
                                          SpeedAxis axis = SpeedAxis::x);
 
-/// Both ends of the band as lines, for what lies over it. Commands as above.
-/// @param range  of the axis x
-[[nodiscard]] std::string operation_edges(const model::Case &scene, const Units &units,
-                                          Range range);
-
-/// The same over a picture that fills its panel: lines at both ends and at the trip speed.
-[[nodiscard]] std::string operation_lines(const model::Case &scene, const Units &units, Range range,
-                                          SpeedAxis axis);
+/// Ends of the band and the trip speed as lines, over what covers it: across each axis of the panel
+/// that has the spin speed.
+void add_operation(const model::Case &scene, const Units &units, const LineStyle &style,
+                   ChartPanel &panel);
 
 /// Entries of a legend for what operation_band draws, or nothing.
 [[nodiscard]] std::string operation_key(const model::Case &scene, const Units &units, Range range);

@@ -20,12 +20,10 @@ constexpr const char *efficiency_meaning =
     "shaft deflection with the balancer at work over that with the pendulums held";
 
 /// A panel of efficiencies, with a line where the balancer neither helps nor harms.
-ChartPanel efficiency_panel(int height, ChartAxis x, Range range, const std::string &heading) {
-    x.low = range.low;
-    x.high = range.high;
+ChartPanel efficiency_panel(int height, const ChartAxis &x, const std::string &heading) {
     ChartPanel panel{
         height, x, {.title = "Efficiency n", .low = 0, .high = highest_efficiency}, {}, heading};
-    panel.curves.push_back({"", {{range.low, 1}, {range.high, 1}}, {"", "#555555", "(4,4)", 7}, 1});
+    panel.curves.push_back(level_line(panel, 1, {"", "#555555", "(4,4)"}));
     return panel;
 }
 
@@ -78,10 +76,9 @@ void add_motions(const Units &units, const results::PendulumBalance &balancer, C
 
 Figure pendulum_figure(const model::Case &scene, const results::PendulumBalance &balancer,
                        const Units &units) {
-    const Range x = speed_range(units, balancer.speeds);
+    const ChartAxis x = along_speeds(units, balancer.speeds);
     const double threshold = units(Quantity::speed, balancer.threshold * balancer.omega_0);
-    ChartPanel panel =
-        efficiency_panel(475, chart_axis(units, "Spin speed", Quantity::speed), x, "");
+    ChartPanel panel = efficiency_panel(475, x, "");
     const auto add = [&](const std::string &name, std::vector<PlotPoint> points,
                          const std::string &colour, const std::string &dash, double width) {
         panel.curves.push_back({name, std::move(points), {"", colour, dash, 7}, width});
@@ -92,10 +89,10 @@ Figure pendulum_figure(const model::Case &scene, const results::PendulumBalance 
     add("planar, exact", efficiencies(balancer.speeds, speed, balancer.planar, 3), "#B77F00", "1",
         2);
     add_motions(units, balancer, panel);
-    add("fast rotation 1/(1 + ρ)", {{x.low, balancer.limit}, {x.high, balancer.limit}}, "#007D5A",
-        "(2,4)", 1);
-    if (threshold >= x.low && threshold <= x.high)
-        add("threshold", {{threshold, 0}, {threshold, highest_efficiency}}, "#5B2A86", "(2,4)", 1);
+    panel.curves.push_back(
+        level_line(panel, balancer.limit, {"fast rotation 1/(1 + ρ)", "#007D5A", "(2,4)"}));
+    if (threshold >= *x.low && threshold <= *x.high)
+        panel.curves.push_back(upright_line(panel, threshold, {"threshold", "#5B2A86", "(2,4)"}));
     return chart_figure(
         {"Four-pendulum balancer: " + title_of(scene),
          fmt::format("z = {}, ρ = {}; {}", drawn_value(units, Quantity::length, balancer.z, 4),
@@ -119,9 +116,9 @@ std::vector<PlotPoint> exact_points(const PendulumCurve &of, bool stable) {
 }
 
 /// @param title_of_curve  in the legend
-ChartPanel curves_panel(const std::string &heading, Range x,
+ChartPanel curves_panel(const std::string &heading, const ChartAxis &x,
                         const std::vector<PendulumCurve> &curves, const auto &title_of_curve) {
-    ChartPanel panel = efficiency_panel(375, {.title = "Spin speed / resonance"}, x, heading);
+    ChartPanel panel = efficiency_panel(375, x, heading);
     const std::string stable = "1", unstable = "(2,2)";
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const PendulumCurve &curve = curves[i];
@@ -153,7 +150,9 @@ std::string damping_title(const PendulumCurve &of) {
 Figure pendulum_designs_figure(const model::Case &scene, const results::PendulumBalance &balancer,
                                const Units &units) {
     const auto &shown = balancer.dampings.front();
-    const Range x{shown.ratios.front(), shown.ratios.back()};
+    const ChartAxis x{.title = "Spin speed / resonance",
+                      .low = shown.ratios.front(),
+                      .high = shown.ratios.back()};
     Chart chart{"Efficiency of the pendulum balancer: " + title_of(scene),
                 fmt::format("planar rotor, z = {}, h = {}; {}",
                             drawn_value(units, Quantity::length, balancer.z, 4),

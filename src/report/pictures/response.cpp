@@ -98,14 +98,6 @@ ChartPanel phase_panel(const Units &units, const ChartAxis &x, const std::string
     return {240, x, y, std::move(curves)};
 }
 
-ChartAxis along_speeds(const Units &units, const std::vector<double> &speeds) {
-    ChartAxis axis = chart_axis(units, "Spin speed", Quantity::speed);
-    const Range range = speed_range(units, speeds);
-    axis.low = range.low;
-    axis.high = range.high;
-    return axis;
-}
-
 ChartCurve mark_curve(const std::string &name, std::vector<PlotPoint> points, int point,
                       double size) {
     return {name, std::move(points), {"", "#000000", "1", point}, 0, size};

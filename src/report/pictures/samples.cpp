@@ -1,6 +1,5 @@
 #include "report/pictures/figures.h"
 
-#include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/samples.h"
 
@@ -17,15 +16,6 @@ using results::SamplesResult;
 namespace {
 
 constexpr std::size_t most_panels = 12;
-
-std::string axis_of(const Units &units, const SampledAnswer &answer) {
-    const Quantity quantity = answer.quantity;
-    const char *what = quantity == Quantity::speed       ? "Spin speed"
-                       : quantity == Quantity::amplitude ? "Amplitude"
-                       : quantity == Quantity::force     ? "Force"
-                                                         : "Share";
-    return axis_text(units, what, quantity);
-}
 
 std::vector<double> shown_values(const Units &units, const SampledAnswer &answer) {
     std::vector<double> values;
@@ -61,97 +51,70 @@ Histogram histogram_of(const std::vector<double> &values) {
     return out;
 }
 
-/// Lines at the quantiles, their intervals shaded, and the case as it is.
-std::string marks_of(const Units &units, const SampledAnswer &answer) {
-    const double factor = units.factor(answer.quantity);
-    std::string text;
-    for (const results::SampleQuantile &quantile : answer.quantiles) {
-        const auto place = [&](const std::optional<double> &end, const char *border) {
-            return end ? fmt::format("first {:.9g}", *end * factor) : std::string(border);
-        };
-        text += fmt::format("set object rectangle from {},graph 0 to {},graph 1 behind "
-                            "fc rgb '#FBE3CF' fs solid noborder\n",
-                            place(quantile.low, "graph 0"), place(quantile.high, "graph 1"));
-        text += upright(quantile.value * factor, "front lw 1.8 lc rgb '#D55E00'");
-        text += fmt::format("set label '{} %' at first {:.9g},graph 1.05 center font ',11' "
-                            "textcolor '#B04E00'\n",
-                            drawn_number(100 * quantile.share), quantile.value * factor);
-    }
-    if (answer.nominal)
-        text += upright(*answer.nominal * factor, "front lw 1.4 dt (6,4) lc rgb '#000000'");
-    return text;
-}
-
-std::string panel_of(const model::Case &scene, const Units &units, const SampledAnswer &answer) {
+/// Lines at the quantiles, their intervals shaded behind the histogram, and the case as it is.
+ChartPanel panel_of(const Units &units, const SampledAnswer &answer) {
     const Histogram histogram = histogram_of(shown_values(units, answer));
     const auto [low, high] = histogram.range;
-    std::vector<PlotPoint> bars;
-    for (std::size_t i = 0; i < histogram.counts.size(); ++i)
-        bars.push_back({low + (static_cast<double>(i) + 0.5) * histogram.width,
-                        static_cast<double>(histogram.counts[i])});
-    const int most = *std::max_element(histogram.counts.begin(), histogram.counts.end());
     const double margin = 0.06 * (high - low);
-    const Range x{low - margin, high + margin};
-    Curves drawn;
-    drawn.add(bars, "using 1:2 with boxes lc rgb '#3C97CF' fs transparent solid 0.45 border lc rgb "
-                    "'#0072B2'");
-    return marks_of(units, answer) +
-           (answer.quantity == Quantity::speed ? operation_band(scene, units, x) : "") +
-           axes_over(x, {0, 1.08 * most}) +
-           fmt::format(
-               "set title {} font ',12' offset 0,0.2\nset xlabel {} font ',11' offset 0,0.4\n"
-               "set ylabel 'samples' font ',11' offset 1.5,0\n"
-               "set xtics {:.9g} font ',11'\nset ytics font ',11'\nset boxwidth {:.9g}\n",
-               plot_text(units.text(answer.name)), axis_of(units, answer), step_of(high - low),
-               histogram.width) +
-           drawn.script() + "unset object\nunset arrow\nunset label\nunset title\n";
-}
-
-std::string subtitle_of(const model::Case &scene, const SamplesResult &result, std::size_t drawn,
-                        std::size_t all) {
-    std::string text = fmt::format(
-        "{} samples{}; lines: quantiles, shaded: their intervals of 95 %; dashed: the "
-        "case as it is",
-        result.count, result.failed > 0 ? fmt::format(", {} of them failed", result.failed) : "");
-    if (scene.operation)
-        text += "; green: operating speeds";
-    if (drawn < all)
-        text += fmt::format("; the first {} of {} answers", drawn, all);
-    return text;
+    ChartPanel panel{170, answer_axis(units, answer), {.title = "samples"}};
+    panel.title = units.text(answer.name);
+    panel.x.low = low - margin;
+    panel.x.high = high + margin;
+    panel.x.step = step_of(high - low);
+    panel.y.low = 0;
+    panel.y.high = 1.25 * std::ranges::max(histogram.counts); // room for the shares
+    ChartCurve bars{"", {}, {"", "#9DCBE7"}};
+    for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+        const double left = low + static_cast<double>(i) * histogram.width;
+        const double count = histogram.counts[i];
+        bars.points.insert(bars.points.end(), {{left, 0},
+                                               {left, count},
+                                               {left + histogram.width, count},
+                                               {left + histogram.width, 0}});
+    }
+    ChartCurve outline = bars;
+    bars.filled = true;
+    outline.style.colour = "#0072B2";
+    outline.width = 1;
+    const double factor = units.factor(answer.quantity);
+    std::vector<ChartCurve> lines;
+    for (const results::SampleQuantile &quantile : answer.quantiles) {
+        const double at = quantile.value * factor;
+        const auto end = [factor](std::optional<double> value, double otherwise) {
+            return value ? *value * factor : otherwise;
+        };
+        panel.curves.push_back(upright_band(
+            panel, {end(quantile.low, *panel.x.low), end(quantile.high, *panel.x.high)},
+            {"interval of 95 %", "#FBE3CF"}));
+        lines.push_back(upright_line(panel, at, {"quantile", "#D55E00"}, 1.8));
+        panel.labels.push_back(
+            {drawn_number(100 * quantile.share) + " %", at, 0.97 * *panel.y.high, "#B04E00"});
+    }
+    if (answer.nominal)
+        lines.push_back(upright_line(panel, *answer.nominal * factor,
+                                     {"case as it is", "#000000", "(6,4)"}, 1.4));
+    panel.curves.insert(panel.curves.end(), {bars, outline});
+    panel.curves.insert(panel.curves.end(), lines.begin(), lines.end());
+    return panel;
 }
 
 } // namespace
 
-Figure samples_figure(const model::Case &scene, const SamplesResult &result, const Units &units) {
-    std::vector<const SampledAnswer *> drawn;
+Chart samples_chart(const model::Case &scene, const SamplesResult &result, const Units &units) {
+    Chart chart{
+        "Uncertain entries: " + title_of(scene), fmt::format("{} samples", result.count), {}};
     std::size_t all = 0;
     for (const SampledAnswer &answer : result.answers) {
-        if (answer.present == 0)
+        if (answer.present == 0 || ++all > most_panels)
             continue;
-        if (++all <= most_panels)
-            drawn.push_back(&answer);
+        chart.panels.push_back(panel_of(units, answer));
+        chart.panels.back().beside = all % 2 == 0;
     }
-    const std::size_t columns = drawn.size() == 4 ? 2 : std::clamp<std::size_t>(drawn.size(), 1, 3);
-    const std::size_t rows = std::max<std::size_t>((drawn.size() + columns - 1) / columns, 1);
-    constexpr int head = 70;
-    constexpr int row_height = 290;
-    const int height = head + static_cast<int>(rows) * row_height;
-    const double across = 1.0 / static_cast<double>(columns);
-    const double down = static_cast<double>(row_height) / height;
-    const double top = 1 - static_cast<double>(head) / height;
-    std::string panels = "set grid y lc rgb '#E4E4E4' lt 1 lw 0.6\nunset key\nset format x '%g'\n";
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-        const double left = static_cast<double>(i % columns) * across;
-        const std::size_t row = i / columns;
-        const double upper = top - static_cast<double>(row) * down;
-        panels += panel_margins(left + 0.2 * across, left + 0.94 * across, upper - 0.8 * down,
-                                upper - 0.2 * down) +
-                  panel_of(scene, units, *drawn[i]);
-    }
-    if (drawn.empty())
-        panels += "set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\n";
-    return figure_of(columns == 1 ? 900 : 1300, height, "Uncertain entries: " + title_of(scene),
-                     subtitle_of(scene, result, drawn.size(), all), panels);
+    if (result.failed > 0)
+        chart.subtitle += fmt::format(", {} of them failed", result.failed);
+    if (all > most_panels)
+        chart.subtitle += fmt::format("; the first {} of {} answers", most_panels, all);
+    return chart;
 }
 
 } // namespace whirl::report

@@ -20,16 +20,13 @@ double shaft_radius(const model::Shaft &shaft, double z) {
     return radius;
 }
 
-namespace {
-
-/// Shaft and discs as areas, bearings below them.
-std::vector<ChartCurve> outline(const Units &units, const model::Rotor &rotor, double largest) {
+std::vector<ChartCurve> rotor_outline(const Units &units, const model::Rotor &rotor, double size) {
     double thickest = 1e-12;
     for (const auto &segment : rotor.shaft.segments)
         thickest = std::max({thickest, segment.outer_start / 2, segment.outer_end / 2});
     for (const auto &disc : rotor.discs)
         thickest = std::max(thickest, disc.outer / 2);
-    const double scale = 0.5 * largest / thickest;
+    const double scale = 0.5 * size / thickest;
     std::vector<ChartCurve> areas;
     // Above the axis, and back below it.
     const auto add = [&](std::vector<PlotPoint> above) {
@@ -57,18 +54,16 @@ std::vector<ChartCurve> outline(const Units &units, const model::Rotor &rotor, d
     }
     ChartCurve bearings{"bearing", {}, {"", "#555555", "1", 9}, 0, 1.4};
     for (const auto &bearing : rotor.supports())
-        bearings.points.push_back({units(Quantity::length, bearing.z), -1.12 * largest});
+        bearings.points.push_back({units(Quantity::length, bearing.z), -1.12 * size});
     areas.push_back(std::move(bearings));
     return areas;
 }
-
-} // namespace
 
 std::vector<ChartCurve>
 curves_over_outline(const Units &units, const model::Rotor &rotor, const std::vector<double> &z,
                     const std::vector<double> &x, const std::vector<double> &y,
                     const std::vector<double> &envelope, double factor, double largest) {
-    std::vector<ChartCurve> curves = outline(units, rotor, largest);
+    std::vector<ChartCurve> curves = rotor_outline(units, rotor, largest);
     const auto add = [&](const char *name, const std::vector<double> &values, double times,
                          const LineStyle &style, double width) {
         curves.push_back(

@@ -11,6 +11,10 @@ namespace whirl::report {
 /// Outer radius at z, m; where two segments meet, the larger one.
 [[nodiscard]] double shaft_radius(const model::Shaft &shaft, double z);
 
+/// Shaft and discs as areas, bearings below them; the thickest part has half of a size as radius.
+[[nodiscard]] std::vector<ChartCurve> rotor_outline(const Units &units, const model::Rotor &rotor,
+                                                    double size);
+
 /// Deflections x and y along z, m, within their envelope, over the outline of the rotor.
 /// @param factor   of the deflections
 /// @param largest  times the factor: the thickest part of the outline has half that radius

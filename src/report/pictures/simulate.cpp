@@ -198,13 +198,8 @@ ChartPanel amplitude_over_speed(const Units &units, const SimulateResult &result
     constexpr double decades = 1e-3; ///< of the highest: the least that is drawn
     const double speed = units.factor(Quantity::speed);
     const double amplitude = units.factor(Quantity::amplitude);
-    const Range x = speed_range(units, result.series.speed);
-    ChartPanel panel{305,
-                     chart_axis(units, "Spin speed", Quantity::speed),
-                     chart_axis(units, "Amplitude", Quantity::amplitude),
-                     {}};
-    panel.x.low = x.low;
-    panel.x.high = x.high;
+    ChartPanel panel{305, along_speeds(units, result.series.speed),
+                     chart_axis(units, "Amplitude", Quantity::amplitude)};
     double steady = 0;
     for (std::size_t i = 0; i < drawn.all.size(); ++i) {
         std::vector<PlotPoint> points = points_over(

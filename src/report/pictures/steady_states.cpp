@@ -1,11 +1,8 @@
 #include "report/pictures/figures.h"
 
-#include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/held_motion.h"
 #include "results/steady_states.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -20,86 +17,66 @@ using results::SteadyStates;
 
 namespace {
 
-enum class Keeps { stable, unstable, neither };
-
-Keeps keeps(const SteadyState &state) {
-    return !state.stable ? Keeps::neither : *state.stable ? Keeps::stable : Keeps::unstable;
-}
-
-std::optional<bool> known(Keeps which) {
-    return which == Keeps::neither ? std::nullopt : std::optional(which == Keeps::stable);
-}
-
 constexpr std::array<const char *, 5> kind_colours{"#007D5A", "#0072B2", "#D55E00", "#B0305C",
                                                    "#7A5200"};
-const char *colour_of(SteadyState::Kind kind) {
-    return kind_colours.at(static_cast<std::size_t>(kind));
-}
 
-std::string point_look(Keeps which, const char *colour) {
-    return fmt::format("with points pt {} ps 0.7 lc rgb '{}'",
-                       which == Keeps::stable     ? 7
-                       : which == Keeps::unstable ? 6
-                                                  : 1,
-                       colour);
-}
-
-/// Pieces of lines, and single states, of one colour and look.
+/// States that look alike: what the masses do, and whether they stay there.
+using Look = std::pair<SteadyState::Kind, std::optional<bool>>;
 struct DrawnStates {
-    std::vector<std::vector<PlotPoint>> lines;
-    std::vector<PlotPoint> points;
+    std::vector<PlotPoint> line, points;
 };
-using ByLook = std::map<std::pair<SteadyState::Kind, Keeps>, DrawnStates>;
+using ByLook = std::map<Look, DrawnStates>;
 
 PlotPoint drawn_at(const Units &units, double speed, double amplitude) {
     return {units(Quantity::speed, speed), units(Quantity::amplitude, amplitude)};
 }
 
-/// From one state of a branch to the next, with the change of stability between them if there is
-/// one.
-void add_piece(const Units &units, const SteadyStates &states, const SteadyState &from,
-               const SteadyState &to, ByLook &out) {
-    const PlotPoint first = drawn_at(units, from.speed, from.residual);
-    const PlotPoint last = drawn_at(units, to.speed, to.residual);
-    for (const SteadyBorder &border : states.borders)
-        if (border.branch == from.branch && border.speed > from.speed && border.speed < to.speed &&
-            keeps(from) != keeps(to)) {
-            const PlotPoint middle = drawn_at(units, border.speed, border.residual);
-            out[{from.kind, keeps(from)}].lines.push_back({first, middle});
-            out[{to.kind, keeps(to)}].lines.push_back({middle, last});
-            return;
-        }
-    out[{from.kind, keeps(from)}].lines.push_back({first, last});
+/// @param at  a state or a border
+PlotPoint drawn(const Units &units, const auto &at) {
+    return drawn_at(units, at.speed, at.residual);
 }
 
+/// Lines from one state of a branch to the next, with the change of stability between them if there
+/// is one, and to where the branch begins and ends.
 ByLook drawn_branches(const Units &units, const SteadyStates &states) {
     std::map<int, std::vector<const SteadyState *>> branches;
     for (const SteadyState &state : states.states)
         branches[state.branch].push_back(&state);
     std::vector<double> speeds = states.speeds;
     std::ranges::sort(speeds);
-    const auto place = [&speeds](double speed) {
-        return std::ranges::lower_bound(speeds, speed) - speeds.begin();
+    const auto place = [&speeds](const SteadyState &state) {
+        return std::ranges::lower_bound(speeds, state.speed) - speeds.begin();
     };
     ByLook out;
+    const auto piece = [&](const SteadyState &of, const auto &from, const auto &to) {
+        add_piece(out[{of.kind, of.stable}].line, drawn(units, from), drawn(units, to));
+    };
     for (const auto &[number, branch] : branches) {
+        const SteadyState &first = *branch.front();
+        const SteadyState &last = *branch.back();
         for (const SteadyState *state : branch)
-            out[{state->kind, keeps(*state)}].points.push_back(
-                drawn_at(units, state->speed, state->residual));
-        for (std::size_t i = 1; i < branch.size(); ++i)
-            if (place(branch[i]->speed) == place(branch[i - 1]->speed) + 1)
-                add_piece(units, states, *branch[i - 1], *branch[i], out);
-        for (const SteadyBorder &border : states.borders) { // where it begins or ends
-            if (border.branch != number && border.other != number)
+            out[{state->kind, state->stable}].points.push_back(drawn(units, *state));
+        for (const SteadyBorder &border : states.borders)
+            if ((border.branch == number || border.other == number) && border.speed < first.speed)
+                piece(first, border, first);
+        for (std::size_t i = 1; i < branch.size(); ++i) {
+            const SteadyState &from = *branch[i - 1];
+            const SteadyState &to = *branch[i];
+            if (place(to) != place(from) + 1)
                 continue;
-            const PlotPoint end = drawn_at(units, border.speed, border.residual);
-            if (border.speed < branch.front()->speed)
-                out[{branch.front()->kind, keeps(*branch.front())}].lines.push_back(
-                    {end, drawn_at(units, branch.front()->speed, branch.front()->residual)});
-            if (border.speed > branch.back()->speed)
-                out[{branch.back()->kind, keeps(*branch.back())}].lines.push_back(
-                    {drawn_at(units, branch.back()->speed, branch.back()->residual), end});
+            const auto border = std::ranges::find_if(states.borders, [&](const auto &at) {
+                return at.branch == from.branch && at.speed > from.speed && at.speed < to.speed;
+            });
+            if (border == states.borders.end() || from.stable == to.stable) {
+                piece(from, from, to);
+            } else {
+                piece(from, from, *border);
+                piece(to, *border, to);
+            }
         }
+        for (const SteadyBorder &border : states.borders)
+            if ((border.branch == number || border.other == number) && border.speed > last.speed)
+                piece(last, last, border);
     }
     return out;
 }
@@ -124,32 +101,31 @@ double top_of(const Units &units, const SteadyStates &states, std::vector<double
     return 1.06 * (cut ? most * median : values.back());
 }
 
-/// @param motions  curves that are drawn over those of the states, each in a style of its own
-Figure figure_with(const model::Case &scene, const SteadyStates &states, const Units &units,
-                   const std::string &title, const std::vector<NamedCurve> &motions) {
-    constexpr int height = 660;
-    const ByLook drawn = drawn_branches(units, states);
-    const bool lines = states.speeds.size() > 1;
+/// @param motions  drawn over the states
+Chart chart_with(const model::Case &scene, const SteadyStates &states, const Units &units,
+                 const std::string &title, const std::vector<ChartCurve> &motions) {
     constexpr std::size_t apart = 40; // more points would run into each other
-    const bool points = states.speeds.size() <= apart;
-    Curves curves;
-    std::vector<std::string> names{"real root crosses zero"};
-    for (const auto &[look, of] : drawn) {
-        const auto &[kind, which] = look;
-        const std::string name =
-            results::steady_kind_name(kind) + (which == Keeps::stable     ? ", stable"
-                                               : which == Keeps::unstable ? ", unstable"
-                                                                          : ", neither");
-        names.push_back(name);
-        if (lines)
-            curves.add_pieces(of.lines, stability_look(known(which), colour_of(kind)));
-        if (points)
-            curves.add(of.points, point_look(which, colour_of(kind)));
-        curves.add(fmt::format("NaN {} title {}",
-                               lines ? stability_look(known(which), colour_of(kind))
-                                     : point_look(which, colour_of(kind)),
-                               plot_text(name)));
-    }
+    ChartPanel panel{490, along_speeds(units, states.speeds),
+                     chart_axis(units, "Largest amplitude of a plane", Quantity::amplitude)};
+    const ByLook branches = drawn_branches(units, states);
+    for (std::size_t kind = 0; kind < kind_colours.size(); ++kind)
+        for (const std::optional<bool> stable : stabilities) {
+            const auto found = branches.find({static_cast<SteadyState::Kind>(kind), stable});
+            if (found == branches.end())
+                continue;
+            ChartCurve curve = branch_curve(results::steady_kind_name(found->first.first), stable,
+                                            kind_colours.at(kind));
+            if (states.speeds.size() > 1) {
+                curve.points = found->second.line;
+                panel.curves.push_back(curve);
+            }
+            if (states.speeds.size() > apart)
+                continue;
+            curve.points = found->second.points;
+            curve.width = 0;
+            curve.marker = 0.7;
+            panel.curves.push_back(curve);
+        }
     const std::array<std::tuple<SteadyBorder::Kind, int, const char *>, 4> marks{
         {{SteadyBorder::Kind::fold, 8, "fold"},
          {SteadyBorder::Kind::limit, 4, "masses just reach"},
@@ -159,66 +135,48 @@ Figure figure_with(const model::Case &scene, const SteadyStates &states, const U
         std::vector<PlotPoint> at;
         for (const SteadyBorder &border : states.borders)
             if (border.kind == kind)
-                at.push_back(drawn_at(units, border.speed, border.residual));
-        if (!at.empty()) {
-            curves.add(at, fmt::format("with points pt {} ps 1.4 lw 1.6 lc rgb '#222222'", point),
-                       fmt::format("'{}'", name));
-            names.emplace_back(name);
-        }
+                at.push_back(drawn(units, border));
+        if (!at.empty())
+            panel.curves.push_back({name, at, {"", "#222222", "1", point}, 0, 1.4});
     }
     std::vector<double> amplitudes;
-    for (std::size_t i = 0; i < motions.size(); ++i) {
-        LineStyle style = series_style(i);
-        style.colour = i == 0 ? "#000000" : i == 1 ? "#C4347A" : "#8A8A8A";
-        curves.add(motions[i].points,
-                   fmt::format("with linespoints lc rgb '{}' lw 2 dt {} pt {} ps {}", style.colour,
-                               i < 2 ? "1" : "(2,3)", i == 0 ? 9 : 11, i < 2 ? "1.3" : "0"),
-                   plot_text(motions[i].name));
-        names.push_back(motions[i].name);
-        for (const PlotPoint &point : motions[i].points)
+    for (const ChartCurve &motion : motions) {
+        panel.curves.push_back(motion);
+        for (const PlotPoint &point : motion.points)
             amplitudes.push_back(point.y.value_or(0));
     }
     bool cut = false;
-    const double top = top_of(units, states, std::move(amplitudes), cut);
-    const LegendedFigure figure = beside_legend(900, 1200, height, names);
-    const Range x = speed_range(units, states.speeds);
-    curves.add(operation_key(scene, units, x));
-    const std::string panel =
-        figure.panel(100, height - 70) + operation_band(scene, units, x) + grid + linear_y +
-        fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", x.low, x.high, -0.03 * top, top) +
-        axes_beside_legend(units.label("Largest amplitude of a plane", Quantity::amplitude),
-                           units.label("Spin speed", Quantity::speed)) +
-        curves.script() + "unset object\nunset arrow\n";
-    return figure_of(figure.width, height, title + ": " + title_of(scene),
-                     std::string("solid: stable, dashed: unstable, dotted: neither or not known") +
-                         (cut ? "; larger amplitudes are cut off" : ""),
-                     panel);
+    panel.y.high = top_of(units, states, std::move(amplitudes), cut);
+    panel.y.low = -0.03 * *panel.y.high;
+    return {title + ": " + title_of(scene),
+            std::string("solid: stable, dashed: unstable, dotted: neither or not known") +
+                (cut ? "; larger amplitudes are cut off" : ""),
+            {panel}};
 }
 
 } // namespace
 
-Figure states_figure(const model::Case &scene, const SteadyStates &states, const Units &units) {
-    return figure_with(scene, states, units, "Steady states", {});
+Chart states_chart(const model::Case &scene, const SteadyStates &states, const Units &units) {
+    return chart_with(scene, states, units, "Steady states", {});
 }
 
-Figure held_sweep_figure(const model::Case &scene, const results::HeldSweep &sweep,
-                         const Units &units) {
-    NamedCurve up{"motion, speed going up", {}};
-    NamedCurve down{"motion, speed going down", {}};
-    std::vector<double> speeds;
+Chart held_sweep_chart(const model::Case &scene, const results::HeldSweep &sweep,
+                       const Units &units) {
+    ChartCurve up{"motion, speed going up", {}, {"", "#000000", "1", 9}, 2, 1.3};
+    ChartCurve down{"motion, speed going down", {}, {"", "#C4347A", "1", 11}, 2, 1.3};
+    SteadyStates states = sweep.states.value_or(SteadyStates{});
+    states.speeds.clear();
     for (const results::HeldMotion &motion : sweep.motions) {
         (motion.up ? up : down).points.push_back(drawn_at(units, motion.speed, motion.largest()));
         if (motion.up)
-            speeds.push_back(motion.speed);
+            states.speeds.push_back(motion.speed);
     }
-    std::vector<NamedCurve> curves{up};
+    std::vector<ChartCurve> motions{up};
     if (!down.points.empty()) {
         down.points.insert(down.points.begin(), up.points.back()); // where it turns back
-        curves.push_back(down);
+        motions.push_back(down);
     }
-    SteadyStates states = sweep.states.value_or(SteadyStates{});
-    states.speeds = speeds;
-    return figure_with(scene, states, units, "Sweep in time", curves);
+    return chart_with(scene, states, units, "Sweep in time", motions);
 }
 
 } // namespace whirl::report

@@ -1,6 +1,5 @@
 #include "report/pictures/style.h"
 
-#include "report/common/text_width.h"
 #include "results/whirl.h"
 
 #include <fmt/format.h>
@@ -62,17 +61,14 @@ std::string axis_text(const Units &units, const std::string &what, Quantity quan
     return plot_text(units.label(what, quantity));
 }
 
-std::string plot_number(std::optional<double> value) {
-    return value && std::isfinite(*value) ? fmt::format("{:.9g}", *value) : "NaN";
-}
-
 std::string data_block(const std::string &name,
                        const std::vector<std::vector<PlotPoint>> &polylines) {
     std::string block = "$" + name + " << EOD\n";
     for (const auto &polyline : polylines) {
         for (const PlotPoint &point : polyline)
             // In full: rounded, the first and the last could lie outside of the axis.
-            block += fmt::format("{} {}\n", point.x, plot_number(point.y));
+            block += point.y && std::isfinite(*point.y) ? fmt::format("{} {}\n", point.x, *point.y)
+                                                        : fmt::format("{} NaN\n", point.x);
         block += "\n";
     }
     // gnuplot refuses an empty block; a point without a value draws nothing.
@@ -85,6 +81,12 @@ std::vector<PlotPoint> points_over(const std::vector<double> &x, double x_factor
     for (std::size_t i = 0; i < x.size() && i < y.size(); ++i)
         points.push_back({x[i] * x_factor, y[i] * y_factor});
     return points;
+}
+
+std::vector<double> scaled(std::vector<double> values, double factor) {
+    for (double &value : values)
+        value *= factor;
+    return values;
 }
 
 std::vector<PlotPoint> angles_over(const std::vector<double> &x, double x_factor,
@@ -127,23 +129,12 @@ void Curves::add(const std::string &elements) {
     _elements += (_elements.empty() || elements.empty() ? "" : ", ") + elements;
 }
 
-std::string Curves::script(const std::string &before) const {
-    Curves all;
-    all.add(before);
-    all.add(_elements);
-    return _data + "plot " + (all.empty() ? "NaN notitle" : all._elements) + "\n";
+std::string Curves::script() const {
+    return _data + "plot " + (_elements.empty() ? "NaN notitle" : _elements) + "\n";
 }
 
 std::string line_look(const LineStyle &style, double width) {
     return fmt::format("with lines lc rgb '{}' lw {} dt {}", style.colour, width, style.dash);
-}
-
-std::string stability_look(std::optional<bool> stable, const std::string &colour) {
-    return fmt::format("with lines lw {} dt {} lc rgb '{}'", stable.value_or(false) ? 2.6 : 1.4,
-                       !stable   ? "(2,4)"
-                       : *stable ? "1"
-                                 : "(14,7)",
-                       colour);
 }
 
 Figure figure_of(int width, int height, const std::string &title, const std::string &subtitle,
@@ -164,50 +155,15 @@ std::string panel_margins(double left, double right, double bottom, double top) 
                        left, right, bottom, top);
 }
 
-std::string upright(double x, const std::string &look) {
-    return fmt::format("set arrow from first {0:.9g},graph 0 to first {0:.9g},graph 1 nohead {1}\n",
-                       x, look);
-}
-
-std::string axes_beside_legend(const std::string &left, const std::string &below) {
-    return fmt::format("set ylabel {}\n{}\n{}", plot_text(left),
-                       below.empty() ? "unset xlabel" : "set xlabel " + plot_text(below),
-                       legend_beside);
-}
-
-double widest_text(const std::vector<std::string> &texts) {
-    double widest = 0;
-    for (const std::string &text : texts)
-        widest = std::max(widest, text_width(text, picture_font));
-    return widest;
-}
-
-LegendedFigure beside_legend(double right, int least, int height,
-                             const std::vector<std::string> &names) {
-    constexpr double left = legended_left;
-    constexpr double sample = 62; // as gnuplot draws it: the line before a name and the gaps
-    const double needed = right + 0.02 * (right - left) + sample + widest_text(names) + 8;
-    const int width = std::max(least, static_cast<int>(std::ceil(needed)));
-    return {width, left / width, right / width, height};
-}
-
 Range range_of(const std::vector<double> &values) {
     if (values.empty())
         return {0, 1};
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    if (*high > *low)
+    constexpr double rounding = 1e-9;
+    if (*high - *low > rounding * std::max(std::abs(*low), std::abs(*high)))
         return {*low, *high};
     const double half = *low == 0 ? 1 : 0.1 * std::abs(*low);
     return {*low - half, *high + half};
-}
-
-Range speed_range(const Units &units, const std::vector<double> &speeds) {
-    const Range range = range_of(speeds);
-    return {units(Quantity::speed, range.low), units(Quantity::speed, range.high)};
-}
-
-std::string axes_over(Range x, Range y) {
-    return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", x.low, x.high, y.low, y.high);
 }
 
 } // namespace whirl::report

@@ -14,10 +14,10 @@ namespace whirl::report {
 /// Colour, dash and marker of a sense of whirl. The colours are of Okabe and Ito's set, which
 /// colour-blind readers tell apart; dash and marker carry the same information without colour.
 struct LineStyle {
-    std::string name;   ///< for legends
-    std::string colour; ///< #rrggbb
-    std::string dash;   ///< gnuplot's dash type
-    int point = 7;      ///< gnuplot's point type
+    std::string name;       ///< for legends
+    std::string colour{};   ///< #rrggbb
+    std::string dash = "1"; ///< gnuplot's dash type
+    int point = 7;          ///< gnuplot's point type
 };
 
 /// Of critical speeds that are damped so heavily that they count as none (AF < 2.5).
@@ -41,9 +41,6 @@ inline constexpr const char *heavy_colour = "#A0A0A0";
 /// Name of an axis: for `set xlabel`.
 [[nodiscard]] std::string axis_text(const Units &units, const std::string &what, Quantity quantity);
 
-/// Number for gnuplot data; NaN where it is missing or not finite, which leaves a gap.
-[[nodiscard]] std::string plot_number(std::optional<double> value);
-
 /// One point of a polyline; a gap where y is missing.
 struct PlotPoint {
     double x = 0;
@@ -60,6 +57,8 @@ template <class Json> void to_json(Json &json, const PlotPoint &point) {
 /// One value over another, each times a factor, as far as both lists go.
 [[nodiscard]] std::vector<PlotPoint> points_over(const std::vector<double> &x, double x_factor,
                                                  const std::vector<double> &y, double y_factor);
+/// Each times a factor.
+[[nodiscard]] std::vector<double> scaled(std::vector<double> values, double factor);
 /// Angles in degrees within (-180, 180], cut where they jump from one end to the other, and where
 /// there is none.
 [[nodiscard]] std::vector<PlotPoint> angles_over(const std::vector<double> &x, double x_factor,
@@ -80,27 +79,15 @@ class Curves {
     /// What has no data of its own: "NaN with boxes title 'unstable'"; several with commas between,
     /// or nothing.
     void add(const std::string &elements);
-    /// The data of the curve added last, to draw it once more: "$curve3".
-    [[nodiscard]] std::string last() const { return "$curve" + std::to_string(_count - 1); }
-    [[nodiscard]] bool empty() const { return _elements.empty(); }
     /// Its data blocks take the place of those of the plot before.
-    /// @param before  elements in front of the others, with commas between, or nothing
-    [[nodiscard]] std::string script(const std::string &before = "") const;
+    [[nodiscard]] std::string script() const;
 
   private:
     std::string _data, _elements;
     int _count = 0;
 };
-/// A curve and its name in the legend.
-struct NamedCurve {
-    std::string name;
-    std::vector<PlotPoint> points;
-};
 /// "with lines lc rgb '#0072B2' lw 2 dt 1"
 [[nodiscard]] std::string line_look(const LineStyle &style, double width);
-
-/// Of a branch of motions: solid where they are stable, dashed unstable, dotted neither.
-[[nodiscard]] std::string stability_look(std::optional<bool> stable, const std::string &colour);
 
 /// A figure of several panels below its bold heading and the grey line under that.
 [[nodiscard]] Figure figure_of(int width, int height, const std::string &title,
@@ -108,51 +95,15 @@ struct NamedCurve {
 /// Margins of a panel in fractions of the figure.
 [[nodiscard]] std::string panel_margins(double left, double right, double bottom, double top);
 
-/// A line from the bottom to the top of a panel at a place of its axis x.
-/// @param look  for gnuplot: "back lw 1.3 dt 2"
-[[nodiscard]] std::string upright(double x, const std::string &look);
-
 inline constexpr const char *grid = "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n";
 inline constexpr const char *logarithmic_y = "set logscale y\nset format y '10^{%L}'\n";
-inline constexpr const char *linear_y = "unset logscale y\nset format y '%g'\n";
-/// Of a LegendedFigure.
-inline constexpr const char *legend_beside =
-    "set key at graph 1.02,1 left top reverse Left vertical samplen 3\n";
-/// Names of the axes of its panels, and the legend. @param below  empty: no name there
-[[nodiscard]] std::string axes_beside_legend(const std::string &left, const std::string &below);
-
 constexpr double picture_font = 14; ///< of gnuplot (common/gnuplot.cpp), pixels
-/// Width of the widest of some texts, pixels.
-[[nodiscard]] double widest_text(const std::vector<std::string> &texts);
-
-/// A figure whose panels have their legends at their right (legend_beside): as wide as the longest
-/// name needs.
-struct LegendedFigure {
-    int width = 0;              ///< pixels
-    double left = 0, right = 0; ///< margins of the panels, fractions of the width
-    int height = 0;             ///< pixels
-    /// Margins of a panel between two heights, pixels from above.
-    [[nodiscard]] std::string panel(int top, int bottom) const {
-        const double pixel = 1.0 / height;
-        return panel_margins(left, right, 1 - bottom * pixel, 1 - top * pixel);
-    }
-};
-/// Where such panels begin, pixels: room for a name beside numbers of eight characters.
-constexpr int legended_left = 112;
-/// @param right  end of the panels, pixels
-/// @param least  width of the figure where the names are short
-[[nodiscard]] LegendedFigure beside_legend(double right, int least, int height,
-                                           const std::vector<std::string> &names);
 
 struct Range {
     double low = 0;
     double high = 1;
 };
-/// Smallest and largest of the values, widened where they are equal.
+/// Smallest and largest of the values, widened where they are equal but for rounding.
 [[nodiscard]] Range range_of(const std::vector<double> &values);
-/// The same of spin speeds in the unit in which they are read.
-[[nodiscard]] Range speed_range(const Units &units, const std::vector<double> &speeds);
-/// The ends of both axes.
-[[nodiscard]] std::string axes_over(Range x, Range y);
 
 } // namespace whirl::report

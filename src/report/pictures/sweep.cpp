@@ -23,9 +23,8 @@ constexpr std::size_t most_sweep_curves = 10; // a panel
 
 /// Curves over the first axis that share a panel.
 struct SweepPanel {
-    std::string what;
-    Quantity quantity = Quantity::number;
-    std::vector<NamedCurve> curves;
+    ChartAxis y{};
+    std::vector<ChartCurve> curves{};
     bool left_out = false; ///< there are more curves than are drawn
 };
 
@@ -33,16 +32,6 @@ struct SweepPanel {
 std::string under_axis(const Units &units, const SweepAxis &axis) {
     return axis_name(axis) +
            (axis.quantity == Quantity::number ? "" : " (" + units.name(axis.quantity) + ")");
-}
-
-std::string over_axis(const Units &units, const SweepPanel &panel, const std::string &of) {
-    const char *what = panel.quantity == Quantity::speed       ? "Spin speed"
-                       : panel.quantity == Quantity::amplitude ? "Amplitude"
-                       : panel.quantity == Quantity::force     ? "Force"
-                       : of == "damping"                       ? "Logarithmic decrement"
-                       : of == "margins"                       ? "Separation margin (%)"
-                                                               : "Share";
-    return panel.quantity == Quantity::number ? what : units.label(what, panel.quantity);
 }
 
 std::vector<PlotPoint> curve_of(const SweepResult &result, const SampledAnswer &answer,
@@ -61,21 +50,21 @@ std::vector<PlotPoint> curve_of(const SweepResult &result, const SampledAnswer &
 /// Two entries: a panel an answer, a curve for each value of the second one.
 SweepPanel panel_of_one(const SweepResult &result, const SampledAnswer &answer,
                         const Units &units) {
-    SweepPanel panel{"", answer.quantity, {}};
-    panel.what = answer_text(answer, units) + ": " + over_axis(units, panel, answer.of);
+    SweepPanel panel{answer_axis(units, answer)};
+    panel.y.title = answer_text(answer, units) + ": " + panel.y.title;
     const SweepAxis &y = result.axes.back();
     panel.left_out = y.values.size() > most_sweep_curves;
     for (const std::size_t row : spread_over(y.values.size(), most_sweep_curves))
-        panel.curves.push_back(
-            {units.text(y.quantity, y.values[row], 4), curve_of(result, answer, row, units)});
+        panel.curves.push_back(chart_curve(units.text(y.quantity, y.values[row], 4),
+                                           curve_of(result, answer, row, units),
+                                           panel.curves.size()));
     return panel;
 }
 
 /// One entry: answers of a kind together; of many those that most rotors have.
 SweepPanel panel_of_kind(const SweepResult &result, std::vector<const SampledAnswer *> answers,
                          const Units &units) {
-    SweepPanel panel{"", answers.front()->quantity, {}};
-    panel.what = over_axis(units, panel, answers.front()->of);
+    SweepPanel panel{answer_axis(units, *answers.front())};
     if (answers.size() > most_sweep_curves) {
         std::ranges::stable_sort(answers, std::ranges::greater{}, &SampledAnswer::present);
         answers.resize(most_sweep_curves);
@@ -83,7 +72,8 @@ SweepPanel panel_of_kind(const SweepResult &result, std::vector<const SampledAns
         panel.left_out = true;
     }
     for (const SampledAnswer *answer : answers)
-        panel.curves.push_back({answer_text(*answer, units), curve_of(result, *answer, 0, units)});
+        panel.curves.push_back(chart_curve(
+            answer_text(*answer, units), curve_of(result, *answer, 0, units), panel.curves.size()));
     return panel;
 }
 
@@ -109,9 +99,9 @@ std::vector<SweepPanel> panels_of(const SweepResult &result, const Units &units)
     return panels;
 }
 
-Range heights_of(const std::vector<NamedCurve> &curves) {
+Range heights_of(const std::vector<ChartCurve> &curves) {
     std::vector<double> values;
-    for (const NamedCurve &curve : curves)
+    for (const ChartCurve &curve : curves)
         for (const PlotPoint &point : curve.points)
             if (point.y)
                 values.push_back(*point.y);
@@ -121,6 +111,20 @@ Range heights_of(const std::vector<NamedCurve> &curves) {
 }
 
 } // namespace
+
+ChartAxis answer_axis(const Units &units, const SampledAnswer &answer) {
+    const Quantity quantity = answer.quantity;
+    const char *what = quantity == Quantity::speed       ? "Spin speed"
+                       : quantity == Quantity::amplitude ? "Amplitude"
+                       : quantity == Quantity::force     ? "Force"
+                       : answer.of == "damping"          ? "Logarithmic decrement"
+                       : answer.of == "margins"          ? "Separation margin (%)"
+                                                         : "Share";
+    ChartAxis axis = chart_axis(units, what, quantity);
+    if (quantity == Quantity::number)
+        axis.title = what;
+    return axis;
+}
 
 Chart sweep_chart(const model::Case &scene, const SweepResult &result, const Units &units) {
     std::vector<SweepPanel> panels = panels_of(result, units);
@@ -140,12 +144,12 @@ Chart sweep_chart(const model::Case &scene, const SweepResult &result, const Uni
         drawn.height = 230;
         drawn.x = {under_axis(units, x), units.name(x.quantity), false, ends.low, ends.high,
                    x.logarithmic};
-        drawn.y = {panel.what, units.name(panel.quantity), panel.quantity == Quantity::speed, y.low,
-                   y.high};
-        for (const NamedCurve &curve : panel.curves) {
-            drawn.curves.push_back(chart_curve(curve.name, curve.points, drawn.curves.size()));
-            drawn.curves.back().marker = 0.7;
-        }
+        drawn.y = panel.y;
+        drawn.y.low = y.low;
+        drawn.y.high = y.high;
+        drawn.curves = panel.curves;
+        for (ChartCurve &curve : drawn.curves)
+            curve.marker = 0.7;
     }
     std::string subtitle = fmt::format("{} rotors", result.count);
     if (result.axes.size() > 1)

@@ -98,45 +98,42 @@ class Layout {
     std::vector<std::size_t> _order;
 };
 
-std::string order_name(double order) { return drawn_number(order) + "× spin speed"; }
-
-/// Data blocks and plot command.
-std::string lines_of(const Layout &layout) {
-    Curves drawn;
+/// Each line hides what is behind it.
+std::vector<ChartCurve> lines_of(const Layout &layout) {
+    std::vector<ChartCurve> curves;
     for (const std::size_t k : layout.order()) {
-        drawn.add(layout.line(k),
-                  fmt::format("with filledcurves y1={} fc rgb '#FFFFFF'", layout.base(k)));
-        drawn.add(fmt::format("{} with lines lc rgb '{}' lw 0.9 notitle", drawn.last(),
-                              series_style(0).colour));
+        ChartCurve line{"", layout.line(k), series_style(0), 0.9};
+        ChartCurve below{"", line.points, {"", "#FFFFFF"}};
+        below.points.push_back({line.points.back().x, layout.base(k)});
+        below.points.push_back({line.points.front().x, layout.base(k)});
+        below.filled = true;
+        curves.insert(curves.end(), {below, line});
     }
     std::size_t number = 0;
     for (const double order : orders)
-        drawn.add(
-            layout.multiple(order),
-            fmt::format("with lines lc rgb '{}' lw 1.3 dt (4,4)", series_style(++number).colour),
-            plot_text(order_name(order)));
-    return drawn.script();
+        curves.push_back(chart_curve(drawn_number(order) + "× spin speed", layout.multiple(order),
+                                     ++number, 1.3, "(4,4)"));
+    return curves;
 }
 
 } // namespace
 
-Figure waterfall_figure(const model::Case &scene, const Waterfall &waterfall, const Units &units) {
+Chart waterfall_chart(const model::Case &scene, const Waterfall &waterfall, const Units &units) {
     const Layout layout(units, waterfall);
-    const std::string place = place_text(units, waterfall.name, waterfall.z);
-    std::vector<std::string> names;
-    for (const double order : orders)
-        names.push_back(order_name(order));
-    const LegendedFigure room = beside_legend(907, 1080, 760, names);
-    return figure_of(
-        room.width, room.height, "Waterfall: " + title_of(scene),
-        fmt::format("{}, windows of {}; the highest line is {}", place,
-                    drawn_value(units, Quantity::time, waterfall.window, 3),
-                    drawn_value(units, Quantity::amplitude, layout.largest(), 4)),
-        panel_margins(room.left, room.right, 0.09, 0.885) +
-            axes_beside_legend(layout.over_speed() ? units.label("Spin speed", Quantity::speed)
-                                                   : units.label("Time", Quantity::time),
-                               units.label("Frequency", Quantity::frequency)) +
-            axes_over({0, layout.right()}, {layout.lowest(), layout.top()}) + lines_of(layout));
+    ChartPanel panel{590, chart_axis(units, "Frequency", Quantity::frequency),
+                     layout.over_speed() ? chart_axis(units, "Spin speed", Quantity::speed)
+                                         : chart_axis(units, "Time", Quantity::time),
+                     lines_of(layout)};
+    panel.x.low = 0;
+    panel.x.high = layout.right();
+    panel.y.low = layout.lowest();
+    panel.y.high = layout.top();
+    return {"Waterfall: " + title_of(scene),
+            fmt::format("{}, windows of {}; the highest line is {}",
+                        place_text(units, waterfall.name, waterfall.z),
+                        drawn_value(units, Quantity::time, waterfall.window, 3),
+                        drawn_value(units, Quantity::amplitude, layout.largest(), 4)),
+            {panel}};
 }
 
 } // namespace whirl::report

@@ -1,9 +1,7 @@
 #include "report/response/marks.h"
 
-#include "report/common/text_width.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
-#include "report/pictures/labels.h"
 
 #include <fmt/format.h>
 
@@ -18,8 +16,6 @@ using results::ResponsePeak;
 using results::ResponseResult;
 
 namespace {
-
-constexpr double label_size = 10;
 
 /// The values of a station over the speeds of the curves, or of the case where there are none.
 const std::vector<double> &amplitudes_of(const HarmonicMotion &result, std::size_t i) {
@@ -184,65 +180,9 @@ std::vector<PlotPoint> smooth(const std::vector<PlotPoint> &points) {
     return out;
 }
 
-/// Circles of round amplitudes with their numbers along the direction of -45 degrees.
-std::string rings(double largest) {
-    const double power = std::pow(10, std::floor(std::log10(largest)));
-    const double step = largest / power < 2 ? 0.5 * power : largest / power < 5 ? power : 2 * power;
-    std::vector<std::vector<PlotPoint>> circles;
-    std::string script;
-    for (int i = 1; i * step <= largest * (1 + 1e-9); ++i) {
-        circles.push_back(circle_points(i * step));
-        script += fmt::format("set label {} at {},{} center font ',9' textcolor '#777777'\n",
-                              plot_text(drawn_number(i * step)), i * step * std::cos(pi / 4),
-                              -i * step * std::sin(pi / 4));
-    }
-    return script + data_block("rings", circles);
-}
-
-/// Peaks of a curve with their speeds, where there is room beside all curves and the marks.
-std::string polar_peaks(const Units &units, const ResponseResult &result,
-                        const std::vector<PolarLine> &lines, const PolarLine &line, double range,
-                        double pixels) {
-    LabelPlacer placer;
-    std::vector<PlotPoint> tops;
-    std::string script;
-    int unnamed = 0;
-    const auto block = [&](double x, double y, double half) {
-        placer.block({(x / range + 1) / 2 - half / pixels, (y / range + 1) / 2 - half / pixels,
-                      2 * half / pixels, 2 * half / pixels});
-    };
-    for (const PolarLine &other : lines)
-        for (const PlotPoint &point : smooth(polar_points(units, result, other.curve)))
-            block(point.x, *point.y, 3);
-    for (const ResponsePeak *peak : line.peaks) {
-        const double size = units(Quantity::amplitude, peak->value);
-        tops.push_back({size * std::cos(peak->phase), size * std::sin(peak->phase)});
-        block(tops.back().x, *tops.back().y, 9);
-    }
-    for (std::size_t i = 0; i < tops.size(); ++i) {
-        const PlotPoint &top = tops[i];
-        const double size = std::hypot(top.x, *top.y);
-        const std::string text = speed_text(units, *line.peaks[i]);
-        if (size < 0.12 * range) { // amid all loops
-            ++unnamed;
-            continue;
-        }
-        const double u = (top.x / range + 1) / 2;
-        const double v = (*top.y / range + 1) / 2;
-        const auto box =
-            placer.place(u, v, (text_width(text, label_size) + 8) / pixels, 15 / pixels);
-        unnamed += box ? 0 : 1;
-        if (box)
-            script += fmt::format("set label {} at graph {},{} left font ',{}' front\n",
-                                  plot_text(text), box->x, box->y + box->height / 2, label_size) +
-                      leader(*box, u, v);
-    }
-    return script + left_out(unnamed, "peak", "0.01,0.025") + data_block("tops", {tops});
-}
-
 } // namespace
 
-Figure polar_figure(const model::Case &scene, const ResponseResult &result, const Units &units) {
+Chart polar_chart(const model::Case &scene, const ResponseResult &result, const Units &units) {
     const std::vector<PolarLine> lines = polar_lines(units, result);
     const PolarLine *largest = nullptr;
     double most = 0; // in the unit of the axes
@@ -252,34 +192,29 @@ Figure polar_figure(const model::Case &scene, const ResponseResult &result, cons
             largest = &line;
             most = here;
         }
-    const double range = 1.15 * most;
-    std::vector<std::string> names{"peaks of " + largest->name};
-    Curves drawn;
-    drawn.add("$rings with lines lc rgb '#DDDDDD' lw 0.8 notitle");
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        names.push_back(lines[i].name);
-        drawn.add(smooth(polar_points(units, result, lines[i].curve)),
-                  line_look(series_style(i), 1.8), plot_text(lines[i].name));
-    }
-    drawn.add("$tops with points pt 6 ps 1.5 lw 1.6 lc rgb '#000000' title " + plot_text(names[0]));
-    constexpr int pixels = 640;
-    const LegendedFigure room = beside_legend(legended_left + pixels, 1000, 800, names);
     const bool probes = !result.probes.empty();
-    return figure_of(
-        room.width, room.height, "Polar plot: " + title_of(scene),
-        fmt::format(
-            "{} at the angle of {}, from {} to {} {}",
-            units.label(probes ? "reading of the probes" : "amplitude", Quantity::amplitude),
-            probes ? "its phase" : "the phase of x", drawn_speed(units, result.speeds.front()),
-            drawn_speed(units, result.speeds.back()), units.name(Quantity::speed)),
-        room.panel(730 - pixels, 730) +
+    ChartPanel panel =
+        polar_panel(640, chart_axis(units, probes ? "in phase" : "x", Quantity::amplitude),
+                    chart_axis(units, probes ? "90° ahead" : "y", Quantity::amplitude), most);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        panel.curves.push_back(
+            chart_curve(lines[i].name, smooth(polar_points(units, result, lines[i].curve)), i));
+    ChartCurve tops{"peaks of " + largest->name, {}, {"", "#000000", "1", 6}, 0, 1.5};
+    for (const ResponsePeak *peak : largest->peaks) {
+        const double size = units(Quantity::amplitude, peak->value);
+        tops.points.push_back({size * std::cos(peak->phase), size * std::sin(peak->phase)});
+        if (size > 0.14 * most) // not amid all loops
+            panel.labels.push_back(
+                {speed_text(units, *peak), tops.points.back().x, *tops.points.back().y});
+    }
+    panel.curves.push_back(tops);
+    return {"Polar plot: " + title_of(scene),
             fmt::format(
-                "set xrange [{0}:{1}]\nset yrange [{0}:{1}]\nset xzeroaxis lc rgb "
-                "'#BBBBBB'\nset yzeroaxis lc rgb '#BBBBBB'\nset xlabel {2}\nset ylabel {3}\n{4}",
-                -range, range, axis_text(units, probes ? "in phase" : "x", Quantity::amplitude),
-                axis_text(units, probes ? "90° ahead" : "y", Quantity::amplitude), legend_beside) +
-            rings(most) + polar_peaks(units, result, lines, *largest, range, pixels) +
-            drawn.script());
+                "{} at the angle of {}, from {} to {} {}",
+                units.label(probes ? "reading of the probes" : "amplitude", Quantity::amplitude),
+                probes ? "its phase" : "the phase of x", drawn_speed(units, result.speeds.front()),
+                drawn_speed(units, result.speeds.back()), units.name(Quantity::speed)),
+            {panel}};
 }
 
 } // namespace whirl::report

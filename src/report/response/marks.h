@@ -28,7 +28,7 @@ labelled_peaks(const results::HarmonicMotion &result, std::size_t place,
 [[nodiscard]] bool has_polar(const results::ResponseResult &result);
 /// Polar plot: amplitude over the phase of x, one curve a station over the spin speed; peaks of the
 /// largest with their speeds.
-[[nodiscard]] Figure polar_figure(const model::Case &scene, const results::ResponseResult &result,
-                                  const Units &units);
+[[nodiscard]] Chart polar_chart(const model::Case &scene, const results::ResponseResult &result,
+                                const Units &units);
 
 } // namespace whirl::report

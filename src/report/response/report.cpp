@@ -491,7 +491,8 @@ std::vector<Picture> pictures_of(const model::Case &scene, const ResponseResult 
                                  const Units &units) {
     std::vector<Picture> pictures;
     if (has_polar(result))
-        pictures.push_back({"response_polar", polar_figure(scene, result, units), {}});
+        pictures.push_back(
+            {"response_polar", chart_figure(polar_chart(scene, result, units), scene, units), {}});
     for (Picture &picture : orbit_pictures(scene, result, units))
         pictures.push_back(std::move(picture));
     const std::vector<Part> parts = parts_of(scene, result);

@@ -227,7 +227,8 @@ std::string level1_text(const Level1 &level1, const Units &units) {
 }
 
 Picture level1_picture(const model::Case &scene, const Level1 &level1, const Units &units) {
-    return {"level1", level1_figure(scene, level1, units), [&level1](const Units &files) {
+    return {"level1", chart_figure(level1_chart(scene, level1, units), scene, units),
+            [&level1](const Units &files) {
                 return csv_lists({{{"q", Quantity::stiffness}, level1.q},
                                   {{"log_dec"}, level1.log_dec},
                                   {{"frequency", Quantity::frequency}, level1.frequency}},
@@ -459,9 +460,9 @@ std::vector<Section> brief_of(const StabilityResult &result, const Units &units)
 } // namespace
 
 Report describe(const model::Case &scene, const StabilityResult &result) {
-    Report report = report_of<StabilityResult>(
-        "stability", "Stability", scene, result,
-        {json_of, csv_of, sections_of, text_of, nullptr, stability_figure});
+    Report report =
+        report_of<StabilityResult>("stability", "Stability", scene, result,
+                                   {json_of, csv_of, sections_of, text_of, stability_chart});
     const bool states = result.states && !result.states->states.empty();
     if (result.level1 || states) {
         report.pictures = [&scene, &result, states](const Units &units) {
@@ -469,7 +470,10 @@ Report describe(const model::Case &scene, const StabilityResult &result) {
             if (result.level1)
                 pictures.push_back(level1_picture(scene, *result.level1, units));
             if (states)
-                pictures.push_back({"states", states_figure(scene, *result.states, units), {}});
+                pictures.push_back(
+                    {"states",
+                     chart_figure(states_chart(scene, *result.states, units), scene, units),
+                     {}});
             return pictures;
         };
         report.pictures_heading = result.level1 && states

@@ -17,7 +17,7 @@ const axisOf = (of, name) => axis(plain(of.title), {
 const traceOf = (curve, panel) => {
   const points = curve.points.length ? curve.points : [[null, null]]; // without any the name alone, in the legend
   const trace = {x: points.map(p => p[0]), y: points.map(p => p[1]), name: plain(curve.name), legendgroup: curve.name || curve.colour};
-  if (curve.filled) return {...trace, mode: "none", fill: "toself", fillcolor: curve.colour, ...(curve.texts.length ? {text: lines(curve.texts[0]), hoverinfo: "text"} : {hoverinfo: "name"})};
+  if (curve.filled) return {...trace, mode: "lines", line: {color: curve.colour, width: 1}, fill: "toself", fillcolor: curve.colour, ...(curve.texts.length ? {text: lines(curve.texts[0]), hoverinfo: "text"} : {hoverinfo: "name"})};
   return {...trace, mode: [curve.width > 0 ? "lines" : "", curve.marker > 0 || !(curve.width > 0) ? "markers" : ""].filter(m => m).join("+"),
     line: {color: curve.colour, width: curve.width, dash: dashOf(curve.dash)}, marker: {color: curve.colour, symbol: symbols[curve.point] || "circle", size: 8 * (curve.marker || 1),
       ...(curve.every > 1 ? {maxdisplayed: Math.ceil(curve.points.length / curve.every)} : {}), ...(curve.width > 0 && curve.point !== 2 ? {} : {line: {width: 2, color: curve.colour}})},
@@ -33,7 +33,7 @@ function figure(panels, place, more) {
     // A zoom along what several panels show is one of all of them.
     const same = panels.findIndex(p => p.x.low !== null && ["unit", "low", "high", "logarithmic"].every(key => p.x[key] === panel.x[key]));
     layout["xaxis" + number(i)] = {...axisOf(panel.x, "x"), anchor: y, ...(same >= 0 && same < i ? {matches: "x" + number(same)} : {})};
-    layout["yaxis" + number(i)] = {...axisOf(panel.y, "y"), anchor: x, domain: domain.map(end => Math.max(0, end))};
+    layout["yaxis" + number(i)] = {...axisOf(panel.y, "y"), anchor: x, domain: domain.map(end => Math.max(0, end)), ...(panel.square ? {scaleanchor: x} : {})};
     if (panel.title) layout.annotations.push({text: plain(panel.title), x: 0, xref: "paper", xanchor: "left", y: domain[1], yref: "paper", yanchor: "bottom", showarrow: false});
     panel.curves.forEach(curve => {
       traces.push({...traceOf(curve, panel), xaxis: x, yaxis: y, showlegend: curve.name !== "" && !keyed.has(curve.name)});
