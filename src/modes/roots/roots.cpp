@@ -195,7 +195,7 @@ std::vector<Root> all_roots(const DenseQuadratic<Scalar> &unscaled, double shift
 template <class Scalar>
 std::vector<Root> sharp_roots(const DenseQuadratic<Scalar> &problem, double shift, int zeros,
                               int lowest) {
-    constexpr double sharp = 1e-6;
+    constexpr double sharp = 1e-10; // relative: of whirls as near as this each is to be found
     constexpr double far = 1e3;   // of the shift: nearer ones have other reasons to be blurred
     constexpr double clear = 1.2; // ratio of moduli between which roots are divided
     const auto size = [](const Root &root) { return std::abs(root.value); };
