@@ -196,8 +196,8 @@ template <class Scalar>
 std::vector<Root> sharp_roots(const DenseQuadratic<Scalar> &problem, double shift, int zeros,
                               int lowest) {
     constexpr double sharp = 1e-10; // relative: of whirls as near as this each is to be found
-    constexpr double far = 1e3;   // of the shift: nearer ones have other reasons to be blurred
-    constexpr double clear = 1.2; // ratio of moduli between which roots are divided
+    constexpr double far = 1e3;     // of the shift: nearer ones have other reasons to be blurred
+    constexpr double clear = 1.2;   // ratio of moduli between which roots are divided
     const auto size = [](const Root &root) { return std::abs(root.value); };
     std::vector<Root> out = all_roots(problem, shift, zeros);
     std::ranges::stable_sort(out, {}, size);
