@@ -39,7 +39,7 @@ template <class Scalar>
 [[nodiscard]] std::vector<Root> all_roots(const DenseQuadratic<Scalar> &problem, double shift,
                                           int zeros);
 
-/// The same, by modulus. Where rounding leaves fewer than six digits of some of the `lowest` that
+/// The same, by modulus. Where rounding leaves fewer than ten digits of some of the `lowest` that
 /// are far from the shift, as of a shaft nearly without mass beside its discs on their supports,
 /// these and the faster ones are found from a shift next to them.
 template <class Scalar>
