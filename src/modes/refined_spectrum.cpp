@@ -595,9 +595,11 @@ template <class Scalar> class Refined : public RefinedSpectrum::Data {
     [[nodiscard]] std::vector<Root> roots_of(const ReducedForm &form, double speed, int wanted,
                                              const ZeroModes &zeros) const {
         const double c = centre(wanted);
+        constexpr int more = 6; // some without whirl, and the next ones
         const double shift = c > 0 ? c : usual_shift(speed, _supports);
         std::vector<Root> roots =
-            all_roots(form.template at<Scalar>(speed), shift, zeros.eigenvalues);
+            sharp_roots(form.template at<Scalar>(speed), shift, zeros.eigenvalues,
+                        static_cast<int>(planes) * (wanted + more));
         if (real)
             std::erase_if(roots, [](const Root &root) { return root.value.imag() < 0; });
         nearest_first(roots, c);

@@ -55,6 +55,32 @@ Eigen::MatrixXd static_deflections(const Sparse &H, const Eigen::MatrixXd &loads
 /// Modes at rest far above what is to be described: the static deflections stand for the rest.
 constexpr double above_top = 2;
 
+/// The lowest modes at rest. Those whose digits rounding takes beside far slower ones (of a shaft
+/// nearly without mass, beside its discs on their supports) are found held by the mass as well: of
+/// K + s^2 M, s next to them.
+std::vector<linalg::RealPair> modes_at_rest(const Sparse &H, const Sparse &M, int wanted) {
+    constexpr double sharp = 1e-6;  // error, relative
+    constexpr double dropped = 3e6; // DefinitePair: a ratio at which the faster ones are zero
+    const linalg::Matrix mass = linalg::Matrix::from_sparse(M);
+    std::vector<linalg::RealPair> out;
+    double held = 0; // 1/s
+    for (std::size_t known = 0;;) {
+        std::vector<linalg::RealPair> found =
+            linalg::DefinitePair(linalg::Matrix::from_sparse(H + held * held * M), mass)
+                .smallest(wanted);
+        out.resize(known);
+        for (std::size_t i = known; i < found.size(); ++i)
+            out.push_back(std::move(found[i]));
+        const std::size_t before = known;
+        while (known < out.size() && out[known].residual + out[known].rounding < sharp)
+            ++known;
+        if (known == static_cast<std::size_t>(wanted) || known == before)
+            return out;
+        held =
+            known < out.size() ? std::hypot(out[known].value, held) : dropped * out[before].value;
+    }
+}
+
 } // namespace
 
 PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, double top,
@@ -78,7 +104,7 @@ PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, doubl
     const double bound = std::hypot(above_top * top, top);
     const int wanted = std::max(modes, bound > 0 ? held.count_below(bound) : 0);
     for (const linalg::RealPair &mode :
-         held.smallest(std::min(wanted, discretization.planar_size())))
+         modes_at_rest(_H, pair.M, std::min(wanted, discretization.planar_size())))
         add(mode.vector, 1e-6);
     add(bent, 1e-6);
 }

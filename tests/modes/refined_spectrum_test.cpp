@@ -12,12 +12,16 @@
 #include "support/random_discs.h"
 #include "support/scenes.h"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <numbers>
+#include <utility>
 #include <vector>
 
 namespace whirl::modes {
@@ -336,6 +340,128 @@ TEST(RefinedModes, ErrorOfARefinedValueIsStated) {
             }
     }
     EXPECT_GT(seen, 500);
+}
+
+namespace {
+
+/// A disc on a shaft nearly without mass, its bearings at the ends unlike in both planes.
+struct LightShaft {
+    double rho; ///< kg/m3
+    double damping = 200;
+    double coupling = 0; ///< kxy = -kyx, N/m
+    double E = 2e11, G = 7.7e10, kappa = 0.9;
+    double diameter = 0.06;
+    double before = 0.4, behind = 0.5; ///< lengths, m
+    double mass = 60, Id = 3, Ip = 1;
+
+    [[nodiscard]] model::Rotor rotor() const {
+        model::Rotor out;
+        out.shaft = tests::uniform_shaft(before + behind, diameter, {"light", E, G, rho});
+        out.shaft.shear = model::ShearFormula::given;
+        out.shaft.shear_coefficient = kappa;
+        out.discs.push_back(tests::disc_at(before, mass, Id, Ip));
+        out.bearings.push_back(tests::isotropic_bearing(0, 2e6, damping));
+        model::BearingCoefficients &row = out.bearings.back().rows[0];
+        row.k(1, 1) = 2.5e6;
+        row.k(0, 1) = coupling;
+        row.k(1, 0) = -coupling;
+        out.bearings.push_back(tests::isotropic_bearing(before + behind, 3e6));
+        return out;
+    }
+
+    /// How far l is from an eigenvalue of the disc on two springs without mass, by Newton's step
+    /// for the determinant: each half of the shaft is a cantilever from the disc to its bearing.
+    /// Unknowns of each plane: deflection and slope of the disc, deflections of the bearings.
+    [[nodiscard]] double off(Complex l, double speed) const {
+        using Matrix = Eigen::Matrix<Complex, 8, 8>;
+        const double area = std::numbers::pi / 4 * diameter * diameter;
+        const double EI = E * area * diameter * diameter / 16;
+        Matrix Q = Matrix::Zero();
+        Matrix rate = Matrix::Zero();
+        for (const int plane : {0, 4}) {
+            for (const int end : {2, 3}) {
+                const double length = end == 2 ? before : behind;
+                const double s = 1 / (std::pow(length, 3) / (3 * EI) + length / (kappa * G * area));
+                Eigen::Vector4d stretched = Eigen::Vector4d::Zero();
+                stretched(end) = 1;
+                stretched(0) = -1;
+                stretched(1) = end == 2 ? length : -length;
+                Q.block<4, 4>(plane, plane) += s * stretched * stretched.transpose();
+            }
+            for (const auto &[i, inertia] : {std::pair(0, mass), std::pair(1, Id)}) {
+                Q(plane + i, plane + i) += l * l * inertia;
+                rate(plane + i, plane + i) += 2.0 * l * inertia;
+            }
+        }
+        const model::BearingCoefficients row = rotor().bearings[0].rows[0];
+        const std::array first{2, 6};
+        for (const int i : {0, 1})
+            for (const int j : {0, 1}) {
+                Q(first[i], first[j]) += row.k(i, j) + l * row.c(i, j);
+                rate(first[i], first[j]) += row.c(i, j);
+            }
+        Q(3, 3) += 3e6;
+        Q(7, 7) += 3e6;
+        Q(1, 5) += l * Ip * speed;
+        rate(1, 5) += Ip * speed;
+        Q(5, 1) -= l * Ip * speed;
+        rate(5, 1) -= Ip * speed;
+        return 1 / std::abs(Q.fullPivLu().solve(rate).trace());
+    }
+};
+
+} // namespace
+
+/// The motions of the shaft are 1e3 to 1e6 times as fast as those of the disc: both kinds have all
+/// their digits side by side.
+TEST(RefinedModes, OfALightShaftAreThoseOfItsDiscOnSprings) {
+    for (const double rho : {1.0, 1e-3, 1e-6})
+        for (const double damping : {0.0, 200.0, 2e5})
+            for (const double coupling : {0.0, 1e5}) {
+                const LightShaft shaft{.rho = rho, .damping = damping, .coupling = coupling};
+                const SpectrumSolver solver(shaft.rotor(), Form::general, 4);
+                const std::vector<double> speeds = sweep(1000, 11);
+                for (const int wanted : {4, 8, 12}) {
+                    SCOPED_TRACE(testing::Message() << rho << " kg/m3, " << damping << " N s/m, "
+                                                    << coupling << " N/m, " << wanted);
+                    solver.expect(speeds, wanted);
+                    for (const double speed : speeds) {
+                        const Spectrum found = solver.at(speed, wanted);
+                        ASSERT_EQ(std::ssize(found.modes), wanted) << speed;
+                        for (std::size_t i = 0; i < 4; ++i) {
+                            const Complex value = found.modes[i].eigenvalue;
+                            const double of_shaft = 1e-4 * rho; // its mass, of that of the disc
+                            EXPECT_LE(shaft.off(value, speed) / std::abs(value), of_shaft + 1e-9)
+                                << value << " at " << speed;
+                            if (i > 0)
+                                EXPECT_GT(value.imag(),
+                                          1.00001 * found.modes[i - 1].eigenvalue.imag());
+                        }
+                    }
+                }
+            }
+}
+
+/// A shaft of a hundredth of the density, with a tenth of the damping at ten times the speed, moves
+/// ten times as fast against a disc that stands still.
+TEST(RefinedModes, OfALightShaftGrowWithTheRootOfItsDensity) {
+    constexpr int wanted = 12;
+    const auto modes = [](double rho, double speed) {
+        const SpectrumSolver solver(LightShaft{.rho = rho, .damping = 1e5 * std::sqrt(rho)}.rotor(),
+                                    Form::general, 4);
+        return solver.at(speed, wanted).modes;
+    };
+    const double rho = 1e-2;
+    const double speed = 5;
+    const std::vector<WhirlMode> slow = modes(rho, speed);
+    for (const double faster : {10.0, 1e2, 1e3}) {
+        SCOPED_TRACE(faster);
+        const std::vector<WhirlMode> fast = modes(rho / faster / faster, faster * speed);
+        ASSERT_EQ(std::ssize(fast), wanted);
+        for (std::size_t i = 4; i < fast.size(); ++i)
+            EXPECT_LE(std::abs(fast[i].eigenvalue / (faster * slow[i].eigenvalue) - 1.0), 1e-6)
+                << fast[i].eigenvalue << " and " << slow[i].eigenvalue;
+    }
 }
 
 } // namespace whirl::modes

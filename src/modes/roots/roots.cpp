@@ -192,6 +192,34 @@ std::vector<Root> all_roots(const DenseQuadratic<Scalar> &unscaled, double shift
     return out;
 }
 
+template <class Scalar>
+std::vector<Root> sharp_roots(const DenseQuadratic<Scalar> &problem, double shift, int zeros,
+                              int lowest) {
+    constexpr double sharp = 1e-10; // relative: of whirls as near as this each is to be found
+    constexpr double far = 1e3;     // of the shift: nearer ones have other reasons to be blurred
+    constexpr double clear = 1.2;   // ratio of moduli between which roots are divided
+    const auto size = [](const Root &root) { return std::abs(root.value); };
+    std::vector<Root> out = all_roots(problem, shift, zeros);
+    std::ranges::stable_sort(out, {}, size);
+    for (std::ptrdiff_t known = -1;;) {
+        const auto end = out.begin() + std::min<std::ptrdiff_t>(lowest, std::ssize(out));
+        const auto blurred = std::find_if(out.begin(), end, [&](const Root &root) {
+            return size(root) > far * shift && root.noise > sharp * size(root);
+        });
+        std::ptrdiff_t first = blurred - out.begin();
+        while (first > 0 && size(out[first]) < clear * size(out[first - 1]))
+            --first;
+        if (blurred == end || first <= known)
+            return out; // double precision has no more
+        known = first;
+        shift = usual_shift(0, size(out[first]));
+        std::vector<Root> faster = all_roots(problem, shift, zeros + static_cast<int>(known));
+        std::ranges::stable_sort(faster, {}, size);
+        out.resize(known);
+        std::ranges::move(faster, std::back_inserter(out));
+    }
+}
+
 Root with_vectors(const DenseQuadratic<double> &p, Complex value) {
     constexpr double offset = 1e-8; // of the value: far above its rounding, and nearer than others
     constexpr int solves = 2;
@@ -242,5 +270,7 @@ std::vector<Complex> all_values(const DenseQuadratic<double> &problem, double sh
 
 template std::vector<Root> all_roots(const DenseQuadratic<double> &, double, int);
 template std::vector<Root> all_roots(const DenseQuadratic<Complex> &, double, int);
+template std::vector<Root> sharp_roots(const DenseQuadratic<double> &, double, int, int);
+template std::vector<Root> sharp_roots(const DenseQuadratic<Complex> &, double, int, int);
 
 } // namespace whirl::modes

@@ -39,6 +39,13 @@ template <class Scalar>
 [[nodiscard]] std::vector<Root> all_roots(const DenseQuadratic<Scalar> &problem, double shift,
                                           int zeros);
 
+/// The same, by modulus. Where rounding leaves fewer than ten digits of some of the `lowest` that
+/// are far from the shift, as of a shaft nearly without mass beside its discs on their supports,
+/// these and the faster ones are found from a shift next to them.
+template <class Scalar>
+[[nodiscard]] std::vector<Root> sharp_roots(const DenseQuadratic<Scalar> &problem, double shift,
+                                            int zeros, int lowest);
+
 /// A shift next to the slow roots, and of no value that is likely to be one, 1/s.
 /// @param slow  modulus of the order of theirs at rest, 1/s
 [[nodiscard]] inline double usual_shift(double speed, double slow) {

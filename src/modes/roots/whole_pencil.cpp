@@ -129,10 +129,11 @@ double WholePencil<Scalar>::entries_between(const Vector &y, double size, const 
 
 template <class Scalar>
 std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
-    /// Beside the quotient by so much: of eigenvalues that are nearer together, which rounding
-    /// distinguishes by chance alone, one iteration takes all parts alike, and hardly any of
-    /// others.
-    constexpr double offset = 1e-8;
+    /// Beside the quotient by so much: of eigenvalues that are nearer together one iteration takes
+    /// all parts alike, and hardly any of others. Where that does not settle, nearer: what is left
+    /// at last rounding distinguishes by chance alone.
+    double offset = 1e-8;
+    constexpr double nearer = 0.1;
     constexpr double enough = 1e-13; // of the value: of the order of its rounding
     constexpr int most_shifts = 8;   // cubic in the shift: a guess that needs more is none
     constexpr int solves = 3;        ///< with one shift, at most
@@ -148,6 +149,7 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
     for (int shifts = 0; shifts < most_shifts; ++shifts) {
         if (!factorize(l * (1 + offset)))
             return std::nullopt;
+        offset *= nearer;
         const Complex shift = l;
         for (int solve = 0; solve < solves; ++solve) {
             const Vector to_right = 2.0 * l * right.M + right.D;
