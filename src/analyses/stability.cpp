@@ -9,6 +9,7 @@
 #include "balancers/balanced_position.h"
 #include "balancers/kind.h"
 #include "ends/band_ends.h"
+#include "ends/permissible.h"
 #include "ends/speed_families.h"
 #include "linalg/check.h"
 #include "model/case.h"
@@ -20,7 +21,6 @@
 #include "results/sentence.h"
 #include "stability/band_finder.h"
 #include "stability/hill/hill_motions.h"
-#include "stability/permissible.h"
 #include "stability/rotor_at_speeds.h"
 
 #include <fmt/format.h>
@@ -227,7 +227,7 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
     if (all)
         separate_resolved(*all, model, roots, result);
     stage.emplace("permissible anisotropy", 0.65, 0.8);
-    result.permissible = stability::permissible_anisotropies(finder, grid, result.unstable);
+    result.permissible = ends::permissible_anisotropies(finder, grid, result.unstable);
     if (!range)
         return;
     stage.emplace("arrangements of the balls", 0.8, 1.0);

@@ -196,7 +196,10 @@ bool AllMotions::decides_decay(double size) const {
 /// The motion of the whole rotor that a root of the reduced one leads to; none where there is none.
 std::optional<WholeMotion> AllMotions::of_whole(const Root &root, double speed) const {
     auto found = of_whole(lifted(root, speed));
-    const double away = (is_rough() ? nearby : same_root) * std::abs(root.value);
+    // Next to zero by the slow motions, as shapes are looked for (stability/range_shapes).
+    constexpr double agreeing = 1e-6;
+    const double away = std::max((is_rough() ? nearby : same_root) * std::abs(root.value),
+                                 agreeing * shift_at(speed));
     return found && std::abs(found->value - root.value) <= away ? std::move(found) : std::nullopt;
 }
 
@@ -280,6 +283,9 @@ FastestGrowing AllMotions::fastest_growing(double speed, double above, double up
                    });
     constexpr double none = 1e-6; // at rest, of the motions on the supports: a ball that lies still
     const double zero = std::max(least_reach(), none * _slow);
+    // Of the slow motions: inverse iteration knows a root to a part of itself, and of one as near
+    // to zero less than the decomposition does.
+    constexpr double next_to_zero = 1e-8;
     std::optional<std::complex<double>> best;
     for (const Root &root : roots) {
         const double size = std::abs(root.value);
@@ -295,7 +301,9 @@ FastestGrowing AllMotions::fastest_growing(double speed, double above, double up
         if (root.sign() < 0 && neutral && !best)
             return {0, counted, least};
         const auto found = of_whole(root, speed);
-        if (!found)
+        if (!found && size <= next_to_zero * shift_at(speed))
+            best = root.value;
+        else if (!found)
             counted = counted && (!_drives_all || root.sign() < 0);
         else if (std::abs(found->value.real()) <= found->noise)
             neutral = neutral || within_reach(size);

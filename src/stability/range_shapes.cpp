@@ -214,9 +214,14 @@ std::shared_ptr<const Eigen::MatrixXd> range_shapes(const assembly::Discretizati
                                                       : reduction::PlanarShapes(d, top);
     std::list<Comparison> comparisons;
     const std::size_t last = speeds.size() - 1;
-    for (const std::size_t place : {last, std::size_t{0}, last / 2, last / 4, 3 * last / 4})
-        if (speeds[place] != 0 && !enriched(planar, comparisons.emplace_back(whole, speeds[place])))
+    std::vector<double> looked_at{0}; // at rest: not at all
+    for (const std::size_t place : {last, std::size_t{0}, last / 2, last / 4, 3 * last / 4}) {
+        if (std::ranges::find(looked_at, speeds[place]) != looked_at.end())
+            continue;
+        looked_at.push_back(speeds[place]);
+        if (!enriched(planar, comparisons.emplace_back(whole, speeds[place])))
             return nullptr;
+    }
     if (start == nullptr)
         keep_spanning(planar, comparisons,
                       results::in_rotating_axes(form) ? left_of_all_rotating : left_of_all_fixed);

@@ -264,7 +264,8 @@ std::vector<results::Interval> unstable_bands(const MotionsAt &at,
     return find_bands(at, speeds).bands;
 }
 
-double strongest_speed(const MotionsAt &at, const results::Interval &band) {
+double strongest_speed(const std::function<double(double speed)> &growth,
+                       const results::Interval &band) {
     // By parabolas after coarse probing, since a band may have several humps.
     constexpr int parts = 16;
     double best = (band.from + band.to) / 2;
@@ -272,14 +273,16 @@ double strongest_speed(const MotionsAt &at, const results::Interval &band) {
     const double width = (band.to - band.from) / parts;
     for (int i = 0; i <= parts; ++i) {
         const double speed = band.from + i * width;
-        const double growth = growth_of(at(speed));
-        if (growth > most) {
-            most = growth;
+        const double here = growth(speed);
+        if (here > most) {
+            most = here;
             best = speed;
         }
     }
-    return linalg::least_place([&at](double speed) { return -growth_of(at(speed)); },
-                               std::max(band.from, best - width), std::min(band.to, best + width));
+    // In parts of the band, for a narrow one is a small part of the speed.
+    return best + width * linalg::least_place([&](double x) { return -growth(best + width * x); },
+                                              std::max(-1.0, (band.from - best) / width),
+                                              std::min(1.0, (band.to - best) / width));
 }
 
 } // namespace whirl::stability

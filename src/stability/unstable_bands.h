@@ -85,7 +85,9 @@ class SignBracket {
 };
 
 /// Where instability is strongest in a band found, rad/s.
-[[nodiscard]] double strongest_speed(const MotionsAt &at, const results::Interval &band);
+/// @param growth  over the speed, 1/s
+[[nodiscard]] double strongest_speed(const std::function<double(double speed)> &growth,
+                                     const results::Interval &band);
 
 /// The intersection of two lists of bands.
 [[nodiscard]] std::vector<results::Interval> common(const std::vector<results::Interval> &a,

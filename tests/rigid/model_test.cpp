@@ -5,8 +5,8 @@
 #include "rigid/model.h"
 
 #include "analyses/stability.h"
+#include "ends/permissible.h"
 #include "rigid/inertia.h"
-#include "stability/permissible.h"
 #include "support/rigid_rotors.h"
 
 #include <Eigen/Eigenvalues>
@@ -143,8 +143,8 @@ TEST(RigidLimitModel, PermissibleAnisotropyIsThatOfTheStabilityAnalysis) {
     target.to = 6;
     const auto found = model_values(scene.rotor, 2, {target});
     const auto model = stability::stability_model(scene, scene.speeds->values());
-    const auto entries = stability::permissible_anisotropies(
-        {model, {}}, stability::search_speeds(*scene.speeds), {});
+    const auto entries =
+        ends::permissible_anisotropies({model, {}}, stability::search_speeds(*scene.speeds), {});
     ASSERT_TRUE(found[0] && entries.at(0).dI);
     EXPECT_NEAR(found[0]->value, *entries[0].dI, 1e-7 * *entries[0].dI); // of the descent
 }

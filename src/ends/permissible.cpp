@@ -1,6 +1,8 @@
-#include "stability/permissible.h"
+#include "ends/permissible.h"
 
 #include "assembly/rotating_system.h"
+#include "ends/all_motions.h"
+#include "ends/band_ends.h"
 #include "linalg/check.h"
 #include "linalg/sparse_factor.h"
 #include "model/case.h"
@@ -13,11 +15,15 @@
 #include "stability/periodic_motions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-namespace whirl::stability {
+namespace whirl::ends {
 
 namespace {
+
+using stability::MotionSolver;
+using stability::StabilityModel;
 
 StabilityModel model_with(StabilityModel model, std::size_t index, double dI) {
     model.rotor.anisotropies[index].dI = dI;
@@ -58,25 +64,25 @@ class Varied {
            std::size_t index, std::shared_ptr<const Eigen::MatrixXd> shapes)
         : _model(model), _arrangement(arrangement), _index(index), _shapes(std::move(shapes)) {}
 
-    [[nodiscard]] bool by_monodromy() const {
-        return _model.form == results::Form::hill && _model.harmonics == 0;
-    }
+    [[nodiscard]] bool periodic() const { return _model.form == results::Form::hill; }
+    [[nodiscard]] bool by_monodromy() const { return periodic() && _model.harmonics == 0; }
+
+    /// Largest real part over the speed, 1/s.
+    using Growth = std::function<double(double speed)>;
 
     /// With the basis and the steps in time of another dI, where there are some: the final search
     /// verifies with its own.
-    [[nodiscard]] MotionSolver solver(double dI) const {
-        StabilityModel model = model_with(dI);
-        model.experience = _experience;
-        return {model, _arrangement, _by_shapes || by_monodromy() ? _shapes : nullptr};
+    /// @param range  of the speeds that it will be asked for
+    [[nodiscard]] Growth growth(double dI, const results::Interval &range) const {
+        if (periodic())
+            return [motions = solver(dI)](double speed) { return growth_of(motions->at(speed)); };
+        const auto rotor =
+            std::make_shared<const OverSpeed>(model_with(dI), _arrangement, _shapes, range);
+        return [rotor](double speed) { return rotor->motions.fastest_growing(speed).value.real(); };
     }
-
-    /// The whole rotor.
-    [[nodiscard]] MotionSolver whole(double dI) const { return {model_with(dI), _arrangement}; }
-
-    /// What the reduced rotor gives is still to be found with the whole rotor. By the monodromy
-    /// matrix all is by shapes.
-    [[nodiscard]] bool to_be_refined() const { return _by_shapes && _shapes && !by_monodromy(); }
-    void leave_shapes() { _by_shapes = false; }
+    [[nodiscard]] double growth_at(double speed, double dI) const {
+        return growth(dI, {speed, speed})(speed);
+    }
 
     /// Without damping the smallest anisotropy opens a band at every critical speed that it splits.
     [[nodiscard]] bool splits_critical_speeds(double dI, double top) const {
@@ -84,7 +90,7 @@ class Varied {
             return false;
         const auto count = [&](double value) {
             const assembly::Discretization d(model_with(value).rotor, _model.order);
-            return zero_root_speeds(d, _arrangement, true, top).size();
+            return stability::zero_root_speeds(d, _arrangement, true, top).size();
         };
         try {
             return count(dI) > count(0);
@@ -93,91 +99,14 @@ class Varied {
         }
     }
 
-    /// The dI between 0 and an unstable one at which this speed is just stable.
-    [[nodiscard]] double just_stable(double speed, double unstable) const {
-        return just_stable([&](double dI) { return growth_of(solver(dI).at(speed)); }, 0, unstable);
-    }
-    [[nodiscard]] bool grows(double dI, double speed) const {
-        return growth_of(solver(dI).at(speed)) > 0;
-    }
-
-    /// The same by the whole rotor, near that of the reduced rotor; none where it is not there.
-    [[nodiscard]] std::optional<double> refined(double speed, double reduced) const {
-        const auto growth = [&](double dI) { return growth_of(whole(dI).at(speed)); };
-        for (const double share : {1e-8, 1e-6, 1e-4}) {
-            const double low = reduced * (1 - share);
-            const double high = reduced * (1 + share);
-            if (growth(low) <= 0 && growth(high) > 0)
-                return just_stable(growth, low, high);
-        }
-        return std::nullopt;
-    }
-
-    /// At one speed: the largest dI below which no motion grows, by the whole rotor; none: stable
-    /// up to `largest`. Growth that ceases again within a step is passed over.
-    [[nodiscard]] std::optional<double> least_growing(double speed, double largest) const {
-        // Of the range of dI: growth that ceases within one is passed over.
-        constexpr int steps = 40;
-        const auto growth = [&](double dI) { return growth_of(whole(dI).at(speed)); };
-        if (growth(0) > 0)
-            return 0;
-        for (int k = 1; k <= steps; ++k)
-            if (growth(largest * k / steps) > 0)
-                return just_stable(growth, largest * (k - 1) / steps, largest * k / steps);
-        return std::nullopt;
-    }
-
-    [[nodiscard]] std::vector<results::Interval> bands(double dI,
-                                                       const std::vector<double> &speeds) const {
-        BandFinder finder(model_with(dI), _arrangement, _shapes);
-        std::vector<results::Interval> found = finder.find(speeds).bands;
-        _shapes = finder.shapes();
-        return found;
-    }
-
-    /// The same, on the way to an answer that is verified.
-    [[nodiscard]] std::vector<results::Interval>
-    likely_bands(double dI, const std::vector<double> &speeds) const {
-        const MotionSolver motions = solver(dI);
-        if (!to_be_refined() && (motions.by_monodromy() == nullptr || !_shapes))
-            return bands(dI, speeds);
-        // Of a band's width: on the way only whether there are bands matters.
-        constexpr double roughly = 0.03;
-        return find_bands([&motions](double speed) { return motions.at(speed); }, speeds, roughly)
-            .bands;
-    }
-
-    [[nodiscard]] bool stable(double dI, const std::vector<double> &speeds) const {
-        return bands(dI, speeds).empty();
-    }
-
-    /// The dI at which the last band of an unstable one closes, where bands can be followed.
-    [[nodiscard]] std::optional<double> closing(double unstable,
-                                                const std::vector<double> &speeds) const {
-        BandFinder finder(model_with(unstable), _arrangement);
-        if (!bands_can_be_followed(finder))
-            return std::nullopt;
-        std::vector<results::Interval> open = finder.find(speeds).bands;
-        return closing_anisotropy([this](double dI) { return model_with(dI); }, unstable, finder,
-                                  std::move(open), speeds);
-    }
-
-  private:
-    const StabilityModel &_model;
-    const balancers::Arrangement &_arrangement;
-    std::size_t _index;
-    mutable std::shared_ptr<const Eigen::MatrixXd> _shapes; ///< good for one dI, a start for others
-    bool _by_shapes = true;
-    std::shared_ptr<StepExperience> _experience = std::make_shared<StepExperience>();
-
-    template <class Growth>
-    [[nodiscard]] static double just_stable(const Growth &growth, double low, double high) {
-        SignBracket bracket(low, high);
-        bracket.stable_at(low, std::min(growth(low), 0.0));
-        bracket.unstable_at(high, growth(high));
-        while (bracket.width() > 1e-12 * high) {
+    /// The dI between a stable and an unstable one at which this speed is just stable.
+    [[nodiscard]] double just_stable(double speed, double stable, double unstable) const {
+        stability::SignBracket bracket(stable, unstable);
+        bracket.stable_at(stable, std::min(growth_at(speed, stable), 0.0));
+        bracket.unstable_at(unstable, growth_at(speed, unstable));
+        while (bracket.width() > 1e-12 * unstable) {
             const double next = bracket.next();
-            const double here = growth(next);
+            const double here = growth_at(speed, next);
             if (here == 0 && bracket.decays()) // within the rounding of a root
                 return next;
             if (here > 0)
@@ -188,8 +117,109 @@ class Varied {
         return bracket.stable();
     }
 
+    /// At one speed: the largest dI below which no motion grows; none: stable up to `largest`.
+    /// Growth that ceases again within a step is passed over.
+    [[nodiscard]] std::optional<double> least_growing(double speed, double largest) const {
+        // Of the range of dI: growth that ceases within one is passed over.
+        constexpr int steps = 40;
+        if (growth_at(speed, 0) > 0)
+            return 0;
+        for (int k = 1; k <= steps; ++k)
+            if (growth_at(speed, largest * k / steps) > 0)
+                return just_stable(speed, largest * (k - 1) / steps, largest * k / steps);
+        return std::nullopt;
+    }
+
+    [[nodiscard]] std::vector<results::Interval> bands(double dI,
+                                                       const std::vector<double> &speeds) const {
+        stability::BandFinder finder(model_with(dI), _arrangement, _shapes);
+        if (!periodic()) {
+            _shapes = finder.good_shapes(speeds);
+            return swept_bands(dI, {speeds.front(), speeds.back()});
+        }
+        std::vector<results::Interval> found = finder.find(speeds).bands;
+        _shapes = finder.shapes();
+        return found;
+    }
+
+    /// The same, on the way to an answer that is verified.
+    [[nodiscard]] std::vector<results::Interval>
+    likely_bands(double dI, const std::vector<double> &speeds) const {
+        if (!periodic())
+            return swept_bands(dI, {speeds.front(), speeds.back()});
+        if (!by_monodromy() || !_shapes)
+            return bands(dI, speeds);
+        // Of a band's width: on the way only whether there are bands matters.
+        constexpr double roughly = 0.03;
+        const auto motions = solver(dI);
+        return stability::find_bands([&motions](double speed) { return motions->at(speed); },
+                                     speeds, roughly)
+            .bands;
+    }
+
+    [[nodiscard]] bool stable(double dI, const std::vector<double> &speeds) const {
+        return bands(dI, speeds).empty();
+    }
+
+    /// The dI at which the last band of an unstable one closes, where bands can be followed.
+    [[nodiscard]] std::optional<double> closing(double unstable,
+                                                const std::vector<double> &speeds) const {
+        if (!periodic())
+            return std::nullopt;
+        stability::BandFinder finder(model_with(unstable), _arrangement);
+        if (!stability::bands_can_be_followed(finder))
+            return std::nullopt;
+        std::vector<results::Interval> open = finder.find(speeds).bands;
+        return stability::closing_anisotropy([this](double dI) { return model_with(dI); }, unstable,
+                                             finder, std::move(open), speeds);
+    }
+
+  private:
+    const StabilityModel &_model;
+    const balancers::Arrangement &_arrangement;
+    std::size_t _index;
+    mutable std::shared_ptr<const Eigen::MatrixXd> _shapes; ///< good for one dI, a start for others
+    std::shared_ptr<stability::StepExperience> _experience =
+        std::make_shared<stability::StepExperience>();
+
+    struct OverSpeed {
+        assembly::Discretization discretization;
+        AllMotions motions;
+
+        OverSpeed(const StabilityModel &model, const balancers::Arrangement &arrangement,
+                  std::shared_ptr<const Eigen::MatrixXd> shapes, const results::Interval &range)
+            : discretization(model.rotor, model.order),
+              motions(discretization, model.form, arrangement, std::move(shapes), range.from,
+                      range.to) {}
+    };
+
+    /// Those in which the whole rotor grows: one that just closes the shapes may still have.
+    [[nodiscard]] std::vector<results::Interval> swept_bands(double dI,
+                                                             const results::Interval &range) const {
+        const OverSpeed rotor(model_with(dI), _arrangement, _shapes, range);
+        std::vector<results::Interval> found = bands_of(find_ends(rotor.motions), range);
+        const auto growth = [&rotor](double speed) {
+            return rotor.motions.fastest_growing(speed).value.real();
+        };
+        std::erase_if(found, [&growth](const results::Interval &band) {
+            constexpr double inside = 1e-6; // of the speed
+            const auto [from, to] = band;
+            const double off = std::min((to - from) / 4, inside * std::abs(from));
+            return std::ranges::none_of(std::array{(from + to) / 2, from + off, to - off},
+                                        [&](double speed) { return growth(speed) > 0; });
+        });
+        return found;
+    }
+
+    [[nodiscard]] std::shared_ptr<const MotionSolver> solver(double dI) const {
+        StabilityModel model = model_with(dI);
+        model.experience = _experience;
+        return std::make_shared<const MotionSolver>(model, _arrangement,
+                                                    by_monodromy() ? _shapes : nullptr);
+    }
+
     [[nodiscard]] StabilityModel model_with(double dI) const {
-        return stability::model_with(_model, _index, dI);
+        return ends::model_with(_model, _index, dI);
     }
 };
 
@@ -206,13 +236,14 @@ class DescentSearch {
         : _varied(varied), _largest(largest), _speeds(speeds), _dI(largest) {}
 
     Descent descent() {
-        for (const double speed : _speeds) // what grows at the speeds themselves is no search's
-            lower_at(speed);
+        if (_varied.periodic())
+            for (const double speed : _speeds) // what grows at the speeds themselves is no search's
+                lower_at(speed);
         for (int step = 0; step < most_steps; ++step) {
             std::vector<results::Interval> bands = _varied.likely_bands(_dI, _speeds);
             if (bands.empty() && step == 0) // which is an answer
                 bands = _varied.bands(_dI, _speeds);
-            if (bands.empty() || !close(bands) || (_varied.by_monodromy() && !follow()))
+            if (bands.empty() || !close(bands) || !follow())
                 break;
         }
         if (_dI < 1e-7 * _largest)
@@ -232,9 +263,9 @@ class DescentSearch {
     /// Lowers dI until this speed is just stable.
     /// @returns whether it was not
     bool lower_at(double speed) {
-        if (!_varied.grows(_dI, speed))
+        if (!(_varied.growth_at(speed, _dI) > 0))
             return false;
-        const double stable = _varied.just_stable(speed, _dI);
+        const double stable = _varied.just_stable(speed, 0, _dI);
         _out.unstable = _dI;
         _out.speed = speed;
         const bool lower = stable < _dI;
@@ -246,11 +277,10 @@ class DescentSearch {
     /// Lowers dI until the strongest speed of each band is just stable.
     /// @returns whether it is worthwhile to go on
     bool close(const std::vector<results::Interval> &bands) {
-        const MotionSolver solver = _varied.solver(_dI);
-        const MotionsAt at = [&solver](double speed) { return solver.at(speed); };
+        const Varied::Growth growth = _varied.growth(_dI, {bands.front().from, bands.back().to});
         const double before = _dI;
         for (const results::Interval &band : bands) {
-            const double speed = strongest_speed(at, band);
+            const double speed = stability::strongest_speed(growth, band);
             if (lower_at(speed))
                 _last = band;
         }
@@ -261,6 +291,13 @@ class DescentSearch {
     /// The last band alone until it closes: what remains lies in or next to it.
     /// @returns whether it is worthwhile to look at the others
     bool follow() {
+        if (!_varied.periodic()) { // its strongest speed moves on as it narrows
+            for (int step = 0; step < most_steps && close({_last}); ++step)
+                ;
+            return _dI >= 1e-9 * _largest;
+        }
+        if (!_varied.by_monodromy())
+            return true;
         for (int step = 0; step < most_steps; ++step) {
             const auto [from, to] = _last;
             const double low = std::max(from - (to - from), _speeds.front());
@@ -312,7 +349,8 @@ double verified(const Varied &varied, const Descent &found, const std::vector<do
     }
     stable = *found.dI * (1 + above);
     const std::vector<double> near = around(found.speed, speeds);
-    if (stable >= unstable || !varied.stable(stable, near))
+    if (stable >= unstable || varied.growth_at(found.speed, stable) > 0 ||
+        !varied.stable(stable, near))
         return *found.dI;
     // Where the shaft hardly takes part, growth just above is hidden by rounding. It shows first
     // where it was found to begin, most likely; that it is nowhere else before is looked at once.
@@ -332,48 +370,14 @@ std::vector<double> thinned(const std::vector<double> &speeds, std::size_t enoug
     return out;
 }
 
-/// The speed at which growth begins: the strongest just above dI. The descent's last one was that
-/// of a wider band.
-double first_to_grow(const Varied &varied, const Descent &found,
-                     const std::vector<double> &speeds) {
-    // Of dI: a band has opened, and is still narrow about where growth begins.
-    constexpr double above = 1e-3;
-    const double dI = *found.dI * (1 + above);
-    const MotionSolver solver = varied.solver(dI);
-    for (const results::Interval &band : varied.likely_bands(dI, around(found.speed, speeds)))
-        if (band.from <= found.speed && found.speed <= band.to)
-            return strongest_speed([&solver](double speed) { return solver.at(speed); }, band);
-    return found.speed;
-}
-
-/// With the reduced rotor and refined on the whole one, or with the whole one alone.
-Descent descent(Varied &varied, double largest, const std::vector<double> &speeds) {
-    try {
-        Descent found = DescentSearch(varied, largest, speeds).descent();
-        if (!found.dI || !varied.to_be_refined())
-            return found;
-        if (*found.dI > 0)
-            if (const std::optional<double> dI =
-                    varied.refined(first_to_grow(varied, found, speeds), *found.dI)) {
-                found.dI = dI;
-                return found;
-            }
-    } catch (const model::AnalysisFailure &) {
-        if (!varied.to_be_refined())
-            throw; // the whole rotor is no better
-    }
-    varied.leave_shapes();
-    return DescentSearch(varied, largest, speeds).descent();
-}
-
-std::optional<double> permissible(Varied &varied, double largest, bool undamped,
+std::optional<double> permissible(const Varied &varied, double largest, bool undamped,
                                   const std::vector<double> &speeds) {
     const double top = std::max(std::abs(speeds.front()), std::abs(speeds.back()));
     if (undamped && varied.splits_critical_speeds(1e-3 * largest, top))
         return 0;
     constexpr std::size_t few = 41; // on the way; what comes out is verified
     const std::vector<double> coarse = thinned(speeds, few);
-    const Descent found = descent(varied, largest, coarse);
+    const Descent found = DescentSearch(varied, largest, coarse).descent();
     if (!found.dI || *found.dI == 0)
         return found.dI;
     const std::optional<double> closing = varied.closing(found.unstable, speeds);
@@ -383,7 +387,7 @@ std::optional<double> permissible(Varied &varied, double largest, bool undamped,
 } // namespace
 
 std::vector<results::PermissibleAnisotropy>
-permissible_anisotropies(const BandFinder &finder, const std::vector<double> &grid,
+permissible_anisotropies(const stability::BandFinder &finder, const std::vector<double> &grid,
                          const std::vector<results::Interval> &bands) {
     const StabilityModel &model = finder.model();
     const balancers::Arrangement &arrangement = finder.arrangement();
@@ -394,8 +398,8 @@ permissible_anisotropies(const BandFinder &finder, const std::vector<double> &gr
     for (std::size_t i = 0; i < rotor.anisotropies.size(); ++i) {
         const model::Anisotropy &element = rotor.anisotropies[i];
         const double singular = singular_anisotropy(model, i, arrangement);
-        const AnisotropyLimit limit =
-            anisotropy_limit(assembly::Discretization(rotor, model.order), i);
+        const stability::AnisotropyLimit limit =
+            stability::anisotropy_limit(assembly::Discretization(rotor, model.order), i);
         const double largest = std::min(0.999 * singular, limit.dI);
         Varied varied(model, arrangement, i,
                       model.form == results::Form::hill ? nullptr : finder.shapes());
@@ -404,8 +408,9 @@ permissible_anisotropies(const BandFinder &finder, const std::vector<double> &gr
         if (largest > 0 && speeds.size() == 1)
             entry.dI = varied.least_growing(speeds.front(), largest);
         else if (largest > 0)
-            entry.dI = closing_anisotropy([&](double dI) { return model_with(model, i, dI); },
-                                          element.dI, finder, bands, speeds);
+            entry.dI =
+                stability::closing_anisotropy([&](double dI) { return model_with(model, i, dI); },
+                                              element.dI, finder, bands, speeds);
         if (largest > 0 && speeds.size() > 1 && !entry.dI)
             entry.dI = permissible(varied, largest, !rotor.damped(), speeds);
         entry.closed_form =
@@ -415,4 +420,4 @@ permissible_anisotropies(const BandFinder &finder, const std::vector<double> &gr
     return out;
 }
 
-} // namespace whirl::stability
+} // namespace whirl::ends
