@@ -23,13 +23,15 @@ constexpr double converged = 1e-13;
 /// be, as errors are squared.
 class Settled {
   public:
-    /// @param change  of this step, relative
-    bool operator()(double change) {
+    /// @param change    of this step, relative
+    /// @param rounding  () -> how much rounding can change, relative
+    template <class Rounding> bool operator()(double change, const Rounding &rounding) {
         constexpr double small = 1e-5; // where errors are squared
         const bool squared = change <= small && _before <= 1 &&
                              change / _before * (change / _before) * change <= 0.01 * converged;
-        const bool out =
-            change <= converged || (change <= 1e-9 && change >= 0.3 * _before) || squared;
+        const bool shrinks = change < 0.3 * _before;
+        const bool out = change <= converged || squared ||
+                         (!shrinks && (change <= 1e-9 || change <= rounding()));
         _before = change;
         return out;
     }
@@ -141,10 +143,14 @@ std::optional<EndOfGrowth> on_the_axis(const modes::FormMatrices &whole, const W
             !std::isfinite(relative))
             return std::nullopt;
         m.rate = -f.by_speed / f.by_root;
-        if (settled(relative)) {
+        const auto blurred = [&] {
             m.noise = noise_of(problem, m, f.by_root);
-            m.inward = m.rate.real() > 0 ? 1 : -1;
             m.blur = m.noise / std::abs(m.rate.real());
+            return m.blur / std::abs(m.speed);
+        };
+        if (settled(relative, blurred)) {
+            (void)blurred();
+            m.inward = m.rate.real() > 0 ? 1 : -1;
             return m;
         }
     }
