@@ -57,10 +57,10 @@ class EndSearch {
             if (speeds.size() < 2)
                 continue;
             const Swept range = swept(motions, piece, speeds);
+            _counts.insert(range.counts.begin(), range.counts.end());
             for (const Change &change : range.changes)
                 if (std::abs(change.speed) > 1.01 * at_rest * top)
                     take(change, piece);
-            _counts.insert(range.counts.begin(), range.counts.end());
             _out.doubtful.insert(_out.doubtful.end(), range.doubtful.begin(), range.doubtful.end());
         }
     }
@@ -126,24 +126,43 @@ class EndSearch {
     }
 
     /// The root of a change, and the speed at which it is on the axis for the reduced rotor: from
-    /// farther away refinement could find another root that is as near to zero.
+    /// farther away refinement could find another root that is as near to zero. By Newton's method
+    /// from the cubic's root; a band that is narrow in the step of the sweep can begin or end far
+    /// from there, and is enclosed by how many motions grow.
     [[nodiscard]] std::pair<double, Root> at_the_axis(const Change &change, int piece) const {
+        constexpr int newton = 4, most = 60; // steps
+        constexpr double enough = 1e-4;      // of the speed
+        double low = change.from;
+        double high = change.to;
         double speed = change.speed;
-        std::complex<double> value = change.value;
-        // Steps of Newton on the reduced rotor: quadratic, from the cubic's root.
-        constexpr int most = 4;
-        constexpr double enough = 1e-4; // of the speed
+        double frequency = change.value.imag();
         for (int step = 1;; ++step) {
             const Spectrum there = _motions.at(speed, piece);
-            const Root &root = there.nearest(value);
+            const Root &root = there.nearest({0, frequency});
             const double off = -root.value.real() / root.rate.real();
-            const double next = std::clamp(speed + off, change.from, change.to);
-            const bool leads = change.smooth && std::isfinite(off) && root.sign() != 0;
-            if (!leads || step == most || std::abs(off) <= enough * std::abs(speed))
+            if (!change.smooth || !std::isfinite(off) || root.sign() == 0 || step == most)
                 return {speed, root};
-            value = root.value + (next - speed) * root.rate;
-            speed = next;
+            (is_before(change, there, root) ? low : high) = speed;
+            const double next = speed + off;
+            const bool inside = next >= low && next <= high;
+            if (inside && std::abs(off) <= enough * std::abs(speed))
+                return {speed, root};
+            const double to = inside && step < newton ? next : (low + high) / 2;
+            frequency = root.value.imag() + (to - speed) * root.rate.imag();
+            speed = to;
         }
+    }
+
+    /// As many motions grow as before the change, or where others change in its step, the motion
+    /// itself does not yet.
+    [[nodiscard]] bool is_before(const Change &change, const Spectrum &there,
+                                 const Root &root) const {
+        const int before = _counts.at(change.from).growing;
+        const int after = _counts.at(change.to).growing;
+        if (after - before == change.gain &&
+            (there.growing() == before || there.growing() == after))
+            return there.growing() == before;
+        return (root.sign() > 0) == (change.gain < 0);
     }
 
     void take(const Change &change, int piece) {

@@ -6,6 +6,7 @@
 #include "assembly/system.h"
 #include "ends/stability_ends.h"
 #include "ends/sweep.h"
+#include "input/case_file.h"
 #include "stability/band_finder.h"
 #include "support/balancer_scenes.h"
 #include "support/dense_eigenvalues.h"
@@ -423,6 +424,31 @@ TEST(Ends, OfAShaftWithoutMassAreThoseOfALightOne) {
     }
     for (const auto &note : without.model.notes)
         EXPECT_EQ(note.find("doubt"), std::string::npos) << note;
+}
+
+// Two motions that lock over a thousandth of a step of the sweep grow as -d + sqrt(g^2 - (k (s -
+// s0))^2), d the damping of both: the square of the width of the band falls by the square of d.
+TEST(Ends, OfABandThatIsNarrowInItsStepFollowTheDamping) {
+    const auto square_of_width = [](double c) {
+        model::Case scene = input::load_case(WHIRL_ROOT "/cases/anisotropic_disc_flexible");
+        scene.rotor.anisotropies.front().dI = 1.872e-5;
+        for (model::Bearing &bearing : scene.rotor.bearings)
+            bearing.rows[0].c = c * Eigen::Matrix2d::Identity();
+        const results::StabilityResult result = analyses::stability(scene, {});
+        for (const auto &note : result.model.notes)
+            EXPECT_EQ(note.find("doubt"), std::string::npos) << note;
+        for (const auto &[from, to] : result.unstable)
+            if (from < 592.15 && to > 592.15)
+                return (to - from) * (to - from);
+        return 0.0;
+    };
+    const double at_2 = square_of_width(2);
+    const double at_20 = square_of_width(20);
+    ASSERT_GT(at_20, 0);
+    for (const double c : {5.0, 10.0}) // higher powers of c: 1e-4 of the difference
+        EXPECT_NEAR(square_of_width(c), at_2 + (at_20 - at_2) * (c * c - 4) / (400 - 4),
+                    1e-3 * (at_2 - at_20))
+            << c;
 }
 
 // Nothing depends on the grid of the user.
