@@ -41,9 +41,11 @@ bool draws_nothing(const ChartPanel &panel) {
 
 /// With which numbers at an axis from one value to another differ.
 int digits_between(const Range &range) {
+    constexpr double most = 15; // the axis has no length
     const double largest = std::max(std::abs(range.low), std::abs(range.high));
-    const double digits = 2 + std::ceil(std::log10(largest / (range.high - range.low)));
-    return static_cast<int>(std::min(digits, 15.0)); // or the axis has no length
+    const double length = range.high - range.low;
+    const double digits = length > 0 ? 2 + std::ceil(std::log10(largest / length)) : most;
+    return static_cast<int>(std::min(digits, most));
 }
 
 /// Numbers 1, 2, 5 of every power of ten on a logarithmic axis that has few of these; else
