@@ -53,6 +53,34 @@ void add_member(const SteadyState &member, SteadyState &family) {
     family.growing = std::max(family.growing, member.growing);
 }
 
+/// All roots of small motions but those that are zero, with their rounding errors where that could
+/// be the sign of their growth, and of the one of the largest real part.
+std::vector<modes::Root> judged_roots(const modes::DenseQuadratic<double> &motions, double speed,
+                                      int zeros) {
+    constexpr double fast = 1e4;       // of the shift: from there their digits are lost
+    constexpr double clear = 1e-6;     // of the root or the shift: far above the rounding of both
+    constexpr double of_shift = 1e-12; // what is small beside it is found no better
+    const double shift = modes::usual_shift(speed, 0);
+    const std::vector<std::complex<double>> values = modes::all_values(motions, shift, zeros);
+    const auto size = [](std::complex<double> value) { return std::abs(value); };
+    if (size(*std::ranges::max_element(values, {}, size)) > fast * shift)
+        return modes::sharp_roots(motions, shift, zeros, static_cast<int>(values.size()));
+    const auto growth = [](std::complex<double> value) { return value.real(); };
+    const double largest = growth(*std::ranges::max_element(values, {}, growth));
+    std::vector<modes::Root> roots;
+    for (const std::complex<double> &value : values) {
+        if (growth(value) == largest ||
+            std::abs(growth(value)) <= clear * std::max(size(value), shift)) {
+            roots.push_back(modes::with_vectors(motions, value));
+            if (!roots.back().sharp)
+                roots.back().noise = std::max(roots.back().noise, of_shift * shift);
+        } else {
+            roots.emplace_back().value = value;
+        }
+    }
+    return roots;
+}
+
 } // namespace
 
 /// The directions of the lines of one way to stand at one speed: y, deflections and slopes of the
@@ -523,46 +551,35 @@ void StateSearch::describe(Found &found, double speed) const {
 
 void StateSearch::judge(Found &found, int zeros) const {
     SteadyState &state = found.state;
-    const modes::DenseQuadratic<double> motions = _equations.about(found.x, state.speed);
-    const double shift = modes::usual_shift(state.speed, 0);
-    const std::vector<std::complex<double>> values = modes::all_values(motions, shift, zeros);
-    // Where the sign could be rounding a root is refined; the values themselves have lost what is
-    // small beside the shift that they were found from, which the quotient of vectors has not.
-    constexpr double clear = 1e-6;
-    constexpr double of_shift = 1e-12;
-    const auto refined = [&](std::complex<double> value) {
-        modes::Root root = modes::with_vectors(motions, value);
-        if (!root.sharp)
-            root.noise = std::max(root.noise, of_shift * shift);
-        return root;
-    };
-    const auto sign = [&](std::complex<double> value) {
-        const double growth = value.real();
-        return std::abs(growth) > clear * std::max(std::abs(value), shift) ? (growth > 0 ? 1 : -1)
-                                                                           : refined(value).sign();
-    };
-    const auto growth = [](std::complex<double> value) { return value.real(); };
-    const modes::Root fastest = refined(*std::ranges::max_element(values, {}, growth));
-    found.fastest = fastest.value;
+    const std::vector<modes::Root> roots =
+        judged_roots(_equations.about(found.x, state.speed), state.speed, zeros);
+    const auto growth = [](const modes::Root &root) { return root.value.real(); };
+    found.fastest = 0;
     found.least_growing = 0;
     found.damped = false;
+    const modes::Root *fastest = nullptr; // of those that grow, where there are any
     int growing = 0;
-    for (const std::complex<double> &value : values) {
-        if (value.imag() < 0) // counted with its conjugate
+    bool decided = true;
+    for (const modes::Root &root : roots) {
+        if (root.value.imag() < 0) // counted with its conjugate
             continue;
-        const int grows = sign(value);
-        found.damped = found.damped || grows < 0;
-        if (grows <= 0)
+        found.damped = found.damped || root.sign() < 0;
+        decided = decided && root.sign() != 0;
+        if (fastest == nullptr || (root.sign() > 0 && fastest->sign() <= 0) ||
+            ((root.sign() > 0 || fastest->sign() <= 0) && growth(root) > growth(*fastest)))
+            fastest = &root;
+        if (root.sign() <= 0)
             continue;
-        if (growing == 0 || growth(value) < growth(found.least_growing))
-            found.least_growing = value;
-        growing += value.imag() > 0 ? 2 : 1;
+        if (growing == 0 || growth(root) < found.least_growing.real())
+            found.least_growing = root.value;
+        growing += root.value.imag() > 0 ? 2 : 1;
     }
-    state.growth = state.least_growth = growth(fastest.value);
-    state.growth_error = fastest.noise;
+    found.fastest = fastest->value;
+    state.growth = state.least_growth = growth(*fastest);
+    state.growth_error = fastest->noise;
     state.growing = growing;
-    if (fastest.sign() != 0)
-        state.stable = fastest.sign() < 0;
+    if (growing > 0 || decided)
+        state.stable = growing == 0;
 }
 
 void StateSearch::add_states(int index, double speed, double deflection, std::vector<Found> &out,

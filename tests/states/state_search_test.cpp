@@ -207,6 +207,41 @@ TEST(StateSearch, MoreStatesThanNewtonFromRandomStarts) {
     }
 }
 
+// Far below the critical speed the balls of an undamped rotor leave the side opposite to the
+// imbalance U as W^2 sqrt(U/(k r)), W the speed; those on its side swing. Nothing is decided by
+// rounding, neither by that of the rotor's motions, which are 1e7 times as fast, nor by that of two
+// equal roots.
+TEST(StateSearch, SlowMotionsOfBallsGrowAsInClosedFormOrAreNotJudged) {
+    PlanarJeffcott jeffcott;
+    jeffcott.rotor.c = 0;
+    jeffcott.drag = 0;
+    const double slowness = std::sqrt(jeffcott.imbalance / (jeffcott.rotor.kx * jeffcott.radius));
+    for (const double speed : {1e-5, 0.013, 0.1, 0.3}) {
+        for (const StateSearch::Found &found : all_at(jeffcott.scene(), speed)) {
+            const SteadyState &state = found.state;
+            if (state.kind != Kind::coincident)
+                continue;
+            EXPECT_GT(state.growth_error, 0);
+            if (speed < 1e-3 || state.stable != false) {
+                EXPECT_EQ(state.stable, std::nullopt) << speed;
+                EXPECT_EQ(state.growing, 0) << speed;
+                EXPECT_LE(state.growth, state.growth_error) << speed;
+                continue;
+            }
+            const double expected = speed * speed * slowness;
+            EXPECT_EQ(state.growing, 1) << speed;
+            EXPECT_NEAR(state.growth, expected, 1e-5 * expected) << speed; // (W/W0)^2
+            EXPECT_LE(state.growth_error, 1e-3 * expected) << speed;
+        }
+        if (speed > 1e-3) {
+            const auto found = all_at(jeffcott.scene(), speed);
+            EXPECT_TRUE(std::ranges::any_of(found, [](const StateSearch::Found &one) {
+                return one.state.kind == Kind::coincident && one.state.stable == false;
+            })) << speed;
+        }
+    }
+}
+
 TEST(StateSearch, RefusesWhatIsNotSteady) {
     model::Case scene = PlanarJeffcott{}.scene();
     scene.speeds = model::SpeedRange{300, 300, 1};

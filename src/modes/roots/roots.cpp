@@ -241,7 +241,9 @@ Root with_vectors(const DenseQuadratic<double> &p, Complex value) {
     const Eigen::VectorXcd K_x = p.K * out.right;
     const Complex left_over = out.left.dot(value * value * M_x + value * D_x + K_x);
     out.slope = out.left.dot(2.0 * value * M_x + D_x);
-    // Beside an almost equal root the quotient would lead away.
+    // Beside an almost equal root the quotient would lead away: to a double one by half of the way
+    // at a time.
+    constexpr double of_step = 4;
     const Complex step = left_over / out.slope;
     out.sharp = std::abs(step) < offset * std::abs(value);
     if (out.sharp)
@@ -250,7 +252,7 @@ Root with_vectors(const DenseQuadratic<double> &p, Complex value) {
     const Eigen::MatrixXd entries =
         size * size * p.M.cwiseAbs() + size * p.D.cwiseAbs() + p.K.cwiseAbs();
     out.noise =
-        (out.sharp ? 0 : std::abs(step)) +
+        (out.sharp ? 0 : of_step * std::abs(step)) +
         machine * of_entries *
             (out.left.cwiseAbs().dot(entries * out.right.cwiseAbs()) / std::abs(out.slope) + size);
     return out;

@@ -48,7 +48,8 @@ std::vector<ChartCurve> criterion_map(const std::vector<double> &x, const std::v
             cross({{i, j}, {i + 1, j}, {i, j + 1}});
             cross({{i + 1, j + 1}, {i + 1, j}, {i, j + 1}});
         }
-    curves.push_back(zero);
+    if (!zero.points.empty())
+        curves.push_back(zero);
     return curves;
 }
 

@@ -101,8 +101,9 @@ ChartPanel panel_of(const Units &units, const SampledAnswer &answer) {
 } // namespace
 
 Chart samples_chart(const model::Case &scene, const SamplesResult &result, const Units &units) {
-    Chart chart{
-        "Uncertain entries: " + title_of(scene), fmt::format("{} samples", result.count), {}};
+    Chart chart{"Uncertain entries: " + title_of(scene),
+                fmt::format("{} {}", result.count, result.count == 1 ? "sample" : "samples"),
+                {}};
     std::size_t all = 0;
     for (const SampledAnswer &answer : result.answers) {
         if (answer.present == 0 || ++all > most_panels)

@@ -137,26 +137,32 @@ std::optional<ChartPanel> family_panel(const Units &units, const StabilityResult
     return panel;
 }
 
-/// Parts of the largest growth, with about zero between them, and their colours.
+/// Quarters of the largest growth, with zero between them, and their colours.
 std::vector<ChartLevel> levels_of(const Units &units, const results::StabilityMap &map) {
     double largest = 0;
     for (const std::vector<double> &row : map.growth)
         for (const double growth : row)
             largest = std::max(largest, std::abs(units(Quantity::rate, growth))); // or NaN
+    largest = largest > 0 ? largest : 1;
     std::vector<ChartLevel> levels;
+    constexpr double tiny = 1e-12;
+    const auto edge = [largest](double part) {
+        return drawn_number(std::abs(part) > tiny ? part * largest : 0, 3);
+    };
     double before = -1;
     for (const auto &[most, colour] : {std::pair(-0.75, "#2166AC"),
                                        {-0.5, "#5A8FC4"},
                                        {-0.25, "#94B8DA"},
-                                       {-1e-3, "#CDE0EF"},
-                                       {1e-3, "#FFFFFF"},
+                                       {-tiny, "#CDE0EF"},
+                                       {tiny, "#D9D9D9"},
                                        {0.25, "#F6CBD8"},
                                        {0.5, "#E397AF"},
                                        {0.75, "#CA6486"},
                                        {1.0, "#B0305C"}}) {
         levels.push_back({most * largest,
-                          {fmt::format("growth {} to {} {}", drawn_number(before * largest, 3),
-                                       drawn_number(most * largest, 3), units.name(Quantity::rate)),
+                          {most == tiny ? "growth 0"
+                                        : fmt::format("growth {} to {} {}", edge(before),
+                                                      edge(most), units.name(Quantity::rate)),
                            colour}});
         before = most;
     }

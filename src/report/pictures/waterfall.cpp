@@ -80,11 +80,10 @@ class Layout {
     /// A multiple of the spin speed across the lines.
     [[nodiscard]] std::vector<PlotPoint> multiple(double order) const {
         std::vector<PlotPoint> points;
-        for (const std::size_t k : _order)
-            if (const double x =
-                    _units(Quantity::frequency, order * std::abs(_waterfall.speeds[k]));
-                x <= _right)
-                points.push_back({x, base(k)});
+        for (const std::size_t k : _order) {
+            const double x = _units(Quantity::frequency, order * std::abs(_waterfall.speeds[k]));
+            points.push_back({x, x <= _right ? std::optional(base(k)) : std::nullopt});
+        }
         return points;
     }
 
