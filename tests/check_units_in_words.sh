@@ -34,7 +34,7 @@ my @allowed = (
     ["src/balancers/ring.cpp", "m e/(m0 R0)", "a formula"],
     ["src/balancers/ball.cpp", "m R/(m0 R0)", "a formula"],
     ["src/balancers/pendulum4.cpp", "m arm/(m0 R0)", "a formula"],
-    ["src/report/pictures/composite.cpp", "'n m / M_s'", "a formula"],
+    ["src/report/pictures/composite.cpp", "n m / M_s", "a formula"],
     ["src/report/pictures/labels.cpp", "s", "plural"],
     ["src/linalg/", "N", "LAPACK's letters"],
     ["src/report/common/drawing.cpp", "\$s{}", "a name in a script"],
