@@ -242,6 +242,27 @@ TEST(StateSearch, SlowMotionsOfBallsGrowAsInClosedFormOrAreNotJudged) {
     }
 }
 
+// Rings that turn about themselves without friction, on an undamped rotor: rounding makes a small
+// root that grows of two that are zero, and its error is no less than it.
+TEST(StateSearch, DoubleRootsAtZeroAreNotJudged) {
+    model::Case scene = input::load_case(WHIRL_ROOT "/cases/ring_jeffcott");
+    for (model::Bearing &bearing : scene.rotor.bearings)
+        bearing.rows[0].c.setZero();
+    auto &rings = std::get<model::Rings>(scene.rotor.balancers[0].parts);
+    rings.damping = rings.drag = 0;
+    for (const double speed : {1.0, 2.4131, 4.5291, 56.2055, 371.6224}) {
+        int neutral = 0;
+        for (const StateSearch::Found &found : all_at(scene, speed)) {
+            EXPECT_NE(found.state.stable, true) << speed; // roots come in pairs, l and -l
+            if (!found.state.stable) {
+                ++neutral;
+                EXPECT_LE(found.state.growth, found.state.growth_error) << speed;
+            }
+        }
+        EXPECT_EQ(neutral, 1) << speed;
+    }
+}
+
 TEST(StateSearch, RefusesWhatIsNotSteady) {
     model::Case scene = PlanarJeffcott{}.scene();
     scene.speeds = model::SpeedRange{300, 300, 1};
