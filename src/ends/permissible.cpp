@@ -193,7 +193,8 @@ class Varied {
                       range.to) {}
     };
 
-    /// Those in which the whole rotor grows: one that just closes the shapes may still have.
+    /// Bands of the reduced rotor in which the whole one grows too: one that has just closed can
+    /// still be open on the shapes.
     [[nodiscard]] std::vector<results::Interval> swept_bands(double dI,
                                                              const results::Interval &range) const {
         const OverSpeed rotor(model_with(dI), _arrangement, _shapes, range);

@@ -143,14 +143,13 @@ std::optional<EndOfGrowth> on_the_axis(const modes::FormMatrices &whole, const W
             !std::isfinite(relative))
             return std::nullopt;
         m.rate = -f.by_speed / f.by_root;
-        const auto blurred = [&] {
-            m.noise = noise_of(problem, m, f.by_root);
-            m.blur = m.noise / std::abs(m.rate.real());
-            return m.blur / std::abs(m.speed);
+        const auto rounding = [&] {
+            return noise_of(problem, m, f.by_root) / std::abs(m.rate.real() * m.speed);
         };
-        if (settled(relative, blurred)) {
-            (void)blurred();
+        if (settled(relative, rounding)) {
+            m.noise = noise_of(problem, m, f.by_root);
             m.inward = m.rate.real() > 0 ? 1 : -1;
+            m.blur = m.noise / std::abs(m.rate.real());
             return m;
         }
     }

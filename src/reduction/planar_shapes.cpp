@@ -58,25 +58,14 @@ constexpr double above_top = 2;
 /// The lowest modes at rest. Those whose digits rounding takes beside far slower ones (of a shaft
 /// nearly without mass, beside its discs on their supports) are found held by the mass as well: of
 /// K + s^2 M, s next to them.
-std::vector<linalg::RealPair> modes_at_rest(const Sparse &H, const Sparse &M, int wanted) {
+/// @param pair  of H and M
+std::vector<linalg::RealPair> modes_at_rest(const linalg::DefinitePair &pair, const Sparse &H,
+                                            const Sparse &M, int wanted) {
     constexpr double sharp = 1e-6;  // error, relative
     constexpr double dropped = 3e6; // DefinitePair: a ratio at which the faster ones are zero
-    const linalg::Matrix mass = linalg::Matrix::from_sparse(M);
-    std::vector<linalg::RealPair> out;
+    std::vector<linalg::RealPair> out = pair.smallest(wanted);
     double held = 0; // 1/s
     for (std::size_t known = 0;;) {
-        std::vector<linalg::RealPair> found;
-        try {
-            found = linalg::DefinitePair(linalg::Matrix::from_sparse(H + held * held * M), mass)
-                        .smallest(wanted);
-        } catch (const linalg::SolverError &) {
-            if (known == 0)
-                throw;
-            return out; // as found before: with fewer digits
-        }
-        out.resize(known);
-        for (std::size_t i = known; i < found.size(); ++i)
-            out.push_back(std::move(found[i]));
         const std::size_t before = known;
         while (known < out.size() && out[known].residual + out[known].rounding < sharp)
             ++known;
@@ -84,6 +73,17 @@ std::vector<linalg::RealPair> modes_at_rest(const Sparse &H, const Sparse &M, in
             return out;
         held =
             known < out.size() ? std::hypot(out[known].value, held) : dropped * out[before].value;
+        std::vector<linalg::RealPair> found;
+        try {
+            found = linalg::DefinitePair(linalg::Matrix::from_sparse(H + held * held * M),
+                                         linalg::Matrix::from_sparse(M))
+                        .smallest(wanted);
+        } catch (const linalg::SolverError &) {
+            return out; // as found before: with fewer digits
+        }
+        out.resize(known);
+        for (std::size_t i = known; i < found.size(); ++i)
+            out.push_back(std::move(found[i]));
     }
 }
 
@@ -110,7 +110,7 @@ PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, doubl
     const double bound = std::hypot(above_top * top, top);
     const int wanted = std::max(modes, bound > 0 ? held.count_below(bound) : 0);
     for (const linalg::RealPair &mode :
-         modes_at_rest(_H, pair.M, std::min(wanted, discretization.planar_size())))
+         modes_at_rest(held, _H, pair.M, std::min(wanted, discretization.planar_size())))
         add(mode.vector, 1e-6);
     add(bent, 1e-6);
 }

@@ -53,8 +53,9 @@ void add_member(const SteadyState &member, SteadyState &family) {
     family.growing = std::max(family.growing, member.growing);
 }
 
-/// All roots of small motions but those that are zero, with their rounding errors where that could
-/// be the sign of their growth, and of the one of the largest real part.
+/// All roots of small motions but those that are zero, one of each conjugate pair, with their
+/// rounding errors where that could be the sign of their growth, and of the one of the largest real
+/// part.
 std::vector<modes::Root> judged_roots(const modes::DenseQuadratic<double> &motions, double speed,
                                       int zeros) {
     constexpr double fast = 1e4;       // of the shift: from there their digits are lost
@@ -63,12 +64,17 @@ std::vector<modes::Root> judged_roots(const modes::DenseQuadratic<double> &motio
     const double shift = modes::usual_shift(speed, 0);
     const std::vector<std::complex<double>> values = modes::all_values(motions, shift, zeros);
     const auto size = [](std::complex<double> value) { return std::abs(value); };
-    if (size(*std::ranges::max_element(values, {}, size)) > fast * shift)
-        return modes::sharp_roots(motions, shift, zeros, static_cast<int>(values.size()));
+    std::vector<modes::Root> roots;
+    if (size(*std::ranges::max_element(values, {}, size)) > fast * shift) {
+        roots = modes::sharp_roots(motions, shift, zeros, static_cast<int>(values.size()));
+        std::erase_if(roots, [](const modes::Root &root) { return root.value.imag() < 0; });
+        return roots;
+    }
     const auto growth = [](std::complex<double> value) { return value.real(); };
     const double largest = growth(*std::ranges::max_element(values, {}, growth));
-    std::vector<modes::Root> roots;
     for (const std::complex<double> &value : values) {
+        if (value.imag() < 0)
+            continue;
         if (growth(value) == largest ||
             std::abs(growth(value)) <= clear * std::max(size(value), shift)) {
             roots.push_back(modes::with_vectors(motions, value));
@@ -553,30 +559,25 @@ void StateSearch::judge(Found &found, int zeros) const {
     SteadyState &state = found.state;
     const std::vector<modes::Root> roots =
         judged_roots(_equations.about(found.x, state.speed), state.speed, zeros);
-    const auto growth = [](const modes::Root &root) { return root.value.real(); };
-    found.fastest = 0;
+    const auto grows_most = [](const modes::Root &root) {
+        return std::pair(root.sign() > 0, root.value.real());
+    };
+    const modes::Root &fastest = *std::ranges::max_element(roots, {}, grows_most);
+    found.fastest = fastest.value;
     found.least_growing = 0;
-    found.damped = false;
-    const modes::Root *fastest = nullptr; // of those that grow, where there are any
     int growing = 0;
-    bool decided = true;
     for (const modes::Root &root : roots) {
-        if (root.value.imag() < 0) // counted with its conjugate
-            continue;
-        found.damped = found.damped || root.sign() < 0;
-        decided = decided && root.sign() != 0;
-        if (fastest == nullptr || (root.sign() > 0 && fastest->sign() <= 0) ||
-            ((root.sign() > 0 || fastest->sign() <= 0) && growth(root) > growth(*fastest)))
-            fastest = &root;
         if (root.sign() <= 0)
             continue;
-        if (growing == 0 || growth(root) < found.least_growing.real())
+        if (growing == 0 || root.value.real() < found.least_growing.real())
             found.least_growing = root.value;
         growing += root.value.imag() > 0 ? 2 : 1;
     }
-    found.fastest = fastest->value;
-    state.growth = state.least_growth = growth(*fastest);
-    state.growth_error = fastest->noise;
+    found.damped = std::ranges::any_of(roots, [](const auto &root) { return root.sign() < 0; });
+    const bool decided =
+        std::ranges::none_of(roots, [](const auto &root) { return root.sign() == 0; });
+    state.growth = state.least_growth = fastest.value.real();
+    state.growth_error = fastest.noise;
     state.growing = growing;
     if (growing > 0 || decided)
         state.stable = growing == 0;

@@ -60,7 +60,7 @@ ChartPanel anisotropy_panel(const Units &units, const AnisotropyChart &chart) {
 }
 
 /// Curves over C; a limit or critical speed above the axis leaves it at its upper edge.
-ChartPanel polar_panel(const Units &units, const AnisotropyChart &chart) {
+ChartPanel polar_inertia_panel(const Units &units, const AnisotropyChart &chart) {
     const ChartAxis y = speed_axis(units, chart);
     const double factor = *y.high / chart.speed.back();
     ChartPanel panel{
@@ -123,7 +123,7 @@ Chart anisotropy_chart(const model::Case &scene, const AnisotropyChart &chart, c
                         drawn_value(units, Quantity::frequency, chart.p),
                         drawn_value(units, Quantity::rate, chart.h), band,
                         drawn_number(chart.permissible)),
-            {anisotropy_panel(units, chart), polar_panel(units, chart)}};
+            {anisotropy_panel(units, chart), polar_inertia_panel(units, chart)}};
 }
 
 } // namespace whirl::report
