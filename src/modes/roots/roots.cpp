@@ -206,10 +206,12 @@ std::vector<Root> sharp_roots(const DenseQuadratic<Scalar> &problem, double shif
         const auto blurred = std::find_if(out.begin(), end, [&](const Root &root) {
             return size(root) > far * shift && root.noise > sharp * size(root);
         });
+        if (blurred == end)
+            return out;
         std::ptrdiff_t first = blurred - out.begin();
         while (first > 0 && size(out[first]) < clear * size(out[first - 1]))
             --first;
-        if (blurred == end || first <= known)
+        if (first <= known)
             return out; // double precision has no more
         known = first;
         shift = usual_shift(0, size(out[first]));
