@@ -5,13 +5,14 @@
 #include "analyses/stability.h"
 #include "analyses/stability_ends.h"
 #include "balancers/arrangement.h"
+#include "ends/growth.h"
+#include "linalg/check.h"
 #include "model/errors.h"
 #include "model/variants.h"
 #include "process/processes.h"
 #include "process/progress.h"
 #include "results/sentence.h"
 #include "results/simulate.h"
-#include "stability/motions.h"
 #include "stability/rotor_at_speeds.h"
 
 #include <fmt/format.h>
@@ -166,20 +167,24 @@ JudgedPosition judged_position(const model::Case &scene, int order,
 
 /// What the eigenvalues of the balanced position say at a speed; nothing where there is no such
 /// position or no spectrum.
-std::optional<double> growth_at(const JudgedPosition &position, double speed) {
+/// @param speeds  ascending, that it is asked for: one reduced rotor does for all of them
+std::optional<double> growth_at(const JudgedPosition &position, const std::vector<double> &speeds,
+                                double speed, std::optional<ends::Growth> &growth) {
     try {
         if (position.placed) {
             const auto found = position.placed->at(speed);
             return found ? std::optional(found->state.growth) : std::nullopt;
         }
-        if (!position.model || std::abs(speed) < position.model->from)
+        if (!position.model)
             return std::nullopt;
-        const stability::MotionSolver solver(
-            *position.model, balancers::arrangement_at_balance(position.model->rotor));
-        return stability::growth_of(solver.at(speed));
-    } catch (const model::BadInput &) {
+        const model::Rotor &rotor = position.model->rotor;
+        if (!growth)
+            growth.emplace(*position.model, balancers::arrangement_at_balance(rotor), speeds);
+        const double found = growth->at(speed);
+        return std::isnan(found) ? std::nullopt : std::optional(found);
+    } catch (const model::Failure &) {
         return std::nullopt;
-    } catch (const model::AnalysisFailure &) {
+    } catch (const linalg::SolverError &) {
         return std::nullopt;
     }
 }
@@ -207,8 +212,12 @@ std::vector<results::SimulatedSpeed> simulated_speeds(const model::Case &scene,
     run.simulate.torque.reset();
     run.simulate.other_starts.clear();
     const double step = (scene.speeds->to - scene.speeds->from) / count;
+    std::vector<double> speeds;
+    for (int i = 0; i < count; ++i)
+        speeds.push_back(scene.speeds->from + (i + 0.5) * step); // inside, never at rest
+    std::optional<ends::Growth> growth;
     for (int i = 0; i < count; ++i) {
-        const double speed = scene.speeds->from + (i + 0.5) * step; // inside, never at rest
+        const double speed = speeds[static_cast<std::size_t>(i)];
         run.speeds = model::SpeedRange{speed, speed, 1};
         const process::Stage stage(Sentence("motion in time at {}", as::speed(speed)),
                                    static_cast<double>(i) / count, (i + 1.0) / count);
@@ -217,7 +226,7 @@ std::vector<results::SimulatedSpeed> simulated_speeds(const model::Case &scene,
             if (result.restart) // interrupted: what there is
                 return out;
             out.push_back({speed, results::outcome_name(result.outcome), result.residual_ratio,
-                           growth_at(position, speed)});
+                           growth_at(position, speeds, speed, growth)});
         } catch (const model::AnalysisFailure &failure) {
             notes.emplace_back("no motion in time at {}: {}", as::speed(speed), failure.sentence());
         }

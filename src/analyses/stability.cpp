@@ -9,6 +9,7 @@
 #include "balancers/balanced_position.h"
 #include "balancers/kind.h"
 #include "ends/band_ends.h"
+#include "ends/band_errors.h"
 #include "ends/permissible.h"
 #include "ends/speed_families.h"
 #include "linalg/check.h"
@@ -37,7 +38,7 @@ using results::Sentence;
 namespace as = results::as;
 
 /// Ends of bands at which a root passes zero are roots of det K too, which are sharper.
-void sharpen(results::StabilityResult &result,
+void sharpen(results::StabilityResult &result, std::vector<ends::EndOfGrowth> &roots,
              const std::vector<stability::ZeroRootSpeed> &standing) {
     std::vector<double *> ends;
     for (results::Interval &band : result.unstable)
@@ -45,6 +46,9 @@ void sharpen(results::StabilityResult &result,
     for (results::StabilityEnd &end : result.ends)
         if (end.kind == results::EndKind::zero)
             ends.push_back(&end.speed);
+    for (ends::EndOfGrowth &root : roots)
+        if (root.kind == results::EndKind::zero)
+            ends.push_back(&root.speed);
     for (double *end : ends)
         for (const stability::ZeroRootSpeed &at : standing)
             if (at.exact && std::abs(*end - at.speed) < 1e-7 * std::abs(at.speed))
@@ -84,12 +88,14 @@ zero_root_or_none(const assembly::Discretization &d, const balancers::Arrangemen
     }
 }
 
-/// Makes ready to look at the speeds of a grid, as many of them as a Hill series describes.
+/// Makes form hill ready to look at the speeds of a grid, as many of them as it can describe.
 void begin(stability::BandFinder &finder, std::vector<double> &grid,
            stability::StabilityModel &model) {
+    if (finder.hill() == nullptr)
+        return;
     finder.keep(grid);
     // The shapes of the whole grid at once: more of them later would mean to begin anew.
-    if (finder.solver().by_monodromy() != nullptr && grid.size() > 1)
+    if (grid.size() > 1)
         try {
             (void)finder.good_shapes(grid);
         } catch (const stability::NotSettled &) { // which give_up_unsettled looks at
@@ -144,11 +150,12 @@ results::ArrangementFamily family_of(const std::vector<balancers::Arrangement> &
 }
 
 /// Critical and additional speeds, and those at which a root is zero; band ends among them.
+/// @param roots  of these ends
 void search_zero_roots(const stability::BandFinder &finder, const std::vector<double> &grid,
-                       results::StabilityResult &result) {
+                       std::vector<ends::EndOfGrowth> &roots, results::StabilityResult &result) {
     const stability::StabilityModel &model = finder.model();
     const balancers::Arrangement &arrangement = finder.arrangement();
-    const assembly::Discretization &d = finder.solver().discretization();
+    const assembly::Discretization &d = finder.discretization();
     bool failed = false;
     const assembly::Discretization undamped(model::without_damping(model.rotor), model.order);
     result.critical_speeds =
@@ -163,7 +170,7 @@ void search_zero_roots(const stability::BandFinder &finder, const std::vector<do
     for (const stability::ZeroRootSpeed &standing : free)
         if (standing.exact)
             result.zero_root_speeds.push_back(standing.speed);
-    sharpen(result, free);
+    sharpen(result, roots, free);
     if (failed)
         result.model.notes.emplace_back(model::Weight::warning,
                                         "critical or additional speeds could not be resolved "
@@ -173,10 +180,9 @@ void search_zero_roots(const stability::BandFinder &finder, const std::vector<do
 /// What there is of a rotor that is the same at all speeds.
 void answer_once(const stability::BandFinder &finder, const results::Interval &range,
                  results::StabilityResult &result) {
-    const stability::MotionSolver &solver = finder.solver();
     const stability::StabilityModel &model = finder.model();
-    result.model.unknowns = solver.unknowns();
-    ends::AllMotions motions(solver.discretization(), model.form, finder.arrangement(), nullptr,
+    result.model.unknowns = finder.unknowns();
+    ends::AllMotions motions(finder.discretization(), model.form, finder.arrangement(), nullptr,
                              range.from, range.to);
     count_resolved_if_driven(motions, model.rotor);
     add_growth_of_all_speeds(motions, result);
@@ -191,9 +197,9 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
         balancers::sampled_arrangements(model.rotor, 16);
     const balancers::Arrangement &arrangement = arrangements.front(); // as the case gives it
     stability::BandFinder finder(model, arrangement);
-    const stability::MotionSolver &solver = finder.solver();
-    result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
-    if (stability::same_at_all_speeds(model, solver.discretization())) {
+    const assembly::Discretization &d = finder.discretization();
+    result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
+    if (stability::same_at_all_speeds(model, d)) {
         answer_once(finder, {grid.front(), grid.back()}, result);
         return;
     }
@@ -215,14 +221,15 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
         settle_rounding({result.growth, result.verdict}, result.speeds, result.unstable,
                         model.rotor.damped());
     }
-    result.model.unknowns = solver.unknowns();
-    result.harmonics = solver.harmonics();
+    result.model.unknowns = finder.unknowns();
+    result.harmonics = finder.hill() != nullptr ? finder.hill()->harmonics() : 0;
     if (model.form == results::Form::rotating && !model.rotor.bearings_depend_on_speed())
-        search_zero_roots(finder, grid, result);
+        search_zero_roots(finder, grid, roots, result);
     if (range) {
         stage.emplace("errors of the bands", 0.6, 0.65);
         if (!all || !std::isfinite(all->resolved_up_to()))
-            result.unstable_error = band_errors(finder, result.unstable, grid, roots);
+            result.unstable_error =
+                ends::band_errors(finder, result.unstable, {grid.front(), grid.back()}, roots);
     }
     if (all)
         separate_resolved(*all, model, roots, result);
@@ -339,7 +346,8 @@ UnstableBands unstable_bands_of(stability::StabilityModel model, const std::vect
         out.bands = std::move(between.found.bands);
         out.doubtful = std::move(between.found.doubtful);
         if (with_errors)
-            out.errors = band_errors(finder, out.bands, known, between.roots);
+            out.errors =
+                ends::band_errors(finder, out.bands, {known.front(), known.back()}, between.roots);
     }
     const auto not_resolved = [&](double from, double to) {
         out.bands.push_back({from, to});

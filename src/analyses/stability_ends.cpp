@@ -3,9 +3,7 @@
 #include "balancers/arrangement.h"
 #include "balancers/kind.h"
 #include "ends/band_ends.h"
-#include "ends/finer_ends.h"
 #include "linalg/check.h"
-#include "stability/band_errors.h"
 #include "stability/hill/hill_motions.h"
 #include "stability/periodic_motions.h"
 
@@ -113,7 +111,7 @@ void add_hill_growth(const stability::BandFinder &finder, double from,
         result.growth.push_back(known ? stability::growth_of(motions) : unknown);
         result.verdict.push_back(known ? verdict_of(motions) : results::Verdict::unknown);
     }
-    const stability::PeriodicMotions *periodic = finder.solver().by_monodromy();
+    const stability::PeriodicMotions *periodic = finder.hill()->by_monodromy();
     if (periodic != nullptr && periodic->unconfirmed() > 0)
         result.model.notes.emplace_back(
             "up to {}, but not at rest, growth at some speeds is that of the reduced rotor: the "
@@ -134,24 +132,6 @@ BandsBetween bands_between_ends(stability::BandFinder &finder, const std::vector
     ends::EndsFound found = ends::find_ends({finder, grid}, ends::few_steps);
     return {{ends::bands_of(found, {grid.front(), grid.back()}), std::move(found.doubtful)},
             std::move(found.roots)};
-}
-
-std::vector<results::EndErrors> band_errors(const stability::BandFinder &finder,
-                                            const std::vector<results::Interval> &bands,
-                                            const std::vector<double> &grid,
-                                            const std::vector<ends::EndOfGrowth> &roots) {
-    std::optional<ends::FinerEnds> finer;
-    const auto by_root = [&](double speed, double inward, double reach) -> std::optional<double> {
-        const auto root = std::ranges::find_if(
-            roots, [speed](const auto &known) { return known.speed == speed; });
-        if (root == roots.end())
-            return std::nullopt;
-        if (!finer)
-            finer.emplace(finder.solver().discretization(), finder.model().form,
-                          finder.arrangement());
-        return finer->error(*root, inward, reach);
-    };
-    return stability::band_errors(finder, bands, {grid.front(), grid.back()}, by_root);
 }
 
 std::vector<ends::EndOfGrowth> search_bands(stability::BandFinder &finder,
@@ -267,8 +247,6 @@ std::vector<double> described(const std::vector<double> &speeds,
 
 void give_up_unsettled(const stability::BandFinder &finder, std::vector<double> &grid,
                        stability::StabilityModel &model) {
-    if (model.form != results::Form::hill)
-        return;
     double unsettled = -1;
     for (const double speed : grid)
         try {

@@ -37,13 +37,6 @@ struct BandsBetween {
 void note_lost_motions(const std::vector<results::Interval> &doubtful, const char *motions,
                        std::vector<results::Sentence> &notes);
 
-/// Errors of the ends of unstable bands (stability::band_errors), by a root of a finer model where
-/// the end is one of `roots`.
-/// @param grid  over which they were looked for
-[[nodiscard]] std::vector<results::EndErrors>
-band_errors(const stability::BandFinder &finder, const std::vector<results::Interval> &bands,
-            const std::vector<double> &grid, const std::vector<ends::EndOfGrowth> &roots);
-
 /// Unstable bands and the speeds at which the number of growing motions changes: by the ends of
 /// growth where these are certain, else by the search for bands beside them.
 /// @param motions  of the rotor; none: form hill

@@ -1,7 +1,7 @@
 #include "analyses/stability_map.h"
 
 #include "analyses/placed_balls.h"
-#include "ends/all_motions.h"
+#include "ends/growth.h"
 #include "model/case.h"
 #include "model/errors.h"
 #include "process/parallel.h"
@@ -17,6 +17,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace whirl::analyses {
 
@@ -40,8 +41,6 @@ std::vector<double> growth_at(
     const std::function<Shapes(const stability::StabilityModel &, const balancers::Arrangement &)>
         &shapes_for) {
     const stability::StabilityModel model = stability::stability_model(scene, speeds);
-    if (model.conservative)
-        return std::vector<double>(speeds.size(), 0.0);
     std::vector<double> out;
     std::vector<model::Sentence> ignored;
     if (const auto placed = placed_by_all_imbalances(scene, model.order, speeds, ignored)) {
@@ -52,20 +51,20 @@ std::vector<double> growth_at(
         return out;
     }
     const balancers::Arrangement arrangement = balancers::arrangement_at_balance(scene.rotor);
-    const assembly::Discretization d(model.rotor, model.order);
-    if (const Shapes shapes =
-            model.form == results::Form::hill ? nullptr : shapes_for(model, arrangement);
-        shapes && shapes->rows() == d.planar_size()) {
-        const ends::AllMotions motions(d, model.form, arrangement, shapes, speeds.front(),
-                                       speeds.back());
-        for (const double speed : speeds)
-            out.push_back(motions.fastest_growing(speed).value.real());
-        return out;
-    }
-    const stability::MotionSolver solver(model, arrangement);
+    Shapes shapes;
+    if (model.form != results::Form::hill && !model.conservative)
+        shapes = shapes_for(model, arrangement);
+    const bool good =
+        shapes &&
+        shapes->rows() == assembly::Discretization(model.rotor, model.order).planar_size();
+    std::optional<ends::Growth> growth;
+    if (good)
+        growth.emplace(model, arrangement, shapes,
+                       results::Interval{speeds.front(), speeds.back()});
+    else
+        growth.emplace(model, arrangement, speeds);
     for (const double speed : speeds)
-        out.push_back(std::abs(speed) >= model.from ? stability::growth_of(solver.at(speed))
-                                                    : std::numeric_limits<double>::quiet_NaN());
+        out.push_back(growth->at(speed));
     return out;
 }
 

@@ -83,7 +83,7 @@ AllMotions::AllMotions(const assembly::Discretization &discretization, modes::Fo
       _slow(assembly::support_scale(discretization)), _from(from), _to(to) {}
 
 AllMotions::AllMotions(stability::BandFinder &finder, const std::vector<double> &speeds)
-    : AllMotions(finder.solver().discretization(), finder.model().form, finder.arrangement(),
+    : AllMotions(finder.discretization(), finder.model().form, finder.arrangement(),
                  finder.good_shapes(speeds), speeds.front(), speeds.back()) {}
 
 double AllMotions::least_reach() const { return 2.1 * std::max(std::abs(_from), std::abs(_to)); }
@@ -256,7 +256,7 @@ std::optional<FastestGrowing> AllMotions::by_values(double speed, double above,
     if (!found || std::abs(found->value - *best) > same_root * std::abs(*best) ||
         std::abs(found->value.real()) <= found->noise)
         return std::nullopt;
-    return FastestGrowing{found->value, true, least};
+    return FastestGrowing{found->value, true, least, found->noise};
 }
 
 FastestGrowing AllMotions::fastest_growing(double speed, double above, double up_to) const {
@@ -287,6 +287,7 @@ FastestGrowing AllMotions::fastest_growing(double speed, double above, double up
     // to zero less than the decomposition does.
     constexpr double next_to_zero = 1e-8;
     std::optional<std::complex<double>> best;
+    double noise = 0; // of that one
     for (const Root &root : roots) {
         const double size = std::abs(root.value);
         // A root below its noise is ignored, but for one that may be zero.
@@ -301,19 +302,22 @@ FastestGrowing AllMotions::fastest_growing(double speed, double above, double up
         if (root.sign() < 0 && neutral && !best)
             return {0, counted, least};
         const auto found = of_whole(root, speed);
-        if (!found && size <= next_to_zero * shift_at(speed))
+        if (!found && size <= next_to_zero * shift_at(speed)) {
             best = root.value;
-        else if (!found)
+            noise = root.noise;
+        } else if (!found)
             counted = counted && (!_drives_all || root.sign() < 0);
         else if (std::abs(found->value.real()) <= found->noise)
             neutral = neutral || within_reach(size);
-        else if (asked_for(found->value) && !(best && best->real() > found->value.real()))
+        else if (asked_for(found->value) && !(best && best->real() > found->value.real())) {
             best = found->value;
+            noise = found->noise;
+        }
         if (best && !is_rough())
             break;
     }
     if (best && (best->real() > 0 || !neutral))
-        return {*best, counted, least};
+        return {*best, counted, least, noise};
     const auto first =
         std::ranges::find_if(roots, [](const Root &root) { return root.sign() != 0; });
     return {first == roots.end() || neutral ? 0 : first->value, counted, least};

@@ -23,6 +23,7 @@ struct FastestGrowing {
     /// Of those with |l| up to reach() that swing the one with the smallest logarithmic decrement,
     /// as the reduced rotor has it; 0: there is none.
     std::complex<double> least_damped = 0;
+    double noise = 0; ///< of the value by rounding, where it is known, 1/s
 };
 
 /// All free motions of a rotor over a range of speeds, forms general and rotating: of the reduced

@@ -52,9 +52,10 @@ std::optional<double> FinerEnds::error(const EndOfGrowth &own, double inward, do
     const auto other = own.kind == results::EndKind::collision
                            ? collision(_matrices, guess, reach)
                            : on_the_axis(_matrices, guess, own.kind == results::EndKind::zero);
+    const bool same_way = own.kind == results::EndKind::zero || // the rate can be rounding
+                          (other && other->inward == own.inward);
     if (!other || !(std::abs(other->speed - own.speed) <= reach) || !(own.inward * inward > 0) ||
-        !(other->inward * inward > 0) ||
-        !(likeness(guess.right, other->right, _matrices.mass()) > alike))
+        !same_way || !(likeness(guess.right, other->right, _matrices.mass()) > alike))
         return std::nullopt;
     const double error = own.blur + other->blur + 1e-12 * std::abs(own.speed) +
                          mesh_error::estimate_safety * std::abs(other->speed - own.speed);

@@ -22,7 +22,6 @@ namespace whirl::ends {
 
 namespace {
 
-using stability::MotionSolver;
 using stability::StabilityModel;
 
 StabilityModel model_with(StabilityModel model, std::size_t index, double dI) {
@@ -68,20 +67,16 @@ class Varied {
     [[nodiscard]] bool by_monodromy() const { return periodic() && _model.harmonics == 0; }
 
     /// Largest real part over the speed, 1/s.
-    using Growth = std::function<double(double speed)>;
+    using GrowthAt = std::function<double(double speed)>;
 
     /// With the basis and the steps in time of another dI, where there are some: the final search
     /// verifies with its own.
     /// @param range  of the speeds that it will be asked for
-    [[nodiscard]] Growth growth(double dI, const results::Interval &range) const {
-        if (periodic())
-            return [motions = solver(dI)](double speed) { return growth_of(motions->at(speed)); };
-        const auto rotor =
-            std::make_shared<const OverSpeed>(model_with(dI), _arrangement, _shapes, range);
-        return [rotor](double speed) { return rotor->motions.fastest_growing(speed).value.real(); };
+    [[nodiscard]] GrowthAt growth(double dI, const results::Interval &range) const {
+        return [rotor = rotor_with(dI, range)](double speed) { return rotor->at(speed); };
     }
     [[nodiscard]] double growth_at(double speed, double dI) const {
-        return growth(dI, {speed, speed})(speed);
+        return rotor_with(dI, {speed, speed})->at(speed);
     }
 
     /// Without damping the smallest anisotropy opens a band at every critical speed that it splits.
@@ -101,20 +96,9 @@ class Varied {
 
     /// The dI between a stable and an unstable one at which this speed is just stable.
     [[nodiscard]] double just_stable(double speed, double stable, double unstable) const {
-        stability::SignBracket bracket(stable, unstable);
-        bracket.stable_at(stable, std::min(growth_at(speed, stable), 0.0));
-        bracket.unstable_at(unstable, growth_at(speed, unstable));
-        while (bracket.width() > 1e-12 * unstable) {
-            const double next = bracket.next();
-            const double here = growth_at(speed, next);
-            if (here == 0 && bracket.decays()) // within the rounding of a root
-                return next;
-            if (here > 0)
-                bracket.unstable_at(next, here);
-            else
-                bracket.stable_at(next, here);
-        }
-        return bracket.stable();
+        return stability::border_of_growth(
+            [this, speed](double dI) { return growth_at(speed, dI); }, stable, unstable,
+            1e-12 * unstable);
     }
 
     /// At one speed: the largest dI below which no motion grows; none: stable up to `largest`.
@@ -151,8 +135,8 @@ class Varied {
             return bands(dI, speeds);
         // Of a band's width: on the way only whether there are bands matters.
         constexpr double roughly = 0.03;
-        const auto motions = solver(dI);
-        return stability::find_bands([&motions](double speed) { return motions->at(speed); },
+        const auto rotor = rotor_with(dI, {speeds.front(), speeds.back()});
+        return stability::find_bands([&rotor](double speed) { return rotor->hill().at(speed); },
                                      speeds, roughly)
             .bands;
     }
@@ -182,41 +166,27 @@ class Varied {
     std::shared_ptr<stability::StepExperience> _experience =
         std::make_shared<stability::StepExperience>();
 
-    struct OverSpeed {
-        assembly::Discretization discretization;
-        AllMotions motions;
-
-        OverSpeed(const StabilityModel &model, const balancers::Arrangement &arrangement,
-                  std::shared_ptr<const Eigen::MatrixXd> shapes, const results::Interval &range)
-            : discretization(model.rotor, model.order),
-              motions(discretization, model.form, arrangement, std::move(shapes), range.from,
-                      range.to) {}
-    };
-
     /// Bands of the reduced rotor in which the whole one grows too: one that has just closed can
     /// still be open on the shapes.
     [[nodiscard]] std::vector<results::Interval> swept_bands(double dI,
                                                              const results::Interval &range) const {
-        const OverSpeed rotor(model_with(dI), _arrangement, _shapes, range);
-        std::vector<results::Interval> found = bands_of(find_ends(rotor.motions), range);
-        const auto growth = [&rotor](double speed) {
-            return rotor.motions.fastest_growing(speed).value.real();
-        };
-        std::erase_if(found, [&growth](const results::Interval &band) {
+        const auto rotor = rotor_with(dI, range);
+        std::vector<results::Interval> found = bands_of(find_ends(rotor->motions()), range);
+        std::erase_if(found, [&rotor](const results::Interval &band) {
             constexpr double inside = 1e-6; // of the speed
             const auto [from, to] = band;
             const double off = std::min((to - from) / 4, inside * std::abs(from));
             return std::ranges::none_of(std::array{(from + to) / 2, from + off, to - off},
-                                        [&](double speed) { return growth(speed) > 0; });
+                                        [&](double speed) { return rotor->at(speed) > 0; });
         });
         return found;
     }
 
-    [[nodiscard]] std::shared_ptr<const MotionSolver> solver(double dI) const {
+    [[nodiscard]] std::shared_ptr<const Growth> rotor_with(double dI,
+                                                           const results::Interval &range) const {
         StabilityModel model = model_with(dI);
         model.experience = _experience;
-        return std::make_shared<const MotionSolver>(model, _arrangement,
-                                                    by_monodromy() ? _shapes : nullptr);
+        return std::make_shared<const Growth>(model, _arrangement, _shapes, range);
     }
 
     [[nodiscard]] StabilityModel model_with(double dI) const {
@@ -278,7 +248,7 @@ class DescentSearch {
     /// Lowers dI until the strongest speed of each band is just stable.
     /// @returns whether it is worthwhile to go on
     bool close(const std::vector<results::Interval> &bands) {
-        const Varied::Growth growth = _varied.growth(_dI, {bands.front().from, bands.back().to});
+        const Varied::GrowthAt growth = _varied.growth(_dI, {bands.front().from, bands.back().to});
         const double before = _dI;
         for (const results::Interval &band : bands) {
             const double speed = stability::strongest_speed(growth, band);

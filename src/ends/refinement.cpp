@@ -56,15 +56,19 @@ double size(const Eigen::VectorXcd &y, const Sparse &A, const Eigen::VectorXcd &
     return y.cwiseAbs().dot(A.cwiseAbs() * x.cwiseAbs());
 }
 
-/// Error of the eigenvalue by the rounding of the matrix entries.
-double noise_of(const modes::QuadraticAt &p, const WholeMotion &m, Complex by_root) {
-    // Units of rounding of all entries' moduli together: chosen large, as ends are errors'
-    // bounds.
-    constexpr double allowance = 30;
+/// Units of rounding of all entries' moduli together: chosen large, as ends are errors' bounds.
+constexpr double rounding_unit = 30 * std::numeric_limits<double>::epsilon();
+
+/// What the rounding of the matrix entries makes of y^H Q(l) x.
+double rounding_of(const modes::QuadraticAt &p, const WholeMotion &m) {
     const double l = std::abs(m.value);
-    const double entries = l * l * size(m.left, p.M, m.right) + l * size(m.left, p.D, m.right) +
-                           size(m.left, p.K, m.right);
-    return allowance * std::numeric_limits<double>::epsilon() * (entries / std::abs(by_root) + l);
+    return rounding_unit * (l * l * size(m.left, p.M, m.right) + l * size(m.left, p.D, m.right) +
+                            size(m.left, p.K, m.right));
+}
+
+/// Error of the eigenvalue by it.
+double noise_of(const modes::QuadraticAt &p, const WholeMotion &m, Complex by_root) {
+    return rounding_of(p, m) / std::abs(by_root) + rounding_unit * std::abs(m.value);
 }
 
 /// y^H Q(l) x and its derivatives.
@@ -143,13 +147,16 @@ std::optional<EndOfGrowth> on_the_axis(const modes::FormMatrices &whole, const W
             !std::isfinite(relative))
             return std::nullopt;
         m.rate = -f.by_speed / f.by_root;
-        const auto rounding = [&] {
-            return noise_of(problem, m, f.by_root) / std::abs(m.rate.real() * m.speed);
+        // Of a root that is zero without damping the rate is infinite: its square has one.
+        const auto blur = [&] {
+            return at_zero ? rounding_of(problem, m) / std::abs(f.by_speed)
+                           : noise_of(problem, m, f.by_root) / std::abs(m.rate.real());
         };
+        const auto rounding = [&] { return blur() / std::abs(m.speed); };
         if (settled(relative, rounding)) {
             m.noise = noise_of(problem, m, f.by_root);
             m.inward = m.rate.real() > 0 ? 1 : -1;
-            m.blur = m.noise / std::abs(m.rate.real());
+            m.blur = blur();
             return m;
         }
     }

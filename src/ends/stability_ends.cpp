@@ -180,8 +180,8 @@ class EndSearch {
         }
         const bool collide = (change.undamped || _motions.conserves(place)) && !at_zero;
         const double reach = 3 * (change.to - change.from) + 1e-4 * std::abs(change.speed);
-        const auto exact = collide ? collision(_motions.whole(), guess, reach)
-                                   : on_the_axis(_motions.whole(), guess, at_zero);
+        auto exact = collide ? collision(_motions.whole(), guess, reach)
+                             : on_the_axis(_motions.whole(), guess, at_zero);
         // A pair next to zero can lead to where two real roots meet, which is another motion.
         constexpr double like = 0.5;
         const bool confirmed = exact && std::abs(exact->speed - change.speed) <= reach &&
@@ -194,7 +194,9 @@ class EndSearch {
                 _found.push_back({*zero, change.gain, false, change.speed});
                 return;
             }
-        if (confirmed && (at_zero || exact->inward == single)) {
+        if (confirmed && at_zero) // its own rate is rounding where nothing damps
+            exact->inward = single;
+        if (confirmed && exact->inward == single) {
             _found.push_back(
                 {*exact, at_zero || collide ? change.gain : 2 * single, false, change.speed});
         } else if (!change.smooth && change.from != change.to &&

@@ -3,9 +3,9 @@
 #include "balancers/arrangement.h"
 #include "balancers/balance_family.h"
 #include "balancers/balanced_position.h"
+#include "ends/growth.h"
 #include "linalg/check.h"
 #include "model/errors.h"
-#include "stability/motions.h"
 #include "stability/rotor_at_speeds.h"
 
 #include <algorithm>
@@ -58,14 +58,11 @@ std::optional<double> linear_growth(const model::Case &scene, double speed,
     at.speeds = model::SpeedRange{speed, speed, 1};
     try {
         const stability::StabilityModel model = stability::stability_model(at, {speed});
-        if (std::abs(speed) < model.from)
-            return std::nullopt;
-        if (model.conservative)
-            return 0.0;
         const balancers::Arrangement arrangement =
             balances(scene.rotor, angles) ? of_masses(scene.rotor, angles)
                                           : balancers::arrangement_at_balance(scene.rotor);
-        return stability::growth_of(stability::MotionSolver(model, arrangement).at(speed));
+        const double growth = ends::Growth(model, arrangement, {speed}).at(speed);
+        return std::isnan(growth) ? std::nullopt : std::optional(growth);
     } catch (const model::BadInput &) { // no balanced position
         return std::nullopt;
     } catch (const model::AnalysisFailure &) {

@@ -20,29 +20,28 @@ namespace {
 /// With so few planar unknowns nothing is gained.
 constexpr int small = 16;
 
-/// With the reduced rotor; nothing where the whole one does not agree.
-/// @param part  as in find_bands
-std::optional<BandsFound> confirmed(const MotionsAt &reduced, const MotionsAt &at,
-                                    const std::vector<double> &speeds,
-                                    const PeriodicMotions *periodic = nullptr, double part = 0) {
-    BandsFound found = find_bands(reduced, speeds, part);
-    if (auto bands = confirmed_bands(at, found.bands, {speeds.front(), speeds.back()}, periodic))
-        return BandsFound{std::move(*bands), std::move(found.doubtful)};
-    return std::nullopt;
-}
-
 } // namespace
 
 BandFinder::BandFinder(const StabilityModel &model, const balancers::Arrangement &arrangement,
                        std::shared_ptr<const Eigen::MatrixXd> shapes)
-    : _model(model), _arrangement(arrangement), _whole(model, arrangement),
-      _shapes(std::move(shapes)) {}
+    : _model(model), _arrangement(arrangement), _discretization(model.rotor, model.order),
+      _shapes(std::move(shapes)) {
+    if (model.form == results::Form::hill)
+        _hill.emplace(model, arrangement);
+}
 
 BandFinder::BandFinder(const StabilityModel &model, const balancers::Arrangement &arrangement,
                        const BandFinder &like)
     : BandFinder(model, arrangement, like._shapes) {
-    if (_shapes && _shapes->rows() != _whole.discretization().planar_size())
+    if (_shapes && _shapes->rows() != _discretization.planar_size())
         _shapes = nullptr; // on another mesh
+}
+
+int BandFinder::unknowns() const {
+    return _hill ? _hill->unknowns()
+                 : 2 * (_discretization.planar_size() +
+                        balancers::unknowns_of(
+                            balancers::balancer_elements(_model.rotor, _arrangement)));
 }
 
 void BandFinder::keep(const std::vector<double> &speeds) {
@@ -53,9 +52,9 @@ void BandFinder::keep(const std::vector<double> &speeds) {
 std::vector<Motion> BandFinder::at(double speed) const {
     const auto kept = _kept.find(speed);
     if (kept == _kept.end())
-        return _whole.at(speed);
+        return _hill->at(speed);
     if (kept->second.empty()) {
-        kept->second = _whole.at(speed);
+        kept->second = _hill->at(speed);
         process::report_progress(
             std::min(0.9, static_cast<double>(++_asked) / static_cast<double>(_kept.size())));
     }
@@ -65,7 +64,7 @@ std::vector<Motion> BandFinder::at(double speed) const {
 /// None where they do not do, or are hardly fewer.
 std::shared_ptr<const Eigen::MatrixXd>
 BandFinder::found_shapes(const std::vector<double> &speeds) const {
-    const assembly::Discretization &d = _whole.discretization();
+    const assembly::Discretization &d = _discretization;
     if (!_model.reduction || d.rigid() || d.planar_size() <= small)
         return nullptr;
     try {
@@ -79,8 +78,8 @@ BandFinder::found_shapes(const std::vector<double> &speeds) const {
 }
 
 std::shared_ptr<const Eigen::MatrixXd> BandFinder::good_shapes(const std::vector<double> &speeds) {
-    if (const PeriodicMotions *periodic = _whole.by_monodromy())
-        return periodic->good_shapes(speeds);
+    if (_hill)
+        return _hill->by_monodromy() ? _hill->by_monodromy()->good_shapes(speeds) : nullptr;
     if (!_good)
         _shapes = found_shapes(speeds);
     _good = true;
@@ -90,7 +89,7 @@ std::shared_ptr<const Eigen::MatrixXd> BandFinder::good_shapes(const std::vector
 bool BandFinder::enrich_for(const StabilityModel &other, const balancers::Arrangement &arrangement,
                             const std::vector<double> &speeds) {
     const assembly::Discretization d(other.rotor, other.order);
-    if (!_shapes || _shapes->rows() != d.planar_size() || _whole.by_monodromy() != nullptr)
+    if (!_shapes || _shapes->rows() != d.planar_size())
         return false;
     auto found = range_shapes(d, other.form, arrangement, speeds, _shapes.get());
     if (!found)
@@ -101,32 +100,26 @@ bool BandFinder::enrich_for(const StabilityModel &other, const balancers::Arrang
 
 BandsFound BandFinder::find(const std::vector<double> &speeds) {
     const MotionsAt whole = [this](double speed) { return at(speed); };
-    if (const PeriodicMotions *periodic = _whole.by_monodromy()) {
+    const PeriodicMotions *const periodic = _hill->by_monodromy();
+    if (periodic != nullptr)
         _shapes = periodic->good_shapes(speeds);
-        if (!_shapes)
-            return find_bands(whole, speeds);
-        const MotionsAt reduced = [periodic](double speed) { return periodic->reduced_at(speed); };
-        // Where something dies out the ends are roots, which the whole rotor's own are near.
-        constexpr double roughly = 1e-3;
-        if (_model.rotor.damped())
-            if (const auto found = confirmed(reduced, whole, speeds, periodic, roughly))
-                return *found;
-        const auto found = confirmed(reduced, whole, speeds);
-        return found ? *found : find_bands(whole, speeds);
-    }
-    _shapes = found_shapes(speeds);
-    if (_shapes)
-        try {
-            const MotionSolver reduced_rotor(_model, _arrangement, _shapes);
-            const MotionsAt reduced = [&reduced_rotor](double speed) {
-                return reduced_rotor.at(speed);
-            };
-            if (auto found = confirmed(reduced, whole, speeds))
-                return std::move(*found);
-        } catch (const linalg::SolverError &) {
-        } catch (const model::AnalysisFailure &) { // a speed at which the reduced one fails
-        }
-    return find_bands(whole, speeds);
+    if (periodic == nullptr || !_shapes)
+        return find_bands(whole, speeds);
+    // With the reduced rotor; nothing where the whole one does not agree.
+    const auto confirmed = [&](const PeriodicMotions *ends, double part) {
+        BandsFound found = find_bands(
+            [periodic](double speed) { return periodic->reduced_at(speed); }, speeds, part);
+        auto bands = confirmed_bands(whole, found.bands, {speeds.front(), speeds.back()}, ends);
+        return bands ? std::optional(BandsFound{std::move(*bands), std::move(found.doubtful)})
+                     : std::nullopt;
+    };
+    // Where something dies out the ends are roots, which the whole rotor's own are near.
+    constexpr double roughly = 1e-3;
+    if (_model.rotor.damped())
+        if (auto found = confirmed(periodic, roughly))
+            return std::move(*found);
+    auto found = confirmed(nullptr, 0);
+    return found ? std::move(*found) : find_bands(whole, speeds);
 }
 
 } // namespace whirl::stability

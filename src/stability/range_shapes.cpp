@@ -8,7 +8,7 @@
 #include "modes/zero_modes.h"
 #include "reduction/planar_shapes.h"
 #include "reduction/projection.h"
-#include "stability/motions.h"
+#include "stability/motion_reach.h"
 
 #include <algorithm>
 #include <array>

@@ -14,6 +14,7 @@
 #include "modes/zero_modes.h"
 #include "reduction/projection.h"
 #include "results/formulation.h"
+#include "stability/hill/hill_solver.h"
 
 #include <fmt/format.h>
 
@@ -252,7 +253,7 @@ void settle_series(StabilityModel &model, const std::vector<double> &speeds) {
     model.harmonics = 1;
     if (moduli.empty())
         return; // at rest the terms of the series do not see each other
-    const MotionSolver solver(model, balancers::arrangement_at_balance(model.rotor));
+    const HillSolver solver(model, balancers::arrangement_at_balance(model.rotor));
     for (std::size_t first = 0;;) {
         try {
             (void)solver.at(moduli[first]);

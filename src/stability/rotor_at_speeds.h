@@ -1,9 +1,9 @@
 #pragma once
 
+#include "assembly/discretization.h"
+#include "balancers/arrangement.h"
 #include "model/case.h"
 #include "results/formulation.h"
-#include "stability/motions.h"
-#include "stability/unstable_bands.h"
 
 #include <memory>
 #include <vector>

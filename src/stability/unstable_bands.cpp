@@ -176,6 +176,24 @@ void SignBracket::unstable_at(double place, double growth) {
     _last = 1;
 }
 
+double border_of_growth(const std::function<double(double place)> &growth, double stable,
+                        double unstable, double width) {
+    SignBracket bracket(stable, unstable);
+    bracket.stable_at(stable, std::min(growth(stable), 0.0));
+    bracket.unstable_at(unstable, growth(unstable));
+    while (bracket.width() > width) {
+        const double next = bracket.next();
+        const double here = growth(next);
+        if (here == 0 && bracket.decays()) // within the rounding of a root
+            return next;
+        if (here > 0)
+            bracket.unstable_at(next, here);
+        else
+            bracket.stable_at(next, here);
+    }
+    return bracket.stable();
+}
+
 double band_end(const MotionsAt &at, double stable, double unstable, double tolerance) {
     GrowthAlong along(at, unstable);
     SignBracket bracket(stable, unstable);

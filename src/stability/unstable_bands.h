@@ -84,6 +84,13 @@ class SignBracket {
     double _wide = HUGE_VAL;
 };
 
+/// That border, to a width.
+/// @param growth    over the place; where it is 0 beside places at which it is below zero, the root
+/// @param unstable  where it is above zero
+/// @returns the stable end
+[[nodiscard]] double border_of_growth(const std::function<double(double place)> &growth,
+                                      double stable, double unstable, double width);
+
 /// Where instability is strongest in a band found, rad/s.
 /// @param growth  over the speed, 1/s
 [[nodiscard]] double strongest_speed(const std::function<double(double speed)> &growth,

@@ -8,6 +8,7 @@
 #include "ends/sweep.h"
 #include "input/case_file.h"
 #include "stability/band_finder.h"
+#include "stability/motion_reach.h"
 #include "support/balancer_scenes.h"
 #include "support/dense_eigenvalues.h"
 #include "support/random.h"

@@ -5,7 +5,7 @@
 #include "balancers/arrangement.h"
 #include "ends/band_ends.h"
 #include "model/errors.h"
-#include "stability/motions.h"
+#include "stability/hill/hill_solver.h"
 #include "stability/periodic_motions.h"
 #include "stability/unstable_bands.h"
 #include "support/balancer_scenes.h"
@@ -78,9 +78,9 @@ class RandomRotor : public testing::TestWithParam<unsigned> {};
 // Hill's series settles to 1e-8 of the speed.
 TEST_P(RandomRotor, MotionsAreThoseOfHillsSeries) {
     const model::Rotor rotor = random_rotor(GetParam());
-    const stability::MotionSolver hill(
+    const stability::HillSolver hill(
         tests::looked_at(rotor, results::Form::hill, rotor.shaft.order, 1), balls(rotor));
-    const stability::MotionSolver monodromy(
+    const stability::HillSolver monodromy(
         tests::looked_at(rotor, results::Form::hill, rotor.shaft.order, 0, 700), balls(rotor));
     const std::vector<double> speeds{190, 333, 640};
     (void)monodromy.by_monodromy()->good_shapes(speeds); // as a search for bands begins
@@ -129,7 +129,7 @@ TEST(HillSeries, EndsOfBandsAreItsOwn) {
     const auto bands =
         analyses::unstable_bands_of(tests::scene_of(rotor, 680, 720, 11), {}, false).bands;
     ASSERT_EQ(bands.size(), 1U);
-    const stability::MotionSolver series(
+    const stability::HillSolver series(
         tests::looked_at(rotor, results::Form::hill, rotor.shaft.order, 1), {});
     const auto grows = [&series](double speed) {
         return stability::growth_of(series.at(speed)) > 0;
@@ -170,7 +170,7 @@ TEST(HillSeries, NarrowBandsOfADampedElasticRotorAreTheSameOnEveryGridAndItsOwn)
     ASSERT_EQ(bands.size(), 7U);
     ASSERT_EQ(again.size(), bands.size());
     EXPECT_NEAR(bands[2].to - bands[2].from, 0.233, 0.001);
-    const stability::MotionSolver series(
+    const stability::HillSolver series(
         tests::looked_at(rotor, results::Form::hill, rotor.shaft.order, 1), {});
     const auto grows = [&series](double speed) {
         return stability::growth_of(series.at(speed)) > 0;
@@ -222,7 +222,7 @@ TEST(HillSeries, NarrowBandAtTheBorderOfTheRange) {
 TEST(HillSeries, KindsOfEnds) {
     for (const double c : {0.0, 60.0}) {
         const model::Rotor rotor = flexible_rotor(c);
-        const stability::MotionSolver solver(
+        const stability::HillSolver solver(
             tests::looked_at(rotor, results::Form::hill, rotor.shaft.order, 0, 700), {});
         const auto at = [&solver](double speed) { return solver.at(speed); };
         const auto bands = stability::unstable_bands(at, {690, 695, 700});

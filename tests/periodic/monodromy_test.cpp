@@ -4,7 +4,7 @@
 #include "periodic/monodromy.h"
 
 #include "analyses/stability.h"
-#include "stability/motions.h"
+#include "stability/hill/hill_solver.h"
 #include "stability/unstable_bands.h"
 #include "support/looked_at.h"
 #include "support/rotating_scenes.h"
@@ -122,7 +122,7 @@ struct Growth {
 
 /// Of the tilt; the deflection is another motion.
 void expect_growth(const model::Rotor &rotor, const std::vector<Growth> &expected) {
-    const stability::MotionSolver solver(tests::looked_at(rotor, results::Form::hill, 1), {});
+    const stability::HillSolver solver(tests::looked_at(rotor, results::Form::hill, 1), {});
     for (const auto &[speed, growth] : expected) {
         double off = 1e300;
         for (const stability::Motion &motion : solver.at(speed))

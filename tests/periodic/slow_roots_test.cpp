@@ -5,7 +5,7 @@
 #include "balancers/arrangement.h"
 #include "periodic/whole_root.h"
 #include "results/campbell.h"
-#include "stability/motions.h"
+#include "stability/hill/hill_solver.h"
 #include "stability/periodic_motions.h"
 #include "support/looked_at.h"
 #include "support/rotating_scenes.h"
@@ -37,7 +37,7 @@ model::Rotor drum() {
     return out;
 }
 
-stability::MotionSolver solver_of(const model::Rotor &rotor) {
+stability::HillSolver solver_of(const model::Rotor &rotor) {
     return {tests::looked_at(rotor, results::Form::hill, 2, 0, top),
             balancers::arrangement_at_balance(rotor)};
 }
@@ -60,7 +60,7 @@ double growth_at_rest(double angle) {
 /// rotor at rest; what the speed adds is of its square.
 TEST(SlowRoots, GrowthNextToRestIsTheAverageOverThePositionsAtRest) {
     const model::Rotor rotor = drum();
-    const stability::MotionSolver solver = solver_of(rotor);
+    const stability::HillSolver solver = solver_of(rotor);
     const auto growth = [&](double speed) { return stability::growth_of(solver.at(speed)); };
     constexpr int angles = 12;
     double mean = 0;

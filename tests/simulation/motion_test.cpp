@@ -4,6 +4,7 @@
 #include "balancers/arrangement.h"
 #include "closed_form/balanced_position.h"
 #include "closed_form/composite_rotor_matrices.h"
+#include "ends/growth.h"
 #include "input/case_file.h"
 #include "model/errors.h"
 #include "process/interruption.h"
@@ -12,7 +13,6 @@
 #include "results/formulation.h"
 #include "simulation/equations.h"
 #include "simulation/motion.h"
-#include "stability/motions.h"
 #include "support/balancer_parts.h"
 #include "support/balancer_scenes.h"
 #include "support/looked_at.h"
@@ -144,11 +144,14 @@ TEST(SmallMotionsOfAnAsymmetricRotor, HaveTheEigenvaluesOfTheRotatingFrame) {
         EXPECT_LT(still.cwiseAbs().maxCoeff(), 1e-9 * speed * speed);
         const Eigen::VectorXcd found = rates.jacobian().eigenvalues();
         const Spectrum values(found.begin(), found.end());
-        const stability::MotionSolver solver(tests::looked_at(r, results::Form::rotating, 1),
-                                             balanced);
-        const auto motions = solver.at(speed);
+        const ends::Growth rotor(tests::looked_at(r, results::Form::rotating, 1), balanced, nullptr,
+                                 {speed, speed});
+        std::vector<ends::Root> motions = rotor.motions().at(speed).roots;
+        std::erase_if(motions, [&rotor](const ends::Root &motion) {
+            return !rotor.motions().within_reach(std::abs(motion.value));
+        });
         EXPECT_GE(motions.size(), 8U);
-        for (const stability::Motion &motion : motions)
+        for (const ends::Root &motion : motions)
             EXPECT_LT(distance_to(values, motion.value), 1e-6 * std::max(90.0, speed))
                 << motion.value << " at " << speed;
     }

@@ -2,9 +2,9 @@
 
 #include "analyses/steady_states.h"
 #include "balancers/arrangement.h"
+#include "ends/growth.h"
 #include "input/case_file.h"
 #include "model/errors.h"
-#include "stability/motions.h"
 #include "stability/rotor_at_speeds.h"
 #include "states/state_search.h"
 #include "support/balancer_scenes.h"
@@ -117,10 +117,9 @@ TEST(StateSearch, BalancedStateIsAsStableAsItsLinearElementSays) {
             return found.state.kind == Kind::balanced;
         });
         ASSERT_NE(balanced, states.end());
-        const double growth = stability::growth_of(
-            stability::MotionSolver(stability::stability_model(scene, {speed}),
-                                    balancers::arrangement_at_balance(scene.rotor))
-                .at(speed));
+        const double growth = ends::Growth(stability::stability_model(scene, {speed}),
+                                           balancers::arrangement_at_balance(scene.rotor), {speed})
+                                  .at(speed);
         EXPECT_NEAR(balanced->state.growth, growth, 1e-7 * speed);
         EXPECT_LT(balanced->state.residual, 1e-15);
     }

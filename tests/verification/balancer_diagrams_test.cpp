@@ -6,8 +6,9 @@
 #include "analyses/stability.h"
 #include "balancers/arrangement.h"
 #include "closed_form/pendulum_small_motions.h"
+#include "ends/growth.h"
 #include "results/formulation.h"
-#include "stability/motions.h"
+#include "stability/hill/hill_solver.h"
 #include "support/balancer_scenes.h"
 #include "support/looked_at.h"
 #include "two_plane_rotor.h"
@@ -61,17 +62,13 @@ TEST(TwoPlaneDiagram, HopfBoundsForDynamicImbalance) {
 // root swings with that period, to 0.3 %, for the cycle has a finite size.
 TEST(TwoPlaneDiagram, LimitCycleIsBornAtTheBound) {
     const model::Case scene = dynamic_rotor(.01, .01);
-    const stability::MotionSolver solver(tests::looked_at(scene.rotor, results::Form::rotating, 1),
-                                         balancers::arrangement_at_balance(scene.rotor));
-    const auto motions = solver.at(3.386);
-    const auto critical =
-        std::max_element(motions.begin(), motions.end(), [](const auto &a, const auto &b) {
-            return a.value.real() < b.value.real();
-        });
-    ASSERT_NE(critical, motions.end());
-    EXPECT_GT(critical->value.real(), 0);
-    EXPECT_LT(critical->value.real(), 1e-4);
-    EXPECT_NEAR(2 * std::numbers::pi / std::abs(critical->value.imag()), 7.081, 0.003 * 7.081);
+    constexpr double speed = 3.386;
+    const ends::Growth growth(tests::looked_at(scene.rotor, results::Form::rotating, 1),
+                              balancers::arrangement_at_balance(scene.rotor), {speed});
+    const std::complex<double> critical = growth.motions().fastest_growing(speed).value;
+    EXPECT_GT(critical.real(), 0);
+    EXPECT_LT(critical.real(), 1e-4);
+    EXPECT_NEAR(2 * std::numbers::pi / std::abs(critical.imag()), 7.081, 0.003 * 7.081);
 }
 
 // Coupled supports K = [1 3; 3 45]: springs 1/2 at 3 to the left and 9 to the right of the centre.
@@ -96,8 +93,8 @@ model::Case on_anisotropic_supports() {
 
 double growth_on_anisotropic_supports(double speed) {
     const model::Case scene = on_anisotropic_supports();
-    const stability::MotionSolver solver(tests::looked_at(scene.rotor, results::Form::hill, 1, 6),
-                                         balancers::arrangement_at_balance(scene.rotor));
+    const stability::HillSolver solver(tests::looked_at(scene.rotor, results::Form::hill, 1, 6),
+                                       balancers::arrangement_at_balance(scene.rotor));
     return stability::growth_of(solver.at(speed));
 }
 
@@ -174,8 +171,8 @@ TEST(TwoPlaneDiagram, HarmonicsChosenForANarrowRange) {
     model::Case scene = on_anisotropic_supports();
     scene.reduction = false;
     const std::vector<double> speeds = model::SpeedRange{2.3, 2.9, 25}.values();
-    const stability::MotionSolver solver(stability::stability_model(scene, speeds),
-                                         balancers::arrangement_at_balance(scene.rotor));
+    const stability::HillSolver solver(stability::stability_model(scene, speeds),
+                                       balancers::arrangement_at_balance(scene.rotor));
     for (const double speed : {2.3, 2.5, 2.9})
         EXPECT_NEAR(stability::growth_of(solver.at(speed)), PublishedEquations(speed).growth(),
                     1e-7)

@@ -2,6 +2,7 @@
 // grid speeds, against eigenvalues of dense state matrices, and random rotors from two grids.
 
 #include "analyses/stability.h"
+#include "analyses/stability_ends.h"
 #include "assembly/rotating_system.h"
 #include "results/formulation.h"
 #include "stability/band_finder.h"
@@ -65,7 +66,8 @@ stability::BandsFound bands_of(const model::Rotor &rotor, double from, double to
     model.rotor = rotor;
     model.form = results::Form::rotating;
     model.order = rotor.shaft.order;
-    return stability::BandFinder(model, {}).find(model::SpeedRange{from, to, count}.values());
+    stability::BandFinder finder(model, {});
+    return analyses::bands_between_ends(finder, model::SpeedRange{from, to, count}.values()).found;
 }
 
 /// Largest real part of the dense state matrix, which shares the matrices but no solver.

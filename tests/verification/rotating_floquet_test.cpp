@@ -2,9 +2,9 @@
 // multipliers of the periodic equations in the fixed frame (tests/support/periodic_system.h).
 
 #include "analyses/stability.h"
+#include "ends/growth.h"
 #include "input/case_file.h"
 #include "results/formulation.h"
-#include "stability/motions.h"
 #include "stability/rotor_at_speeds.h"
 #include "support/balancer_parts.h"
 #include "support/looked_at.h"
@@ -99,13 +99,13 @@ class TwoRoutes : public testing::TestWithParam<Scene> {
 };
 
 TEST_P(TwoRoutes, MultipliersAreTheExponentialsOfTheEigenvalues) {
-    const stability::MotionSolver solver(tests::looked_at(scene.rotor, results::Form::rotating, 1),
-                                         balls);
+    const ends::Growth rotor(tests::looked_at(scene.rotor, results::Form::rotating, 1), balls,
+                             nullptr, {scene.from, scene.to});
     for (const double share : {0.3, 0.8}) {
         const double speed = scene.from + share * (scene.to - scene.from);
         const tests::PeriodicSystem system = periodic(speed);
         Values slow; // what the steps resolve
-        for (const stability::Motion &motion : solver.at(speed))
+        for (const ends::Root &motion : rotor.motions().at(speed).roots)
             if (std::abs(motion.value) < 3 * speed)
                 slow.push_back(motion.value);
         ASSERT_GE(slow.size(), 4U);
@@ -119,12 +119,12 @@ TEST_P(TwoRoutes, MultipliersAreTheExponentialsOfTheEigenvalues) {
 TEST_P(TwoRoutes, BandsAreUnstableInsideAndStableBeside) {
     const auto bands = analyses::unstable_bands_of(at, balls, false).bands;
     EXPECT_GE(bands.size(), static_cast<std::size_t>(scene.fewest_bands));
-    const stability::MotionSolver solver(tests::looked_at(scene.rotor, results::Form::rotating, 1),
-                                         balls);
+    const ends::Growth rotor(tests::looked_at(scene.rotor, results::Form::rotating, 1), balls,
+                             nullptr, {scene.from, scene.to});
     for (const auto &[from, to] : bands) {
         for (const double share : {0.1, 0.6}) {
             const double speed = from + share * (to - from);
-            const double growth = stability::growth_of(solver.at(speed));
+            const double growth = rotor.at(speed);
             EXPECT_GT(growth, 0);
             EXPECT_NEAR(periodic(speed).growth(steps), growth, 1e-6 * growth + 1e-8 * speed)
                 << from << " " << to;

@@ -5,7 +5,7 @@
 #include "analyses/stability_map.h"
 #include "model/errors.h"
 #include "results/formulation.h"
-#include "stability/motions.h"
+#include "stability/hill/hill_solver.h"
 #include "stability/rotor_at_speeds.h"
 #include "stability/unstable_bands.h"
 #include "support/balancer_parts.h"
@@ -84,7 +84,7 @@ class Hill : public testing::TestWithParam<Scene> {
 TEST_P(Hill, MultipliersAreTheExponentialsOfTheEigenvalues) {
     ASSERT_EQ(model.form, results::Form::hill);
     EXPECT_GE(model.harmonics, 1);
-    const stability::MotionSolver solver(model, {});
+    const stability::HillSolver solver(model, {});
     for (const double speed : {140.0, 260.0, 420.0}) {
         Values low;
         for (const stability::Motion &motion : solver.at(speed))
@@ -101,8 +101,8 @@ TEST_P(Hill, MultipliersAreTheExponentialsOfTheEigenvalues) {
 }
 
 TEST_P(Hill, GrowthIsThatOfTheMultipliers) {
-    const stability::MotionSolver series(model, {});
-    const stability::MotionSolver monodromy(tests::looked_at(rotor, model.form, model.order), {});
+    const stability::HillSolver series(model, {});
+    const stability::HillSolver monodromy(tests::looked_at(rotor, model.form, model.order), {});
     scene.reduction = true; // bands by the monodromy matrix
     const auto bands = analyses::unstable_bands_of(scene, {}, false).bands;
     EXPECT_GE(bands.size(), 1U);
@@ -165,7 +165,7 @@ TEST(HillForm, LeavesOutSpeedsThatAreTooSlow) {
     const auto series = stability::stability_model(whole, whole.speeds->values());
     EXPECT_GT(series.from, 0);
     EXPECT_LT(series.from, 200);
-    const stability::MotionSolver solver(series, {});
+    const stability::HillSolver solver(series, {});
     for (const double speed : {series.from, 450.0}) {
         const tests::PeriodicSystem system(d, speed, {});
         EXPECT_NEAR(stability::growth_of(solver.at(speed)), system.growth(240), 1e-6 * speed)
@@ -200,7 +200,7 @@ TEST(HillForm, FastMotionsThatBearingsDriveAreSeen) {
         bearing.rows[0].k(1, 0) = -2e5;
     }
     for (const int harmonics : {1, 0}) { // 0: the monodromy matrix
-        const stability::MotionSolver solver(
+        const stability::HillSolver solver(
             tests::looked_at(rotor, results::Form::hill, 4, harmonics), {});
         for (const double speed : {60.0, 70.0, 80.0})
             EXPECT_GT(stability::growth_of(solver.at(speed)), 3.6) << speed;
@@ -222,7 +222,7 @@ model::Rotor strongly_unequal_rotor() {
 TEST(HillForm, NarrowBandsOfFastMotionsAndNoFalseOnes) {
     const model::Rotor rotor = strongly_unequal_rotor();
     const assembly::Discretization d(rotor, 1);
-    const stability::MotionSolver solver(tests::looked_at(rotor, results::Form::hill, 1, 1), {});
+    const stability::HillSolver solver(tests::looked_at(rotor, results::Form::hill, 1, 1), {});
     const auto found = stability::find_bands([&solver](double speed) { return solver.at(speed); },
                                              model::SpeedRange{160, 250, 10}.values());
     EXPECT_TRUE(found.doubtful.empty());
@@ -270,8 +270,7 @@ TEST(HillForm, GrowthOfRandomRotorsIsThatOfTheMultipliers) {
     for (int i = 0; i < 12; ++i) {
         const model::Rotor rotor = random_rigid_rotor(random);
         const assembly::Discretization d(rotor, 1);
-        const stability::MotionSolver solver(tests::looked_at(rotor, results::Form::hill, 1, 1),
-                                             {});
+        const stability::HillSolver solver(tests::looked_at(rotor, results::Form::hill, 1, 1), {});
         for (const double speed : {60.0, 150.0, 310.0, 700.0}) {
             ++asked;
             std::vector<stability::Motion> motions;
@@ -341,7 +340,7 @@ TEST(TwoPlaneBalancer, GrowthIsThatOfTheMultipliers) {
     const model::Case scene = tests::scene_of(rotor, 0.6, 6, 109);
     const stability::StabilityModel model =
         stability::stability_model(scene, scene.speeds->values());
-    const stability::MotionSolver solver(model, balls);
+    const stability::HillSolver solver(model, balls);
     for (const double speed : {0.9, 1.5, 2.3, 2.6, 3.4, 5.1}) {
         const tests::PeriodicSystem system(d, speed, balls);
         EXPECT_NEAR(stability::growth_of(solver.at(speed)), system.growth(80), 1e-7 * speed);

@@ -5,8 +5,8 @@
 #include "analyses/simulate.h"
 #include "analyses/stability.h"
 #include "balancers/arrangement.h"
+#include "ends/growth.h"
 #include "results/formulation.h"
-#include "stability/motions.h"
 #include "support/balancer_scenes.h"
 #include "support/looked_at.h"
 #include "two_plane_rotor.h"
@@ -29,9 +29,9 @@ model::Case published_rotor(double eccentricity, double ball_mass) {
 }
 
 double growth_at(const model::Case &scene, double speed) {
-    const stability::MotionSolver solver(tests::looked_at(scene.rotor, results::Form::rotating, 1),
-                                         balancers::arrangement_at_balance(scene.rotor));
-    return stability::growth_of(solver.at(speed));
+    return ends::Growth(tests::looked_at(scene.rotor, results::Form::rotating, 1),
+                        balancers::arrangement_at_balance(scene.rotor), {speed})
+        .at(speed);
 }
 
 // Hopf bounds computed from the later equations, four digits printed.

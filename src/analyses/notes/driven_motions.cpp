@@ -4,8 +4,8 @@
 #include "balancers/arrangement.h"
 #include "ends/band_ends.h"
 #include "ends/finer_ends.h"
+#include "ends/growth.h"
 #include "model/errors.h"
-#include "stability/motions.h"
 #include "stability/unstable_bands.h"
 
 #include <fmt/format.h>
@@ -165,17 +165,6 @@ void note_negative_damping(const model::Rotor &rotor, results::StabilityResult &
             "refinement: judge the slow modes by `campbell`");
 }
 
-/// Growth at a speed, 1/s.
-double growth_at(const stability::StabilityModel &model, double speed) {
-    const auto arrangement = balancers::arrangement_at_balance(model.rotor);
-    if (model.form == results::Form::hill)
-        return stability::growth_of(stability::MotionSolver(model, arrangement).at(speed));
-    const assembly::Discretization d(model.rotor, model.order);
-    return ends::AllMotions(d, model.form, arrangement, nullptr, speed, speed)
-        .fastest_growing(speed)
-        .value.real();
-}
-
 void note_torque(const stability::StabilityModel &model, results::StabilityResult &result) {
     const auto fastest = std::ranges::max_element(result.growth);
     if (model.rotor.shaft.torque_has_potential() || fastest == result.growth.end() ||
@@ -186,7 +175,8 @@ void note_torque(const stability::StabilityModel &model, results::StabilityResul
     other.rotor.shaft.torque_kind = model::TorqueKind::semitangential;
     other.top = std::abs(speed);
     try {
-        const double left = std::max(0.0, growth_at(other, speed));
+        const ends::Growth growth(other, balancers::arrangement_at_balance(other.rotor), {speed});
+        const double left = std::max(0.0, growth.at(speed));
         if (left > 0.9 * *fastest)
             return;
         result.model.notes.emplace_back(

@@ -26,7 +26,7 @@ std::vector<periodic::OpenBand> open_bands(const PeriodicMotions &motions,
 } // namespace
 
 bool bands_can_be_followed(const BandFinder &finder) {
-    const PeriodicMotions *motions = finder.solver().by_monodromy();
+    const PeriodicMotions *motions = finder.hill() ? finder.hill()->by_monodromy() : nullptr;
     return motions != nullptr && motions->whole() != nullptr && finder.model().rotor.damped();
 }
 
@@ -37,7 +37,7 @@ std::optional<double> closing_anisotropy(const std::function<StabilityModel(doub
     if (!bands_can_be_followed(finder) || bands.empty() || given <= 0)
         return std::nullopt;
     const balancers::Arrangement &arrangement = finder.arrangement();
-    const PeriodicMotions *motions = finder.solver().by_monodromy();
+    const PeriodicMotions *motions = finder.hill()->by_monodromy();
     const periodic::Family family = [&](double dI) -> std::shared_ptr<const periodic::WholeRotor> {
         const auto own = std::make_shared<const OwnWholeRotor>(with(dI), arrangement);
         return {own, &own->rotor};
@@ -58,12 +58,12 @@ std::optional<double> closing_anisotropy(const std::function<StabilityModel(doub
         bands = closed->find(speeds).bands;
         if (bands.empty()) {
             const bool grows_above = std::ranges::any_of(above, [&](double share) {
-                const MotionSolver beyond(with(closing->number * (1 + share)), arrangement);
+                const HillSolver beyond(with(closing->number * (1 + share)), arrangement);
                 return growth_of(beyond.at(closing->speed)) > 0;
             });
             return grows_above ? std::optional(closing->number) : std::nullopt;
         }
-        motions = closed->solver().by_monodromy();
+        motions = closed->hill()->by_monodromy();
     }
     return std::nullopt;
 }
