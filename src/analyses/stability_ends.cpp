@@ -5,7 +5,7 @@
 #include "ends/band_ends.h"
 #include "linalg/check.h"
 #include "stability/hill/hill_motions.h"
-#include "stability/periodic_motions.h"
+#include "stability/hill/periodic_motions.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "ends/growth.h"
 #include "mesh_error/safety.h"
 #include "periodic/whole_root.h"
-#include "stability/periodic_motions.h"
+#include "stability/hill/periodic_motions.h"
 #include "stability/unstable_bands.h"
 
 #include <algorithm>

@@ -12,7 +12,7 @@
 #include "stability/anisotropy_limit.h"
 #include "stability/band_finder.h"
 #include "stability/hill/closing_bands.h"
-#include "stability/periodic_motions.h"
+#include "stability/hill/periodic_motions.h"
 
 #include <algorithm>
 #include <array>

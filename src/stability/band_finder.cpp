@@ -3,9 +3,9 @@
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "process/progress.h"
-#include "stability/band_confirmation.h"
+#include "stability/hill/band_confirmation.h"
 #include "stability/hill/hill_motions.h"
-#include "stability/periodic_motions.h"
+#include "stability/hill/periodic_motions.h"
 #include "stability/range_shapes.h"
 
 #include <algorithm>

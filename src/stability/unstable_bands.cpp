@@ -1,7 +1,7 @@
 #include "stability/unstable_bands.h"
 
 #include "linalg/roots.h"
-#include "stability/band_search.h"
+#include "stability/hill/band_search.h"
 
 #include <algorithm>
 #include <cmath>

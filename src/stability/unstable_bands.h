@@ -1,7 +1,7 @@
 #pragma once
 
 #include "results/interval.h"
-#include "stability/motions.h"
+#include "stability/hill/motions.h"
 
 #include <cmath>
 #include <functional>

@@ -6,7 +6,7 @@
 #include "ends/band_ends.h"
 #include "model/errors.h"
 #include "stability/hill/hill_solver.h"
-#include "stability/periodic_motions.h"
+#include "stability/hill/periodic_motions.h"
 #include "stability/unstable_bands.h"
 #include "support/balancer_scenes.h"
 #include "support/looked_at.h"

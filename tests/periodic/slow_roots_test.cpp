@@ -6,7 +6,7 @@
 #include "periodic/whole_root.h"
 #include "results/campbell.h"
 #include "stability/hill/hill_solver.h"
-#include "stability/periodic_motions.h"
+#include "stability/hill/periodic_motions.h"
 #include "support/looked_at.h"
 #include "support/rotating_scenes.h"
 

@@ -1,8 +1,8 @@
 // Where two motions meet and what that does: systems of two coordinates whose bands are known in
 // closed form, given to the search as they are, without a rotor.
 
-#include "stability/coalescence.h"
-#include "stability/pair_search.h"
+#include "stability/hill/coalescence.h"
+#include "stability/hill/pair_search.h"
 #include "stability/two_motion_systems.h"
 
 #include <gtest/gtest.h>

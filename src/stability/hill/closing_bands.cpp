@@ -1,7 +1,7 @@
 #include "stability/hill/closing_bands.h"
 
 #include "periodic/neutral.h"
-#include "stability/periodic_motions.h"
+#include "stability/hill/periodic_motions.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "stability/hill/hill_motions.h"
 
-#include "stability/motions.h"
+#include "stability/hill/motions.h"
 
 #include <fmt/format.h>
 

@@ -1,19 +1,19 @@
 #include "stability/hill/hill_solver.h"
 
+#include "assembly/hill_system.h"
 #include "linalg/check.h"
 #include "model/errors.h"
+#include "periodic/whole_root.h"
 #include "results/formulation.h"
 #include "stability/hill/hill_motions.h"
+#include "stability/hill/periodic_motions.h"
 #include "stability/motion_reach.h"
-#include "stability/periodic_motions.h"
-#include "stability/rayleigh.h"
 #include "stability/rotor_at_speeds.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace whirl::stability {
 
@@ -32,26 +32,6 @@ constexpr double always = 1e-11;
 
 Eigen::VectorXd root_of_diagonal(const Matrix &matrix) {
     return Eigen::SparseMatrix<double>(matrix.view()).diagonal().cwiseAbs().cwiseSqrt();
-}
-
-/// How much of its neighbours' vectors the vector of a pair may contain, by its residual.
-std::vector<RayleighFunctional::Admixture> admixtures(const std::vector<ComplexPair> &pairs,
-                                                      std::size_t index, double residual) {
-    const Complex own = pairs[index].value;
-    std::vector<RayleighFunctional::Admixture> out;
-    const auto add = [&](Complex value, const Eigen::VectorXcd &vector) {
-        const double distance = std::abs(own - value);
-        constexpr double near = 0.3; // of the modulus; farther ones are as the rest
-        if (distance < near * std::abs(own))
-            out.push_back({std::min(1.0, residual * std::abs(own) / distance), vector});
-    };
-    for (std::size_t j = 0; j < pairs.size(); ++j) {
-        if (j != index)
-            add(pairs[j].value, pairs[j].vector);
-        if (pairs[j].value.imag() != 0)
-            add(std::conj(pairs[j].value), pairs[j].vector.conjugate());
-    }
-    return out;
 }
 
 /// Of aliases next to +-i speed, which are one motion, one is kept.
@@ -79,6 +59,7 @@ struct HillSolver::Data {
     int fewest; ///< motions of the series looked at, however fast they are
     // One of the two.
     std::unique_ptr<HillMotions> series;
+    std::unique_ptr<periodic::WholeRotor> whole; ///< with the series: single motions of it
     std::unique_ptr<PeriodicMotions> monodromy;
     Eigen::VectorXd root_K, root_M; ///< weights of displacements and velocities
 
@@ -94,28 +75,10 @@ struct HillSolver::Data {
             return;
         }
         series = std::make_unique<HillMotions>(d, balancers, fewest, model.harmonics);
+        whole = std::make_unique<periodic::WholeRotor>(d, balancers);
         const assembly::RotatingSystem &system = series->spectrum(0, 0).system();
         root_K = root_of_diagonal(system.K);
         root_M = root_of_diagonal(system.M);
-    }
-
-    using Sparse = RayleighFunctional::Sparse;
-
-    /// The problem where real parts must be computed once more.
-    [[nodiscard]] RayleighFunctional functional(double speed, int harmonics) const {
-        const modes::RotatingSpectrum &spectrum = series->spectrum(speed, harmonics);
-        const assembly::SystemAtSpeed big = spectrum.hill_system(speed);
-        // Half the rows of the harmonics: what couples them to the constant term, once with 1 and
-        // once with 1/2, becomes symmetric.
-        Eigen::VectorXd half = Eigen::VectorXd::Constant(big.M.size(), 0.5);
-        half.head(root_M.size()).setOnes();
-        const auto weighted = [&half](const Matrix &A) {
-            return Sparse(half.asDiagonal() * Sparse(A.view()));
-        };
-        return {weighted(big.M),
-                weighted(big.D),
-                weighted(big.K),
-                {static_cast<int>(root_M.size()), 2 * d.planar_size()}};
     }
 
     /// Displacements and velocities at the time zero, the same for every alias in Hill's series.
@@ -147,45 +110,38 @@ struct HillSolver::Data {
         return motion;
     }
 
-    /// Real parts that the eigensolver cannot distinguish from zero, from the forms that they
-    /// consist of.
-    void solve_again(const HillMotions::Found &found, std::size_t index, double speed,
-                     std::optional<RayleighFunctional> &forms, Motion &motion) const {
-        const ComplexPair &pair = found.pairs[index];
+    /// Real parts that the eigensolver cannot distinguish from zero, by both vectors.
+    void solve_again(const ComplexPair &pair, double speed, Motion &motion) const {
         if (std::abs(pair.value.real()) > 3 * motion.noise || pair.value == 0.0 || speed == 0)
             return;
-        if (!forms)
-            forms.emplace(functional(speed, found.harmonics));
-        const double residual = 10 * pair.residual + 1e-14;
-        const RayleighFunctional::Root root =
-            forms->root(pair, residual, admixtures(found.pairs, index, residual));
-        if (root.noise < motion.noise && std::abs(root.value - pair.value) <= 10 * motion.noise) {
-            motion.value = root.value;
-            motion.noise = root.noise;
-        }
+        const auto root =
+            whole->next_to(speed, pair.value, 0, assembly::hill_terms(pair.vector, root_M.size()));
+        if (!root || root->noise >= motion.noise ||
+            std::abs(root->value - pair.value) > 10 * motion.noise)
+            return;
+        motion.value = {root->value.real(), pair.value.imag() == 0 ? 0 : root->value.imag()};
+        motion.noise = root->noise;
     }
 
     /// The slowest, those that die out no faster than a combination resonance up to this speed can
     /// drive, and all that grow.
-    [[nodiscard]] HillMotions::Found those_that_matter(double speed) const {
-        HillMotions::Found found = series->at(speed);
-        std::ranges::stable_sort(found.pairs, {}, [](const auto &a) { return std::abs(a.value); });
+    [[nodiscard]] std::vector<ComplexPair> those_that_matter(double speed) const {
+        std::vector<ComplexPair> pairs = series->at(speed).pairs;
+        std::ranges::stable_sort(pairs, {}, [](const auto &a) { return std::abs(a.value); });
         constexpr double slow = 1.26; // of the speed
         int rank = 0;
-        std::erase_if(found.pairs, [&](const ComplexPair &pair) {
+        std::erase_if(pairs, [&](const ComplexPair &pair) {
             return rank++ >= fewest && std::abs(pair.value) > slow * std::abs(speed) &&
                    !motion_of(pair, speed).grows();
         });
-        return found;
+        return pairs;
     }
 
     [[nodiscard]] std::vector<Motion> of_series(double speed) const {
-        const HillMotions::Found found = those_that_matter(speed);
-        std::optional<RayleighFunctional> forms;
         std::vector<Motion> motions;
-        for (std::size_t i = 0; i < found.pairs.size(); ++i) {
-            Motion motion = motion_of(found.pairs[i], speed);
-            solve_again(found, i, speed, forms, motion);
+        for (const ComplexPair &pair : those_that_matter(speed)) {
+            Motion motion = motion_of(pair, speed);
+            solve_again(pair, speed, motion);
             motions.push_back(motion);
             if (motion.value.imag() == 0)
                 continue;

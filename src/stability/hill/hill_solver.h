@@ -1,7 +1,7 @@
 #pragma once
 
 #include "balancers/arrangement.h"
-#include "stability/motions.h"
+#include "stability/hill/motions.h"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 // The planar shapes that an elastic periodic rotor is reduced to.
 
 #include "reduction/projection.h"
-#include "stability/periodic_motions.h"
+#include "stability/hill/periodic_motions.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "stability/periodic_motions.h"
+#include "stability/hill/periodic_motions.h"
 
 #include "linalg/check.h"
 #include "periodic/collocation.h"

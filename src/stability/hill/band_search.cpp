@@ -1,7 +1,7 @@
-#include "stability/band_search.h"
+#include "stability/hill/band_search.h"
 
 #include "linalg/roots.h"
-#include "stability/pair_search.h"
+#include "stability/hill/pair_search.h"
 
 #include <algorithm>
 #include <array>

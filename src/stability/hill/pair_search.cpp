@@ -1,4 +1,4 @@
-#include "stability/pair_search.h"
+#include "stability/hill/pair_search.h"
 
 #include <algorithm>
 #include <array>

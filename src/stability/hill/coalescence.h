@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stability/motions.h"
+#include "stability/hill/motions.h"
 
 #include <array>
 #include <complex>

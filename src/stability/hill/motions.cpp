@@ -1,4 +1,4 @@
-#include "stability/motions.h"
+#include "stability/hill/motions.h"
 
 #include <algorithm>
 #include <cmath>

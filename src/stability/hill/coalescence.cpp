@@ -1,4 +1,4 @@
-#include "stability/coalescence.h"
+#include "stability/hill/coalescence.h"
 
 #include "linalg/dense/least_squares.h"
 

@@ -1,6 +1,6 @@
-#include "stability/band_confirmation.h"
+#include "stability/hill/band_confirmation.h"
 
-#include "stability/periodic_motions.h"
+#include "stability/hill/periodic_motions.h"
 
 #include <algorithm>
 #include <cmath>

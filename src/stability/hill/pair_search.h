@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stability/coalescence.h"
+#include "stability/hill/coalescence.h"
 #include "stability/unstable_bands.h"
 
 namespace whirl::stability {
