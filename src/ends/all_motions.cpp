@@ -92,8 +92,8 @@ double AllMotions::reach() const {
     if (_reach)
         return *_reach;
     // Speeds over the range: the reach lies in a wide gap of all their moduli.
-    constexpr int samples = 5;
-    std::vector<std::vector<double>> sizes(samples);
+    const int samples = _from == _to ? 1 : 5;
+    std::vector<std::vector<double>> sizes(static_cast<std::size_t>(samples));
     for (int k = 0; k < samples; ++k) {
         const double speed = _from + (_to - _from) * (k + 0.5) / samples;
         for (const Root &root : decomposed_at(speed, _rotor.piece_of(speed)).roots)
