@@ -22,11 +22,19 @@ bool passes_safely(const Branch &branch) {
     int changes = 0;
     double least = HUGE_VAL;
     double before = branch.from->value.real();
+    double slope_before = branch.slope(0).real();
     for (int k = 1; k <= samples; ++k) {
-        const double real = branch.at(static_cast<double>(k) / samples).real();
+        const double t = static_cast<double>(k) / samples;
+        const double real = branch.at(t).real();
+        const double slope = branch.slope(t).real();
+        // Where it turns between two samples, a parabola by no more than this beyond both.
+        const bool turns = (slope > 0) != (slope_before > 0);
+        const double beyond =
+            turns ? std::max(std::abs(slope), std::abs(slope_before)) / (4.0 * samples) : 0;
         changes += (real > 0) != (before > 0) ? 1 : 0;
-        least = std::min({least, std::abs(real), std::abs(before)});
+        least = std::min({least, std::abs(real) - beyond, std::abs(before) - beyond});
         before = real;
+        slope_before = slope;
     }
     if (a == b)
         return changes == 0 && least > 0.5 * bend;

@@ -397,6 +397,33 @@ TEST(AnisotropicRigidRotor, PermissibleAnisotropyAtOneSpeed) {
     EXPECT_GE(compared, 20);
 }
 
+// Bands that are narrow beside the steps in which eigenvalues are followed, between speeds at which
+// two of them are real: whatever the range is, none is missed.
+TEST(AnisotropicRigidRotor, NarrowBandsInRandomRanges) {
+    std::mt19937 random(5);
+    const auto drawn = [&random](double from, double to) {
+        return std::uniform_real_distribution<double>(from, to)(random);
+    };
+    for (int draw = 0; draw < 100; ++draw) {
+        const double C = drawn(0.4, 0.9);
+        const double p = drawn(0.5, 3);
+        const double h = drawn(0.02, 0.25) * p * std::sqrt(1 - C);
+        const double permissible = closed_form::permissible_anisotropy({C, 0, p, h}).anisotropy;
+        const double a = permissible * drawn(1.0005, 1.1);
+        const double top = drawn(1.3, 15) * p / std::sqrt(1 - C);
+        const auto found = stability_of(tests::scene_of(tests::tilt_rotor(C, a, p, h), 0, top, 11));
+        const auto band = closed_form::unstable_band({C, a, p, h});
+        ASSERT_TRUE(band && band->to);
+        ASSERT_EQ(found.unstable.size(), 1U) << C << " " << a << " " << p << " " << h << " " << top;
+        // An end is a double root but for the excess over the permissible anisotropy.
+        const double rounding = 1e-12 / (a / permissible - 1);
+        EXPECT_NEAR(found.unstable[0].from, band->from, rounding * band->from);
+        EXPECT_NEAR(found.unstable[0].to, *band->to, rounding * *band->to);
+        ASSERT_EQ(found.permissible.size(), 1U);
+        EXPECT_NEAR(*found.permissible[0].dI, permissible, 1e-8 * permissible);
+    }
+}
+
 // The largest anisotropy does not depend on the one in the case, nor on its direction.
 TEST(AnisotropicRigidRotor, PermissibleAnisotropyDoesNotDependOnTheCase) {
     model::Rotor rotor = tests::tilt_rotor(0.8, 0.02, 1.25, 0.156);

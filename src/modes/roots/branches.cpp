@@ -157,6 +157,13 @@ Complex Branch::at(double t) const {
     return from->value + cubic(t, to->value - from->value, step * from->rate, step * to->rate);
 }
 
+Complex Branch::slope(double t) const {
+    const Complex rise = to->value - from->value;
+    const Complex d0 = step * from->rate;
+    const Complex d1 = step * to->rate;
+    return d0 + t * (2.0 * (3.0 * rise - 2.0 * d0 - d1) + 3.0 * t * (d0 + d1 - 2.0 * rise));
+}
+
 Complex Branch::off_parabola() const {
     return to->value - from->value - step * (from->rate + to->rate) / 2.0;
 }

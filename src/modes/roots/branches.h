@@ -22,6 +22,8 @@ struct Branch {
 
     /// @param t  from 0 to 1
     [[nodiscard]] std::complex<double> at(double t) const;
+    /// Its change with t there, 1/s.
+    [[nodiscard]] std::complex<double> slope(double t) const;
     /// How far the value at the end is from a parabola, whose rates are linear: what may be wrong
     /// of the cubic.
     [[nodiscard]] std::complex<double> off_parabola() const;

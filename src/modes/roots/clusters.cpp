@@ -17,12 +17,15 @@ Value mean(const Cluster &roots, Value Root::*of) {
     return sum / static_cast<double>(roots.size());
 }
 
-/// Largest distance from the mean.
-double radius(const Cluster &roots) {
+/// Largest distance from the mean, and how far it comes over a change of the speed by the rates: of
+/// two real roots that met a little before and part again it is largest between.
+double radius(const Cluster &roots, double change = 0) {
     const Value centre = mean(roots, &Root::value);
+    const Value rate = mean(roots, &Root::rate);
     double out = 0;
     for (const Root *root : roots)
-        out = std::max(out, std::abs(root->value - centre));
+        out = std::max(out, std::abs(root->value - centre) +
+                                std::abs(change) * std::abs(root->rate - rate));
     return out;
 }
 
@@ -144,9 +147,13 @@ bool stays_off(const Cluster &a, const Cluster &b, const ClusterStep &step, bool
     const PolynomialEnd from(first);
     const PolynomialEnd to(places(b, step.to, size_b));
     const Coefficients rise = to.value - from.value;
+    const Coefficients bend = 3.0 * rise - 2.0 * from.change - to.change;
+    const Coefficients twist = from.change + to.change - 2.0 * rise;
     const auto at = [&](double t) -> Coefficients {
-        return from.value + t * (from.change + t * (3.0 * rise - 2.0 * from.change - to.change +
-                                                    t * (from.change + to.change - 2.0 * rise)));
+        return from.value + t * (from.change + t * (bend + t * twist));
+    };
+    const auto slope_at = [&](double t) -> Coefficients {
+        return from.change + t * (2.0 * bend + 3.0 * t * twist);
     };
     const Eigen::VectorXd open =
         (rise - (from.change + to.change) / 2.0).cwiseAbs() + from.noise + to.noise;
@@ -155,10 +162,15 @@ bool stays_off(const Cluster &a, const Cluster &b, const ClusterStep &step, bool
         roots.push_back(place.at);
     // Twice as dense as for single roots: powers of up to the cluster's size.
     constexpr int samples_of_step = 32;
-    Coefficients before = from.value;
+    Eigen::VectorXd steepest = from.change.cwiseAbs();
     for (int k = 1; k <= samples_of_step; ++k) {
-        const Coefficients now = at(static_cast<double>(k) / samples_of_step);
-        const Eigen::VectorXd left = open + (now - before).cwiseAbs(); // on the way there, too
+        const double t = static_cast<double>(k) / samples_of_step;
+        const Coefficients now = at(t);
+        // On the way there, too: by the slopes, as a root that comes near the axis between two
+        // samples and goes back has alike values at both.
+        const Eigen::VectorXd slope = slope_at(t).cwiseAbs();
+        const Eigen::VectorXd left = open + steepest.cwiseMax(slope) / samples_of_step;
+        steepest = slope;
         if (!move_roots(now, roots))
             return false;
         for (const Value &root : roots) {
@@ -169,7 +181,6 @@ bool stays_off(const Cluster &a, const Cluster &b, const ClusterStep &step, bool
             if (!(std::abs(value_at(now, {0, w})) > allowed))
                 return false;
         }
-        before = now;
     }
     return true;
 }
@@ -203,7 +214,8 @@ bool all_alike(const Cluster &a, const Cluster &b, double step) {
     const Value off = after - before - step * (mean(a, &Root::rate) + mean(b, &Root::rate)) / 2.0;
     constexpr double allowance = 1.5; // over the distances at the ends
     const double least = std::min(std::abs(before.real()), std::abs(after.real()));
-    return least > allowance * std::max(radius(a), radius(b)) + std::abs(off);
+    const double widest = std::max(radius(a, step / 2), radius(b, step / 2));
+    return least > allowance * widest + std::abs(off);
 }
 
 bool off_the_axis(const Cluster &a, const Cluster &b, const ClusterStep &step) {
