@@ -400,23 +400,18 @@ std::vector<Picture> pictures_of(const model::Case &scene, const BalanceResult &
                                  const Units &units) {
     std::vector<Picture> pictures;
     if (result.supply)
-        pictures.push_back(
-            {"residual", chart_figure(residual_chart(scene, result, units), scene, units), {}});
+        pictures.push_back({"residual", residual_chart(scene, result, units), {}});
     if (result.states && !result.states->states.empty())
-        pictures.push_back(
-            {"states", chart_figure(states_chart(scene, *result.states, units), scene, units), {}});
+        pictures.push_back({"states", states_chart(scene, *result.states, units), {}});
     if (result.placement)
-        pictures.push_back(
-            {"placement",
-             chart_figure(placement_chart(scene, *result.placement, units), scene, units),
-             {}});
+        pictures.push_back({"placement", placement_chart(scene, *result.placement, units), {}});
     for (std::size_t i = 0; i < result.pendulum.size(); ++i) {
         const results::PendulumBalance &of = result.pendulum[i];
         const std::string number = i == 0 ? "" : "_" + std::to_string(i + 1);
-        pictures.push_back({"pendulum" + number, pendulum_figure(scene, of, units), {}});
+        pictures.push_back({"pendulum" + number, pendulum_chart(scene, of, units), {}});
         if (!of.dampings.empty())
             pictures.push_back(
-                {"pendulum_designs" + number, pendulum_designs_figure(scene, of, units), {}});
+                {"pendulum_designs" + number, pendulum_designs_chart(scene, of, units), {}});
     }
     return pictures;
 }

@@ -460,28 +460,20 @@ Report describe(const model::Case &scene, const SimulateResult &result) {
         report.pictures = [&scene, &result, branch](const Units &units) {
             std::vector<Picture> pictures;
             if (result.sweep)
-                pictures.push_back(
-                    {"sweep",
-                     chart_figure(held_sweep_chart(scene, *result.sweep, units), scene, units),
-                     {}});
+                pictures.push_back({"sweep", held_sweep_chart(scene, *result.sweep, units), {}});
             if (result.starts)
-                pictures.push_back(
-                    {"starts",
-                     chart_figure(starts_chart(scene, *result.starts, units), scene, units),
-                     {}});
+                pictures.push_back({"starts", starts_chart(scene, *result.starts, units), {}});
             if (result.waterfall)
-                pictures.push_back(
-                    {"waterfall",
-                     chart_figure(waterfall_chart(scene, *result.waterfall, units), scene, units),
-                     [&result](const Units &units) {
-                         return waterfall_csv(*result.waterfall, units);
-                     }});
+                pictures.push_back({"waterfall", waterfall_chart(scene, *result.waterfall, units),
+                                    [&result](const Units &units) {
+                                        return waterfall_csv(*result.waterfall, units);
+                                    }});
             if (branch)
-                pictures.push_back(
-                    {"cycles", chart_figure(cycle_chart(scene, *result.cycle, units), scene, units),
-                     [&result](const Units &units) {
-                         return csv_table(cycle_columns, result.cycle->branch, units);
-                     }});
+                pictures.push_back({"cycles", cycle_chart(scene, *result.cycle, units),
+                                    [&result](const Units &units) {
+                                        return csv_table(cycle_columns, result.cycle->branch,
+                                                         units);
+                                    }});
             return pictures;
         };
     report.tables = [&result] {

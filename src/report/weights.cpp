@@ -394,8 +394,7 @@ Report describe(const model::Case &scene, const WeightsResult &result) {
     if (result.influence_curves.empty())
         return report;
     report.pictures = [&](const Units &units) {
-        return std::vector<Picture>{
-            {"influence", chart_figure(influence_chart(scene, result, units), scene, units), {}}};
+        return std::vector<Picture>{{"influence", influence_chart(scene, result, units), {}}};
     };
     report.pictures_heading = "Influence over speed";
     report.tables = [&result] {

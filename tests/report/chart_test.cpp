@@ -151,6 +151,29 @@ TEST(Chart, PolarPanelsAreAsWideAsHigh) {
     EXPECT_NEAR((margin("t") - margin("b")) * figure.height, 400, 1e-9);
 }
 
+// Three squares in one row: at one height, apart, each as wide as high.
+TEST(Chart, PanelsOfARowStandBesideOneAnother) {
+    Chart chart{"", "", std::vector<ChartPanel>(3, polar_panel(200, {.title = "x"}, {}, 3))};
+    chart.panels[1].beside = chart.panels[2].beside = true;
+    const Figure figure = chart_figure(chart, sample_case(), {});
+    const auto margins = [&figure](const std::string &name) {
+        const std::string before = "set " + name + "margin at screen ";
+        std::vector<double> found;
+        for (std::size_t at = figure.script.find(before); at != std::string::npos;
+             at = figure.script.find(before, at + 1))
+            found.push_back(std::stod(figure.script.substr(at + before.size())));
+        return found;
+    };
+    const auto left = margins("l"), right = margins("r"), top = margins("t");
+    ASSERT_EQ(left.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR((right[i] - left[i]) * figure.width, 200, 1e-9);
+        EXPECT_EQ(top[i], top[0]);
+        EXPECT_GT(left[i], i == 0 ? 0 : right[i - 1]);
+    }
+    EXPECT_LT(right[2], 1);
+}
+
 // Both ends of a line at the ends of the panel's axis: beyond these gnuplot would draw none of it.
 TEST(Chart, UprightLinesEndWhereTheirPanelDoes) {
     ChartPanel panel{200, {.title = "x", .low = 0, .high = 1}, {.low = -1. / 3, .high = 2e5 / 7}};

@@ -145,15 +145,14 @@ std::vector<Picture> orbit_pictures(const model::Case &scene, const ResponseResu
                                     const Units &units) {
     std::vector<Picture> pictures;
     if (!result.orbits.empty())
-        pictures.push_back({"response_orbits", orbits_figure(scene, result.orbits, units),
+        pictures.push_back({"response_orbits", orbits_chart(scene, result.orbits, units),
                             [&result](const Units &units) {
                                 return csv_table(orbit_columns, rows_of(result.orbits, false),
                                                  units);
                             }});
     if (!result.shapes.empty())
         pictures.push_back(
-            {"response_shapes",
-             chart_figure(shapes_chart(scene, result.shapes, units), scene, units),
+            {"response_shapes", shapes_chart(scene, result.shapes, units),
              [&result](const Units &units) { return shapes_csv(result.shapes, units); }});
     return pictures;
 }

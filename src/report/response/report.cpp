@@ -491,14 +491,12 @@ std::vector<Picture> pictures_of(const model::Case &scene, const ResponseResult 
                                  const Units &units) {
     std::vector<Picture> pictures;
     if (has_polar(result))
-        pictures.push_back(
-            {"response_polar", chart_figure(polar_chart(scene, result, units), scene, units), {}});
+        pictures.push_back({"response_polar", polar_chart(scene, result, units), {}});
     for (Picture &picture : orbit_pictures(scene, result, units))
         pictures.push_back(std::move(picture));
     const std::vector<Part> parts = parts_of(scene, result);
     for (std::size_t i = 1; i < parts.size(); ++i)
-        pictures.push_back(
-            {parts[i].file, chart_figure(parts[i].chart(units), scene, units), parts[i].csv});
+        pictures.push_back({parts[i].file, parts[i].chart(units), parts[i].csv});
     return pictures;
 }
 

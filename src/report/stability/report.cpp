@@ -227,8 +227,7 @@ std::string level1_text(const Level1 &level1, const Units &units) {
 }
 
 Picture level1_picture(const model::Case &scene, const Level1 &level1, const Units &units) {
-    return {"level1", chart_figure(level1_chart(scene, level1, units), scene, units),
-            [&level1](const Units &files) {
+    return {"level1", level1_chart(scene, level1, units), [&level1](const Units &files) {
                 return csv_lists({{{"q", Quantity::stiffness}, level1.q},
                                   {{"log_dec"}, level1.log_dec},
                                   {{"frequency", Quantity::frequency}, level1.frequency}},
@@ -470,10 +469,7 @@ Report describe(const model::Case &scene, const StabilityResult &result) {
             if (result.level1)
                 pictures.push_back(level1_picture(scene, *result.level1, units));
             if (states)
-                pictures.push_back(
-                    {"states",
-                     chart_figure(states_chart(scene, *result.states, units), scene, units),
-                     {}});
+                pictures.push_back({"states", states_chart(scene, *result.states, units), {}});
             return pictures;
         };
         report.pictures_heading = result.level1 && states
