@@ -4,12 +4,12 @@
 
 #include "report/common/csv.h"
 #include "report/common/html.h"
-#include "report/common/table.h"
 #include "report/common/units.h"
 #include "report/common/words.h"
 #include "report/held_motions.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
+#include "report/sections.h"
 #include "report/steady_states.h"
 
 #include <fmt/format.h>
@@ -361,11 +361,8 @@ std::vector<Section> sections_of(const SimulateResult &result, const Units &unit
         sections.insert(sections.begin(), sweep_section(*result.sweep, units));
     if (result.starts)
         sections.insert(sections.begin(), starts_section(*result.starts, units));
-    if (!result.balancers.empty())
-        sections.push_back(
-            {"Balancers", page_table(balancer_motion_columns, result.balancers, units)});
-    if (!result.stations.empty())
-        sections.push_back({"Stations", page_table(station_columns, result.stations, units)});
+    add_table(sections, "Balancers", balancer_motion_columns, result.balancers, units);
+    add_table(sections, "Stations", station_columns, result.stations, units);
     if (!result.other_starts.empty())
         sections.push_back(
             {"From other starts", page_table(start_columns, all_starts(result), units)});
