@@ -3,6 +3,7 @@
 #include "report/common/plot_jobs.h"
 #include "report/pictures/chart.h"
 #include "sample_results.h"
+#include "support/svg_texts.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -172,6 +173,23 @@ TEST(Chart, PanelsOfARowStandBesideOneAnother) {
         EXPECT_GT(left[i], i == 0 ? 0 : right[i - 1]);
     }
     EXPECT_LT(right[2], 1);
+}
+
+// Whatever the case is called and a panel shows: all of it is in the picture.
+TEST(Chart, LongTitlesAreNotCut) {
+    std::string words;
+    for (int i = 0; i < 30; ++i)
+        words += fmt::format("word {} ", i);
+    for (const int which : {0, 1, 2}) {
+        Chart chart = sample_chart();
+        (which == 0 ? chart.title : which == 1 ? chart.subtitle : chart.panels[0].title) = words;
+        PlotJobs jobs;
+        if (!jobs.start(chart_figure(chart, sample_case(), {}), PictureFormat::svg, "a.svg"))
+            GTEST_SKIP() << "no gnuplot";
+        const std::string svg = jobs.finish().begin()->second;
+        EXPECT_NE(svg.find("word 29"), std::string::npos) << which;
+        EXPECT_TRUE(tests::layout_faults(svg).empty()) << which;
+    }
 }
 
 // Both ends of a line at the ends of the panel's axis: beyond these gnuplot would draw none of it.

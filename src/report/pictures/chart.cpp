@@ -135,6 +135,7 @@ struct LaidOut {
     Range x, y;
     double left, right; ///< pixels
     int top;
+    std::string title; ///< as far as there is room for it beside others
     [[nodiscard]] double wide() const { return right - left; }
     [[nodiscard]] double high() const { return panel.height; }
     [[nodiscard]] double along(double value) const { return part(value, x, panel.x.logarithmic); }
@@ -188,6 +189,8 @@ double panels_wide(const Chart &chart) {
 
 constexpr int legended_left = 112; // where panels begin: room for a name beside eight characters
 
+// Of letters, pixels.
+constexpr double title_size = 15, subtitle_size = 11, panel_title_size = 12;
 constexpr double end_size = 11; // of the letters of names at the ends of curves, pixels
 constexpr double end_gap = 16;  // from the curves to these, pixels
 
@@ -244,7 +247,9 @@ std::vector<LaidOut> laid_out(const Chart &chart, double left) {
             top = out.back().top;
         else
             top += panel.title.empty() ? 0 : chart_above_title;
-        out.push_back({panel, range(panel.x, true), range(panel.y, false), from, from + wide, top});
+        out.push_back(
+            {panel, range(panel.x, true), range(panel.y, false), from, from + wide, top,
+             count == 1 ? panel.title : fitting(panel.title, panel_title_size, wide + gap - 8)});
         top += panel.height + (panel.x.title.empty() ? chart_below_numbers : chart_below_name);
     }
     return out;
@@ -612,12 +617,18 @@ Figure chart_figure(const Chart &described, const model::Case &scene, const Unit
     constexpr double sample = 62; // as gnuplot draws it: the line before a name and the gaps
     constexpr double least = 1080;
     const double right = left + panels_wide(chart) + gap;
-    const double wide = std::max(least, std::ceil(right + sample + widest + 8));
-    std::string script = fmt::format(
-        "set multiplot\nset label 101 {} at screen 0.5,{} center font ',15'\n"
-        "set label 102 {} at screen 0.5,{} center font ',11' textcolor '#555555'\n"
-        "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n",
-        plot_text(chart.title), 1 - 22.0 / height, plot_text(chart.subtitle), 1 - 48.0 / height);
+    const double texts =
+        std::max(text_width(chart.title, title_size), text_width(chart.subtitle, subtitle_size));
+    double wide = std::max({least, right + sample + widest + 8, texts + 16});
+    for (const LaidOut &at : panels)
+        wide = std::max(wide, at.left + text_width(at.title, panel_title_size) + 8);
+    wide = std::ceil(wide);
+    std::string script =
+        fmt::format("set multiplot\nset label 101 {} at screen 0.5,{} center font ',{}'\n"
+                    "set label 102 {} at screen 0.5,{} center font ',{}' textcolor '#555555'\n"
+                    "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n",
+                    plot_text(chart.title), 1 - 22.0 / height, title_size,
+                    plot_text(chart.subtitle), 1 - 48.0 / height, subtitle_size);
     std::set<std::string> keyed{""}; // names in the legend, each once
     for (const LaidOut &at : panels) {
         const ChartPanel &panel = at.panel;
@@ -640,9 +651,10 @@ Figure chart_figure(const Chart &described, const model::Case &scene, const Unit
                   axis_commands(panel.y, at.y, 'y', draws_nothing(panel)) +
                   fmt::format("set key at graph {},1 left top reverse Left vertical samplen 3\n",
                               (right - at.left) / at.wide()) +
-                  (panel.title.empty() ? "unset title\n"
-                                       : fmt::format("set title {} font ',12' offset 0,-0.4\n",
-                                                     plot_text(panel.title)));
+                  (at.title.empty() ? ""
+                                    : fmt::format("set label {} at screen {},{} left font ',{}'\n",
+                                                  plot_text(at.title), at.left / wide,
+                                                  1 - (at.top - 12.0) / height, panel_title_size));
         for (const bool along_x : {true, false})
             if ((along_x ? panel.x : panel.y).spin_speed) {
                 const Range &speeds = along_x ? at.x : at.y;
