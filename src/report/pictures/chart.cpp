@@ -312,6 +312,7 @@ struct PlacedLabel {
 };
 
 constexpr double label_size = 10; // of the letters, pixels
+constexpr double label_gap = 4;   // between these and what stands beside them, pixels
 
 /// Labels beside their points, off the curves, as far as there is room.
 std::vector<PlacedLabel> placed_labels(const LaidOut &at) {
@@ -323,8 +324,8 @@ std::vector<PlacedLabel> placed_labels(const LaidOut &at) {
     for (const ChartLabel &label : at.panel.labels) {
         const double x = at.along(label.x);
         const double y = at.up(label.y);
-        const auto box = placer.place(x, y, (text_width(label.text, label_size) + 8) / at.wide(),
-                                      15 / at.high());
+        const auto box = placer.place(
+            x, y, (text_width(label.text, label_size) + 2 * label_gap) / at.wide(), 15 / at.high());
         if (!box)
             continue;
         placed.push_back({label, *box, x, y});
@@ -339,8 +340,8 @@ std::string labels_of(const LaidOut &at) {
     std::string script;
     for (const PlacedLabel &one : placed) {
         script += fmt::format("set label {} at graph {},{} left font ',{}' textcolor '{}' front\n",
-                              plot_text(one.label.text), one.box.x, one.middle(), label_size,
-                              one.label.colour);
+                              plot_text(one.label.text), one.box.x + label_gap / at.wide(),
+                              one.middle(), label_size, one.label.colour);
         if (one.far(at))
             script += fmt::format("set arrow from graph {},{} to graph {},{} nohead lw 0.6 lc rgb "
                                   "'#999999'\n",
@@ -423,13 +424,14 @@ Json chart_panel_json(const LaidOut &at) {
             {"curves", json_list(panel.curves, chart_curve_json)},
             {"labels", json_list(placed_labels(at),
                                  [&](const PlacedLabel &one) {
-                                     return Json{{"text", one.label.text},
-                                                 {"x", one.label.x},
-                                                 {"y", one.label.y},
-                                                 {"colour", one.label.colour},
-                                                 {"right", (one.box.x - one.x) * at.wide()},
-                                                 {"up", (one.middle() - one.y) * at.high()},
-                                                 {"far", one.far(at)}};
+                                     return Json{
+                                         {"text", one.label.text},
+                                         {"x", one.label.x},
+                                         {"y", one.label.y},
+                                         {"colour", one.label.colour},
+                                         {"right", (one.box.x - one.x) * at.wide() + label_gap},
+                                         {"up", (one.middle() - one.y) * at.high()},
+                                         {"far", one.far(at)}};
                                  })},
             {"ends", json_list(placed_ends(at), [&](const PlacedEnd &one) {
                  return Json{{"text", one.end.text},
