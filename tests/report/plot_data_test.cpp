@@ -7,6 +7,7 @@
 #include "results/modes.h"
 #include "results/response.h"
 #include "results/stability.h"
+#include "results/steady_states.h"
 #include "sample_results.h"
 
 #include <algorithm>
@@ -331,6 +332,27 @@ TEST(PlotData, ModesAreDrawnWhenMostOfThemIsSeen) {
     EXPECT_FALSE(mode_curves(modes[0]).at_one_instant);
     EXPECT_TRUE(mode_curves(modes[2]).at_one_instant);
     EXPECT_FALSE(mode_curves(modes[3]).at_one_instant);
+}
+
+// Neighbours among the speeds, but of rotors that turn in opposite senses.
+TEST(PlotData, StatesAreNotJoinedThroughStandstill) {
+    results::SteadyStates states;
+    for (const double speed : {-100, -50, 50, 100}) {
+        states.speeds.push_back(speed);
+        results::SteadyState &state = states.states.emplace_back();
+        state.speed = speed;
+        state.stable = true;
+        state.residual = 1e-6;
+    }
+    const Chart chart = states_chart(sample_case(), states, usual);
+    std::size_t pieces = 0;
+    for (const ChartCurve &curve : chart.panels.front().curves)
+        for (std::size_t i = 1; i < curve.points.size() && curve.width > 0; ++i)
+            if (curve.points[i - 1].y && curve.points[i].y) {
+                ++pieces;
+                EXPECT_GT(curve.points[i - 1].x * curve.points[i].x, 0);
+            }
+    EXPECT_EQ(pieces, 2U) << "of each sense one";
 }
 
 // A circle of 2 um in a clearance of 4 um. It is run through in the sense of the spin, and begins
