@@ -98,7 +98,7 @@ double reach_of(const Units &units, const Orbit &orbit) {
 
 /// @param sign  of the spin speed
 ChartPanel orbit_panel(const Units &units, const Orbit &orbit, double sign) {
-    constexpr int side = 220; // pixels
+    constexpr int side = 240; // pixels
     constexpr const char *blue = "#0072B2";
     ChartPanel panel{side, chart_axis(units, "x", drawn_as), chart_axis(units, "y", drawn_as)};
     panel.square = true;
@@ -142,10 +142,11 @@ Chart orbits_chart(const model::Case &scene, const std::vector<Orbits> &orbits,
             ChartPanel &panel = chart.panels.emplace_back(
                 orbit_panel(units, orbits[row].stations[place], speed < 0 ? -1 : 1));
             panel.beside = place != drawn.front();
-            panel.y.title = panel.beside
-                                ? ""
-                                : fmt::format("{}, at {}", panel.y.title,
-                                              drawn_value(units, Quantity::speed, speed, 6));
+            if (panel.beside)
+                panel.y.title.clear();
+            else
+                panel.title = fmt::format(
+                    "at {} · {}", drawn_value(units, Quantity::speed, speed, 6), panel.title);
         }
     return chart;
 }
