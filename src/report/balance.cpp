@@ -6,10 +6,10 @@
 #include "report/balance_supply.h"
 #include "report/common/csv.h"
 #include "report/common/html.h"
-#include "report/common/table.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
+#include "report/sections.h"
 #include "report/steady_states.h"
 
 #include <fmt/format.h>
@@ -335,20 +335,17 @@ std::vector<Section> sections_of(const BalanceResult &result, const Units &units
     std::vector<Section> sections{
         {"What it says", findings_html(result.findings, units)},
         {"Bands of spin speed", page_table(band_columns, planes_and_joint(result, units), units)}};
-    if (!ends.empty())
-        sections.push_back({"Ends of the bands", page_table(band_end_columns, ends, units)});
+    add_table(sections, "Ends of the bands", band_end_columns, ends, units);
     if (result.placement)
         sections.push_back(
             {"Best places", page_table(best_columns, best_places(*result.placement), units) +
                                 "<p>Margin: mean over the speeds of the largest eigenvalue, times "
                                 "−1 and the mass of the rotor, each cut to ±1.</p>\n"});
-    for (Section &section : supply_sections(result, units))
-        sections.push_back(std::move(section));
+    add_sections(sections, supply_sections(result, units));
     if (!result.pendulum.empty())
         sections.push_back({"Four-pendulum balancers", pendulum_page(result.pendulum, units)});
     if (result.states)
-        for (Section &section : states_sections(*result.states, units))
-            sections.push_back(std::move(section));
+        add_sections(sections, states_sections(*result.states, units));
     return sections;
 }
 
@@ -400,23 +397,18 @@ std::vector<Picture> pictures_of(const model::Case &scene, const BalanceResult &
                                  const Units &units) {
     std::vector<Picture> pictures;
     if (result.supply)
-        pictures.push_back(
-            {"residual", chart_figure(residual_chart(scene, result, units), scene, units), {}});
+        pictures.push_back({"residual", residual_chart(scene, result, units), {}});
     if (result.states && !result.states->states.empty())
-        pictures.push_back(
-            {"states", chart_figure(states_chart(scene, *result.states, units), scene, units), {}});
+        pictures.push_back({"states", states_chart(scene, *result.states, units), {}});
     if (result.placement)
-        pictures.push_back(
-            {"placement",
-             chart_figure(placement_chart(scene, *result.placement, units), scene, units),
-             {}});
+        pictures.push_back({"placement", placement_chart(scene, *result.placement, units), {}});
     for (std::size_t i = 0; i < result.pendulum.size(); ++i) {
         const results::PendulumBalance &of = result.pendulum[i];
         const std::string number = i == 0 ? "" : "_" + std::to_string(i + 1);
-        pictures.push_back({"pendulum" + number, pendulum_figure(scene, of, units), {}});
+        pictures.push_back({"pendulum" + number, pendulum_chart(scene, of, units), {}});
         if (!of.dampings.empty())
             pictures.push_back(
-                {"pendulum_designs" + number, pendulum_designs_figure(scene, of, units), {}});
+                {"pendulum_designs" + number, pendulum_designs_chart(scene, of, units), {}});
     }
     return pictures;
 }

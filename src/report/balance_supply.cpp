@@ -2,7 +2,7 @@
 
 #include "report/common/csv.h"
 #include "report/common/html.h"
-#include "report/common/table.h"
+#include "report/sections.h"
 
 #include <fmt/format.h>
 
@@ -308,12 +308,12 @@ std::vector<Section> supply_sections(const BalanceResult &result, const Units &u
         {needs_heading,
          page_table(need_columns, needs_of(result, chosen_speeds(result.speeds.size(), on_page)),
                     units) +
-             element("p", phase_convention(result.supply->lag))},
+             element("p", phase_convention(result.supply->lag))}};
+    add_table(out, rest_heading, rest_columns,
+              rests_of(result, chosen_speeds(result.speeds.size(), on_page)), units);
+    out.push_back(
         {left_heading,
-         page_table(left_columns, left_for_readers(result, most_places, on_page), units)}};
-    const std::vector<Rest> rests = rests_of(result, chosen_speeds(result.speeds.size(), on_page));
-    if (!rests.empty())
-        out.insert(out.begin() + 1, {rest_heading, page_table(rest_columns, rests, units)});
+         page_table(left_columns, left_for_readers(result, most_places, on_page), units)});
     return out;
 }
 

@@ -4,10 +4,10 @@
 
 #include "report/common/csv.h"
 #include "report/common/error_parts.h"
-#include "report/common/table.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
+#include "report/sections.h"
 
 #include <fmt/format.h>
 
@@ -188,9 +188,8 @@ std::vector<Section> sections_of(const CampbellResult &result, const Units &unit
             ? "<p>No mode crosses a multiple of the spin speed in this range.</p>\n"
             : page_table(crossing_columns(result), result.crossings, units);
     std::vector<Section> sections{{"Critical speeds (1×) and other crossings", crossings}};
-    if (!result.locked.empty())
-        sections.push_back({"Modes that stay on a multiple of the spin speed",
-                            page_table(locked_columns(result), result.locked, units)});
+    add_table(sections, "Modes that stay on a multiple of the spin speed", locked_columns(result),
+              result.locked, units);
     if (!result.speeds.empty())
         sections.push_back(
             {"Whirl modes at " + units.text(Quantity::speed, result.speeds.back()),
@@ -247,10 +246,8 @@ model::Sentence answer_of(const CampbellResult &result) {
 
 std::vector<Section> brief_of(const CampbellResult &result, const Units &units) {
     std::vector<Section> sections;
-    if (!result.crossings.empty())
-        sections.push_back(
-            {"Crossings with multiples of the spin speed",
-             page_table_of_first(brief_rows, crossing_columns(result), result.crossings, units)});
+    add_table(sections, "Crossings with multiples of the spin speed", crossing_columns(result),
+              result.crossings, units, brief_rows);
     return sections;
 }
 

@@ -5,12 +5,12 @@
 #include "report/common/csv.h"
 #include "report/common/error_parts.h"
 #include "report/common/margins.h"
-#include "report/common/table.h"
 #include "report/common/words.h"
 #include "report/critical_map.h"
 #include "report/pictures/chart.h"
 #include "report/pictures/style.h"
 #include "report/reports.h"
+#include "report/sections.h"
 #include "results/whirl.h"
 
 #include <fmt/format.h>
@@ -135,9 +135,8 @@ std::vector<Section> brief_of(const CriticalResult &result, const Units &units) 
     std::vector<Section> sections;
     if (result.margins)
         sections.push_back({margins_heading, margins_page(*result.margins, units)});
-    if (!result.critical_speeds.empty())
-        sections.push_back({"Critical speeds", page_table_of_first(brief_rows, critical_columns,
-                                                                   result.critical_speeds, units)});
+    add_table(sections, "Critical speeds", critical_columns, result.critical_speeds, units,
+              brief_rows);
     return sections;
 }
 
@@ -165,8 +164,7 @@ Report describe(const model::Case &scene, const CriticalResult &result) {
                 if (result.margins)
                     sections.push_back({margins_heading, margins_page(*result.margins, units)});
                 if (result.map)
-                    for (Section &section : critical_map_sections(scene, *result.map, units))
-                        sections.push_back(std::move(section));
+                    add_sections(sections, critical_map_sections(scene, *result.map, units));
                 return sections;
             },
         .text = [&](const Units &units) { return text_of(scene, result, units); },

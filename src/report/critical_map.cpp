@@ -177,7 +177,7 @@ std::string critical_map_text(const model::Case &scene, const CriticalMap &map,
 }
 
 Picture critical_map_picture(const model::Case &scene, const CriticalMap &map, const Units &units) {
-    return {"critical_map", chart_figure(critical_map_chart(scene, map, units), scene, units),
+    return {"critical_map", critical_map_chart(scene, map, units),
             [&scene, &map](const Units &files) { return csv_of(scene, map, files); }};
 }
 

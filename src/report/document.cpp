@@ -122,12 +122,13 @@ std::string inputs_section(const Report &report, const std::string &hash) {
 /// Draws all pictures of a document side by side.
 class Pictures {
   public:
-    explicit Pictures(const Document &document) {
+    Pictures(const Document &document, const model::Case &scene, const Units &units) {
         for (std::size_t i = 0; i < document.chapters.size(); ++i)
             for (std::size_t k = 0; k < document.chapters[i].pictures.size(); ++k)
                 if (!_missing)
-                    _missing = !_jobs.start(document.chapters[i].pictures[k].figure,
-                                            PictureFormat::svg, name(i, k));
+                    _missing = !_jobs.start(
+                        chart_figure(document.chapters[i].pictures[k].chart, scene, units),
+                        PictureFormat::svg, name(i, k));
         _drawn = _jobs.finish();
     }
     [[nodiscard]] bool missing() const { return _missing; }
@@ -217,7 +218,7 @@ std::string document_page(const Report &report, const Document &document, const 
 Files write_document(const Report &report, const fs::path &folder) {
     const Units units = Units::of_readers(report.scene->units);
     const Document document = report.document(units);
-    const Pictures pictures(document);
+    const Pictures pictures(document, *report.scene, units);
     const std::string page = document_page(report, document, pictures, units);
     OutputFiles files(folder);
     files.add(report.command + ".html", page);

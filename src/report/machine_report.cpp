@@ -82,8 +82,8 @@ Chapter chapter_of(const Of &part, const Units &units, std::vector<model::Senten
                 .answered = false};
     const Report &report = *part.report;
     Chapter chapter{.command = report.command, .heading = part.heading, .answer = report.answer};
-    if (auto figure = main_figure(report, units))
-        chapter.pictures.push_back({report.command, std::move(*figure), {}});
+    if (report.chart)
+        chapter.pictures.push_back({report.command, report.chart(units), {}});
     if (report.pictures)
         for (Picture &picture : report.pictures(units))
             if (chapter.pictures.size() <= most_pictures)

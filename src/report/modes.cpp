@@ -4,11 +4,11 @@
 
 #include "balancers/kind.h"
 #include "report/common/csv.h"
-#include "report/common/table.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/pictures/scene_parts.h"
 #include "report/reports.h"
+#include "report/sections.h"
 #include "report/vtk.h"
 #include "results/whirl.h"
 
@@ -188,9 +188,7 @@ std::vector<Section> sections_of(const ModesResult &result, const Units &units) 
     const Texts dissipation = dissipation_texts(result.modes, "–", units);
     if (!dissipation.empty())
         sections.push_back({"Where the modes dissipate", page_table(dissipation)});
-    if (!result.critical.empty())
-        sections.push_back({"Modes at the critical speeds",
-                            page_table(critical_columns(), result.critical, units)});
+    add_table(sections, "Modes at the critical speeds", critical_columns(), result.critical, units);
     const Texts critical = dissipation_texts(result.critical, "–", units);
     if (!critical.empty())
         sections.push_back({"Where they dissipate", page_table(critical)});

@@ -94,10 +94,6 @@ std::string overrides_of(const Provenance &provenance) {
                   [](const std::string &entry) { return "# --set \"" + entry + "\"\n"; });
 }
 
-std::string script_element(std::string_view script) {
-    return std::string("<script>").append(script).append("</script>\n");
-}
-
 /// What stands between the head of a page and its foot, by the names in page.html.
 /// @param still, pictures  as of to_html
 std::map<std::string, std::string> main_of(const Report &report, const std::string &still,
@@ -108,15 +104,6 @@ std::map<std::string, std::string> main_of(const Report &report, const std::stri
     for (const model::Sentence &note : report.model->notes)
         notes += element("p", readers.text(note),
                          note.weight() == model::Weight::information ? "note quiet" : "note");
-    std::string plot =
-        moves(report)
-            ? fmt::format("<figure aria-label=\"{}; the numbers are in the tables below\">"
-                          "<div id=\"plot\"></div></figure>\n",
-                          escaped_attribute(report.heading + ": " + title))
-            : still;
-    if (report.chart && !moves(report))
-        plot +=
-            element("p", "This build has no Plotly, so the diagram is a still picture.", "note");
     const bool is_drawing = static_cast<bool>(report.drawing) || // the rotor itself
                             !model::has_shaft(*report.scene);
     return {{"heading", escaped(report.heading)},
@@ -126,7 +113,7 @@ std::map<std::string, std::string> main_of(const Report &report, const std::stri
                           : element("h2", "Rotor") +
                                 picture_element(to_svg(scene_drawing(*report.scene, readers)),
                                                 "Side view of the rotor: " + title)},
-            {"plot", plot},
+            {"plot", report.chart ? page_diagram(report.heading + ": " + title, still) : still},
             {"sections", sections_of(report, pictures)},
             {"model", formulation(*report.model, readers)}};
 }
@@ -138,8 +125,8 @@ std::string still_picture(const Report &report) {
     if (report.drawing)
         return picture_element(to_svg(report.drawing(readers)), label);
     PlotJobs jobs;
-    if (moves(report) ||
-        !jobs.start(*main_figure(report, readers), PictureFormat::svg, report.command + ".svg"))
+    if (moves(report) || !jobs.start(chart_figure(report.chart(readers), *report.scene, readers),
+                                     PictureFormat::svg, report.command + ".svg"))
         return "";
     return picture_element(jobs.finish().begin()->second, label);
 }
@@ -148,16 +135,30 @@ std::string still_picture(const Report &report) {
 
 bool moves(const Report &report) { return report.chart && !plotly_bundle().empty(); }
 
+std::string page_diagram(const std::string &label, const std::string &still) {
+    if (plotly_bundle().empty())
+        return still +
+               element("p", "This build has no Plotly, so the diagram is a still picture.", "note");
+    return fmt::format("<figure aria-label=\"{}; the numbers are in the tables below\">"
+                       "<div id=\"plot\"></div></figure>\n",
+                       escaped_attribute(label));
+}
+
+std::string page_scripts(bool chart, const std::string &own) {
+    const std::string_view plotly = chart ? plotly_bundle() : "";
+    const auto script = [](std::string_view text) {
+        return std::string("<script>").append(text).append("</script>\n");
+    };
+    if (plotly.empty() && own.empty())
+        return "";
+    // In a function of its own: names such as `top` belong to the window outside.
+    return (plotly.empty() ? "" : script(plotly)) +
+           script("(function () {\n" + embedded("common.js") + own +
+                  (plotly.empty() ? "" : embedded("chart.js")) + "})();\n");
+}
+
 std::string to_html(const Report &report, const std::string &still, const std::string &pictures,
                     const std::vector<std::string> &files) {
-    std::string scripts;
-    const std::string of_space = embedded(report.command + "_space.js"); // which needs no library
-    if (moves(report))
-        scripts = script_element(plotly_bundle());
-    if (moves(report) || !of_space.empty()) // in a function of its own: names such as `top` belong
-        scripts +=                          // to the window outside
-            script_element("(function () {\n" + embedded("common.js") + of_space +
-                           (moves(report) ? embedded("chart.js") : "") + "})();\n");
     std::map<std::string, std::string> values = main_of(report, still, pictures);
     values.insert({{"title", escaped(title_of(*report.scene))},
                    {"case", escaped(report.scene->name)},
@@ -170,7 +171,8 @@ std::string to_html(const Report &report, const std::string &still, const std::s
                    {"case_text",
                     escaped_lines(overrides_of(report.provenance) + report.provenance.case_text)},
                    {"json", json_for_script(to_page_json(report))},
-                   {"scripts", scripts}});
+                   {"scripts", page_scripts(static_cast<bool>(report.chart),
+                                            embedded(report.command + "_space.js"))}});
     return with_contents(filled(embedded("page.html"), values));
 }
 

@@ -58,7 +58,8 @@ class Writer {
     /// Both files of a picture, in the units that were asked for. The PNG takes longest, so it
     /// starts first; the SVG is announced first. @returns the name of the latter, or nothing
     /// without gnuplot
-    std::string start_both(const Figure &figure, const std::string &name) {
+    std::string start_both(const Chart &chart, const std::string &name) {
+        const Figure figure = chart_figure(chart, *_report.scene, _readers);
         const std::string svg = name + ".svg";
         _files.announce(svg);
         return start(figure, PictureFormat::png, name + ".png") &&
@@ -86,13 +87,13 @@ class Writer {
                 _written.notes.emplace_back("gnuplot is not installed: no PNG picture");
             return;
         }
-        _svg = start_both(*main_figure(_report, _readers), name);
+        _svg = start_both(_report.chart(_readers), name);
         if (_svg.empty())
             _written.notes.emplace_back("gnuplot is not installed: no SVG and PNG pictures");
     }
 
     void start_further(const Picture &picture) {
-        if (const std::string svg = start_both(picture.figure, picture.name); !svg.empty())
+        if (const std::string svg = start_both(picture.chart, picture.name); !svg.empty())
             _further.push_back(svg);
         if (picture.csv)
             add(picture.name + ".csv", picture.csv(_in_files));
@@ -124,11 +125,6 @@ class Writer {
 };
 
 } // namespace
-
-std::optional<Figure> main_figure(const Report &report, const Units &units) {
-    return report.chart ? std::optional(chart_figure(report.chart(units), *report.scene, units))
-                        : std::nullopt;
-}
 
 Files write_report(const Report &report, const fs::path &folder) {
     if (report.document)

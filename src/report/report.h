@@ -2,7 +2,6 @@
 
 #include "model/case.h"
 #include "report/common/drawing.h"
-#include "report/common/gnuplot.h"
 #include "report/common/units.h"
 #include "report/pictures/chart.h"
 
@@ -29,7 +28,7 @@ struct Section {
 /// A picture beside the main one.
 struct Picture {
     std::string name; ///< of its files, without ending
-    Figure figure;
+    Chart chart;
     /// Its curves as a table; none: no such file.
     std::function<std::string(const Units &)> csv{};
 };
@@ -61,8 +60,8 @@ struct Chapter {
     model::Sentence answer;           ///< in one sentence, or why there is none
     bool answered = true;             ///< false: the analysis failed
     std::optional<Drawing> drawing{}; ///< in front of the pictures
-    std::vector<Picture> pictures{};  ///< drawn by gnuplot
-    std::vector<Section> tables{};    ///< the most important rows
+    std::vector<Picture> pictures{};
+    std::vector<Section> tables{}; ///< the most important rows
     std::vector<model::Sentence> notes{};
 };
 
@@ -141,9 +140,6 @@ template <class Result>
     return report;
 }
 
-/// The main picture for gnuplot; none of a document.
-[[nodiscard]] std::optional<Figure> main_figure(const Report &report, const Units &units);
-
 /// Version of the program, as in the results.
 [[nodiscard]] std::string program_version();
 
@@ -162,6 +158,13 @@ template <class Result>
 
 /// Whether a script draws the diagram on its page.
 [[nodiscard]] bool moves(const Report &report);
+/// A chart on a page: drawn by its script, or still where the build has no Plotly.
+/// @param label  what it is, for those who do not see it
+[[nodiscard]] std::string page_diagram(const std::string &label, const std::string &still);
+/// The scripts that draw a page.
+/// @param chart  whether there is one
+/// @param own    of this page, which need no library
+[[nodiscard]] std::string page_scripts(bool chart, const std::string &own);
 /// One self-contained page: nothing is loaded from elsewhere.
 /// @param still     SVG shown where no script can draw
 /// @param pictures  SVG of the pictures beside the main one

@@ -4,10 +4,10 @@
 
 #include "report/answers.h"
 #include "report/common/csv.h"
-#include "report/common/table.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
+#include "report/sections.h"
 
 #include <fmt/format.h>
 
@@ -174,8 +174,7 @@ std::vector<Section> sections_of(const SamplesResult &result, const Units &units
         {"Quantiles", page_table(sample_line_columns, lines_of(result), units)},
         {"Mean and standard deviation", page_table(answer_columns, result.answers, units)},
         {"What varies", page_table(input_columns, result.inputs, units)}};
-    if (!result.failures.empty())
-        sections.push_back({"Failed samples", page_table(failure_columns, result.failures, units)});
+    add_table(sections, "Failed samples", failure_columns, result.failures, units);
     return sections;
 }
 

@@ -222,8 +222,7 @@ std::vector<Picture> pictures_of(const model::Case &scene, const ShowResult &res
             continue;
         const CompositeCurves &c = *result.balancers[i].curves;
         pictures.push_back({i == 0 ? "composite" : "composite_" + std::to_string(i + 1),
-                            chart_figure(composite_chart(scene, result, i, units), scene, units),
-                            [&c](const Units &files) {
+                            composite_chart(scene, result, i, units), [&c](const Units &files) {
                                 return csv_lists({{{"n m/M_s"}, c.m},
                                                   {{"A_m"}, c.A_m},
                                                   {{"A_C1"}, c.A_C1},
@@ -240,8 +239,7 @@ std::vector<Picture> pictures_of(const model::Case &scene, const ShowResult &res
     }
     if (const auto &chart = result.anisotropy)
         pictures.push_back(
-            {"anisotropy", chart_figure(anisotropy_chart(scene, *chart, units), scene, units),
-             [&chart](const Units &files) {
+            {"anisotropy", anisotropy_chart(scene, *chart, units), [&chart](const Units &files) {
                  return csv_lists({{{"speed", Quantity::speed}, chart->speed},
                                    {{"anisotropy at the stability limit"}, chart->limit},
                                    {{"anisotropy at a critical speed"}, chart->undamped}},

@@ -4,12 +4,12 @@
 
 #include "report/common/csv.h"
 #include "report/common/html.h"
-#include "report/common/table.h"
 #include "report/common/units.h"
 #include "report/common/words.h"
 #include "report/held_motions.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
+#include "report/sections.h"
 #include "report/steady_states.h"
 
 #include <fmt/format.h>
@@ -361,11 +361,8 @@ std::vector<Section> sections_of(const SimulateResult &result, const Units &unit
         sections.insert(sections.begin(), sweep_section(*result.sweep, units));
     if (result.starts)
         sections.insert(sections.begin(), starts_section(*result.starts, units));
-    if (!result.balancers.empty())
-        sections.push_back(
-            {"Balancers", page_table(balancer_motion_columns, result.balancers, units)});
-    if (!result.stations.empty())
-        sections.push_back({"Stations", page_table(station_columns, result.stations, units)});
+    add_table(sections, "Balancers", balancer_motion_columns, result.balancers, units);
+    add_table(sections, "Stations", station_columns, result.stations, units);
     if (!result.other_starts.empty())
         sections.push_back(
             {"From other starts", page_table(start_columns, all_starts(result), units)});
@@ -460,28 +457,20 @@ Report describe(const model::Case &scene, const SimulateResult &result) {
         report.pictures = [&scene, &result, branch](const Units &units) {
             std::vector<Picture> pictures;
             if (result.sweep)
-                pictures.push_back(
-                    {"sweep",
-                     chart_figure(held_sweep_chart(scene, *result.sweep, units), scene, units),
-                     {}});
+                pictures.push_back({"sweep", held_sweep_chart(scene, *result.sweep, units), {}});
             if (result.starts)
-                pictures.push_back(
-                    {"starts",
-                     chart_figure(starts_chart(scene, *result.starts, units), scene, units),
-                     {}});
+                pictures.push_back({"starts", starts_chart(scene, *result.starts, units), {}});
             if (result.waterfall)
-                pictures.push_back(
-                    {"waterfall",
-                     chart_figure(waterfall_chart(scene, *result.waterfall, units), scene, units),
-                     [&result](const Units &units) {
-                         return waterfall_csv(*result.waterfall, units);
-                     }});
+                pictures.push_back({"waterfall", waterfall_chart(scene, *result.waterfall, units),
+                                    [&result](const Units &units) {
+                                        return waterfall_csv(*result.waterfall, units);
+                                    }});
             if (branch)
-                pictures.push_back(
-                    {"cycles", chart_figure(cycle_chart(scene, *result.cycle, units), scene, units),
-                     [&result](const Units &units) {
-                         return csv_table(cycle_columns, result.cycle->branch, units);
-                     }});
+                pictures.push_back({"cycles", cycle_chart(scene, *result.cycle, units),
+                                    [&result](const Units &units) {
+                                        return csv_table(cycle_columns, result.cycle->branch,
+                                                         units);
+                                    }});
             return pictures;
         };
     report.tables = [&result] {

@@ -1,7 +1,7 @@
 #include "report/steady_states.h"
 
 #include "report/common/csv.h"
-#include "report/common/table.h"
+#include "report/sections.h"
 
 #include <fmt/format.h>
 
@@ -87,6 +87,9 @@ const Columns<results::SteadyBorder> border_columns{
     {"residual", ForReaders("residual", "{:.5g}"), Quantity::amplitude,
      &results::SteadyBorder::residual}};
 
+constexpr const char *borders_heading =
+    "Where branches of steady states end, and roots cross the imaginary axis";
+
 /// As many rows as somebody reads; the file has all.
 constexpr std::size_t most_rows = 60;
 
@@ -118,19 +121,16 @@ Json states_undecided_json(const std::optional<SteadyStates> &states, const Unit
 
 std::string states_text(const SteadyStates &states, const Units &units) {
     return text_table("\n" + heading_of(states) + ":\n", state_columns, first_rows(states), units) +
-           text_table(
-               "\nWhere branches of steady states end, and roots cross the imaginary axis:\n",
-               border_columns, states.borders, units);
+           text_table(fmt::format("\n{}:\n", borders_heading), border_columns, states.borders,
+                      units);
 }
 
 std::vector<Section> states_sections(const SteadyStates &states, const Units &units) {
     if (states.states.empty())
         return {};
-    std::vector<Section> out{
-        {heading_of(states), page_table(state_columns, first_rows(states), units)}};
-    if (!states.borders.empty())
-        out.push_back({"Where branches of steady states end, and roots cross the imaginary axis",
-                       page_table(border_columns, states.borders, units)});
+    std::vector<Section> out;
+    add_table(out, heading_of(states), state_columns, first_rows(states), units);
+    add_table(out, borders_heading, border_columns, states.borders, units);
     return out;
 }
 

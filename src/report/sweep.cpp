@@ -4,10 +4,10 @@
 
 #include "report/answers.h"
 #include "report/common/csv.h"
-#include "report/common/table.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
+#include "report/sections.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -168,9 +168,7 @@ std::vector<Section> sweep_sections(const SweepResult &result, const Units &unit
         {"Values", page_table(table_columns(result, answers_on_page, units),
                               table_rows(result, rows_on_page), units)},
         {"What changes", page_table(axis_columns, result.axes, units)}};
-    if (!result.failures.empty())
-        sections.push_back({"Rotors without an answer",
-                            page_table(rotor_failure_columns, result.failures, units)});
+    add_table(sections, "Rotors without an answer", rotor_failure_columns, result.failures, units);
     return sections;
 }
 

@@ -4,11 +4,11 @@
 
 #include "report/common/csv.h"
 #include "report/common/html.h"
-#include "report/common/table.h"
 #include "report/common/units.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
+#include "report/sections.h"
 
 #include <fmt/format.h>
 
@@ -348,9 +348,7 @@ std::vector<Section> sections_of(const WeightsResult &result, const Units &units
                                                          "the rotor.") +
              page_table(weight_columns, result.weights, units)},
         {"Readings before and after", page_table(reading_columns, result.residual, units)}};
-    if (!result.split.empty())
-        sections.push_back(
-            {"Weights as split", page_table(piece_columns, all_pieces(result), units)});
+    add_table(sections, "Weights as split", piece_columns, all_pieces(result), units);
     if (!result.choices.empty()) {
         std::string lines;
         for (const std::string &line : procedure_lines(result, units))
@@ -358,12 +356,9 @@ std::vector<Section> sections_of(const WeightsResult &result, const Units &units
         sections.push_back({"How many planes are needed",
                             page_table(choice_columns, result.choices, units) + lines});
     }
-    if (!result.dependent.empty())
-        sections.push_back({"Planes that nearly do the same",
-                            page_table(dependent_columns, result.dependent, units)});
-    if (!result.outliers.empty())
-        sections.push_back(
-            {"Doubtful readings", page_table(doubtful_columns, result.outliers, units)});
+    add_table(sections, "Planes that nearly do the same", dependent_columns, result.dependent,
+              units);
+    add_table(sections, "Doubtful readings", doubtful_columns, result.outliers, units);
     sections.push_back(
         {"Influence coefficients", page_table(influence_columns, result.influence, units)});
     return sections;
@@ -394,8 +389,7 @@ Report describe(const model::Case &scene, const WeightsResult &result) {
     if (result.influence_curves.empty())
         return report;
     report.pictures = [&](const Units &units) {
-        return std::vector<Picture>{
-            {"influence", chart_figure(influence_chart(scene, result, units), scene, units), {}}};
+        return std::vector<Picture>{{"influence", influence_chart(scene, result, units), {}}};
     };
     report.pictures_heading = "Influence over speed";
     report.tables = [&result] {

@@ -419,14 +419,14 @@ struct Written {
     std::vector<std::string> more_csv;
 };
 
-std::vector<report::Picture> figures_of(const report::Report &of, const report::Units &units) {
-    std::vector<report::Picture> figures;
-    if (const auto figure = report::main_figure(of, units))
-        figures.push_back({of.command, *figure});
+std::vector<report::Picture> pictures_of(const report::Report &of, const report::Units &units) {
+    std::vector<report::Picture> pictures;
+    if (of.chart)
+        pictures.push_back({of.command, of.chart(units)});
     if (of.pictures)
         for (const report::Picture &picture : of.pictures(units))
-            figures.push_back(picture);
-    return figures;
+            pictures.push_back(picture);
+    return pictures;
 }
 
 /// The drawing of the rotor: its labels, and the numbers of its axis, which stand where they did.
@@ -458,20 +458,25 @@ void compare_drawings(report::Report of, const Written &marked, const Written &o
                       const Preset &preset, const std::string &where) {
     MarkedTexts texts(other.units, preset.peak_to_peak, where);
     of.scene = &marked.in_units;
-    const std::vector<report::Picture> a = figures_of(of, marked.units);
+    const std::vector<report::Picture> a = pictures_of(of, marked.units);
     std::vector<report::Drawing> drawn;
     if (of.drawing)
         drawn.push_back(of.drawing(marked.units));
     of.scene = &other.in_units;
-    const std::vector<report::Picture> b = figures_of(of, other.units);
+    const std::vector<report::Picture> b = pictures_of(of, other.units);
     if (of.drawing)
         drawn.push_back(of.drawing(other.units));
     ASSERT_EQ(a.size(), b.size()) << where;
     report::PlotJobs jobs;
     bool installed = true;
-    for (std::size_t i = 0; i < a.size() && installed; ++i)
-        installed = jobs.start(a[i].figure, report::PictureFormat::svg, std::to_string(i) + "a") &&
-                    jobs.start(b[i].figure, report::PictureFormat::svg, std::to_string(i) + "b");
+    const auto start = [&](const report::Chart &chart, const Written &in, const std::string &name) {
+        installed = installed && jobs.start(report::chart_figure(chart, in.in_units, in.units),
+                                            report::PictureFormat::svg, name);
+    };
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        start(a[i].chart, marked, std::to_string(i) + "a");
+        start(b[i].chart, other, std::to_string(i) + "b");
+    }
     const auto svgs = jobs.finish();
     for (std::size_t i = 0; i < a.size() && installed; ++i)
         compare_pictures(svgs.at(std::to_string(i) + "a"), svgs.at(std::to_string(i) + "b"), texts,

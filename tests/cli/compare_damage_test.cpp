@@ -68,7 +68,9 @@ class CompareDamage : public testing::Test {
     static std::vector<double> compared(const whirl::report::ComparedResult &a,
                                         const whirl::report::ComparedResult &b) {
         const whirl::report::Comparison comparison = whirl::report::compare({a, b});
-        (void)whirl::report::comparison_figure(comparison, whirl::report::Units::of_readers({}));
+        const auto units = whirl::report::Units::of_readers({});
+        (void)whirl::report::chart_figure(whirl::report::comparison_chart(comparison, units), {},
+                                          units);
         std::vector<double> out;
         for (const whirl::report::Difference &at : comparison.differences.front())
             for (const auto &value : {at.first_value, at.other_value, at.error})

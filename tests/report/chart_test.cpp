@@ -3,6 +3,7 @@
 #include "report/common/plot_jobs.h"
 #include "report/pictures/chart.h"
 #include "sample_results.h"
+#include "support/svg_texts.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -149,6 +150,46 @@ TEST(Chart, PolarPanelsAreAsWideAsHigh) {
     };
     EXPECT_NEAR((margin("r") - margin("l")) * figure.width, 400, 1e-9);
     EXPECT_NEAR((margin("t") - margin("b")) * figure.height, 400, 1e-9);
+}
+
+// Three squares in one row: at one height, apart, each as wide as high.
+TEST(Chart, PanelsOfARowStandBesideOneAnother) {
+    Chart chart{"", "", std::vector<ChartPanel>(3, polar_panel(200, {.title = "x"}, {}, 3))};
+    chart.panels[1].beside = chart.panels[2].beside = true;
+    const Figure figure = chart_figure(chart, sample_case(), {});
+    const auto margins = [&figure](const std::string &name) {
+        const std::string before = "set " + name + "margin at screen ";
+        std::vector<double> found;
+        for (std::size_t at = figure.script.find(before); at != std::string::npos;
+             at = figure.script.find(before, at + 1))
+            found.push_back(std::stod(figure.script.substr(at + before.size())));
+        return found;
+    };
+    const auto left = margins("l"), right = margins("r"), top = margins("t");
+    ASSERT_EQ(left.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR((right[i] - left[i]) * figure.width, 200, 1e-9);
+        EXPECT_EQ(top[i], top[0]);
+        EXPECT_GT(left[i], i == 0 ? 0 : right[i - 1]);
+    }
+    EXPECT_LT(right[2], 1);
+}
+
+// Whatever the case is called and a panel shows: all of it is in the picture.
+TEST(Chart, LongTitlesAreNotCut) {
+    std::string words;
+    for (int i = 0; i < 30; ++i)
+        words += fmt::format("word {} ", i);
+    for (const int which : {0, 1, 2}) {
+        Chart chart = sample_chart();
+        (which == 0 ? chart.title : which == 1 ? chart.subtitle : chart.panels[0].title) = words;
+        PlotJobs jobs;
+        if (!jobs.start(chart_figure(chart, sample_case(), {}), PictureFormat::svg, "a.svg"))
+            GTEST_SKIP() << "no gnuplot";
+        const std::string svg = jobs.finish().begin()->second;
+        EXPECT_NE(svg.find("word 29"), std::string::npos) << which;
+        EXPECT_TRUE(tests::layout_faults(svg).empty()) << which;
+    }
 }
 
 // Both ends of a line at the ends of the panel's axis: beyond these gnuplot would draw none of it.

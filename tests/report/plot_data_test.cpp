@@ -2,10 +2,12 @@
 #include "report/pictures/labels.h"
 #include "report/pictures/style.h"
 #include "report/response/marks.h"
+#include "report/response/orbits.h"
 #include "results/campbell.h"
 #include "results/modes.h"
 #include "results/response.h"
 #include "results/stability.h"
+#include "results/steady_states.h"
 #include "sample_results.h"
 
 #include <algorithm>
@@ -29,7 +31,7 @@ TEST(PlotData, GrowingModesAreThoseBeyondTheirOwnError) {
 // nothing was left to draw, and the run ended.
 TEST(PlotData, EndsOfALineLieWithinAnAxisThatEndsThere) {
     for (const double speed : {50., 51., 1. / 3, 8.1, 2e4 / 7}) {
-        std::istringstream block(data_block("line", {{{usual(Quantity::speed, speed), 1}}}));
+        std::istringstream block(data_block("line", {{usual(Quantity::speed, speed), 1}}));
         std::string text;
         std::getline(block, text);
         block >> text;
@@ -250,7 +252,7 @@ TEST(PlotData, SpreadKeepsGapOrderAndRange) {
 }
 
 TEST(PlotData, MissingValuesLeaveGaps) {
-    EXPECT_EQ(data_block("a", {{{1, 2.5}, {2, std::nullopt}}}),
+    EXPECT_EQ(data_block("a", {{1, 2.5}, {2, std::nullopt}}),
               "$a << EOD\n1 2.5\n2 NaN\n\nNaN NaN\nEOD\n");
 }
 
@@ -330,6 +332,55 @@ TEST(PlotData, ModesAreDrawnWhenMostOfThemIsSeen) {
     EXPECT_FALSE(mode_curves(modes[0]).at_one_instant);
     EXPECT_TRUE(mode_curves(modes[2]).at_one_instant);
     EXPECT_FALSE(mode_curves(modes[3]).at_one_instant);
+}
+
+// Neighbours among the speeds, but of rotors that turn in opposite senses.
+TEST(PlotData, StatesAreNotJoinedThroughStandstill) {
+    results::SteadyStates states;
+    for (const double speed : {-100, -50, 50, 100}) {
+        states.speeds.push_back(speed);
+        results::SteadyState &state = states.states.emplace_back();
+        state.speed = speed;
+        state.stable = true;
+        state.residual = 1e-6;
+    }
+    const Chart chart = states_chart(sample_case(), states, usual);
+    std::size_t pieces = 0;
+    for (const ChartCurve &curve : chart.panels.front().curves)
+        for (std::size_t i = 1; i < curve.points.size() && curve.width > 0; ++i)
+            if (curve.points[i - 1].y && curve.points[i].y) {
+                ++pieces;
+                EXPECT_GT(curve.points[i - 1].x * curve.points[i].x, 0);
+            }
+    EXPECT_EQ(pieces, 2U) << "of each sense one";
+}
+
+// A circle of 2 um in a clearance of 4 um. It is run through in the sense of the spin, and begins
+// where the shaft is at the phase mark.
+TEST(PlotData, OrbitsAreRunThroughAsTheShaftGoes) {
+    results::Orbit orbit;
+    orbit.of = "bearing";
+    orbit.x = orbit.y = orbit.major = orbit.minor = 2e-6;
+    orbit.y_phase = -pi / 2; // y = sin Ωt
+    orbit.clearance = 4e-6;
+    for (const double speed : {100., -100.}) {
+        const Chart chart = orbits_chart(sample_case(), {{speed, {orbit}}}, usual);
+        ASSERT_EQ(chart.panels.size(), 1U);
+        const ChartPanel &panel = chart.panels.front();
+        EXPECT_EQ(panel.labels.at(0).text, "50 % of the clearance");
+        const auto named = [&panel](const std::string &name) {
+            return *std::ranges::find(panel.curves, name, &ChartCurve::name);
+        };
+        for (const PlotPoint &point : named("radial clearance").points)
+            EXPECT_NEAR(std::hypot(point.x, *point.y), 4, 1e-12);
+        const std::vector<PlotPoint> path = named("orbit").points;
+        double area = 0; // positive: anticlockwise
+        for (std::size_t i = 1; i < path.size(); ++i)
+            area += (path[i - 1].x * *path[i].y - path[i].x * *path[i - 1].y) / 2;
+        EXPECT_NEAR(area, std::copysign(4 * pi, speed), 0.01 * 4 * pi) << "a polygon of 120 sides";
+        EXPECT_NEAR(named("at Ωt = 0").points.at(0).x, 2, 1e-12);
+        EXPECT_NEAR(*named("at Ωt = 0").points.at(0).y, 0, 1e-12);
+    }
 }
 
 TEST(PlotData, EnvelopeOfAStraightOrbitIsItsHalfLength) {

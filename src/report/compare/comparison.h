@@ -1,8 +1,8 @@
 #pragma once
 
-#include "report/common/gnuplot.h"
 #include "report/common/json.h"
 #include "report/common/units.h"
+#include "report/pictures/chart.h"
 
 #include <filesystem>
 #include <optional>
@@ -65,7 +65,7 @@ struct Comparison {
 /// The results over one another (whirl frequencies, response curves, growth or critical speeds over
 /// spin speed, where the command has them), and below each relative difference beside its error
 /// bar.
-[[nodiscard]] Figure comparison_figure(const Comparison &comparison, const Units &units);
+[[nodiscard]] Chart comparison_chart(const Comparison &comparison, const Units &units);
 /// For the terminal.
 [[nodiscard]] std::string comparison_text(const Comparison &comparison, const Units &units);
 /// `differences` and what was compared.

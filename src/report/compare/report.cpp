@@ -95,6 +95,8 @@ std::string page_of(const Comparison &comparison, const Units &units, const std:
                 cases += "# --set \"" + entry.get<std::string>() + "\"\n";
             cases += found->value("case", "") + "\n";
         }
+    Json json = comparison_json(comparison, {});
+    json["chart"] = chart_json(comparison_chart(comparison, units));
     return with_contents(
         filled(embedded("page.html"),
                {{"heading", "Comparison"},
@@ -107,13 +109,13 @@ std::string page_of(const Comparison &comparison, const Units &units, const std:
                 {"rotor", ""},
                 {"files", file_links(files)},
                 {"page_script", embedded("page.js") + embedded("tables.js")},
-                {"plot", still},
+                {"plot", page_diagram("Results side by side and their differences", still)},
                 {"sections", sections(comparison, units)},
                 {"model", ""},
                 {"date", date},
                 {"case_text", escaped(cases)},
-                {"json", json_for_script(json_text(comparison_json(comparison, {})))},
-                {"scripts", ""}}));
+                {"json", json_for_script(json_text(json))},
+                {"scripts", page_scripts(true, "")}}));
 }
 
 } // namespace
@@ -159,7 +161,9 @@ std::vector<std::filesystem::path> write_comparison(const Comparison &comparison
                                                     const model::OutputUnits &asked) {
     OutputFiles files(folder);
     PlotJobs jobs;
-    const Figure figure = comparison_figure(comparison, Units::of_readers(asked));
+    const Units readers = Units::of_readers(asked);
+    // Spin speeds of several cases: no operating speeds behind them.
+    const Figure figure = chart_figure(comparison_chart(comparison, readers), {}, readers);
     std::string still;
     files.announce("compare.svg");
     files.announce("compare.png");
@@ -176,7 +180,7 @@ std::vector<std::filesystem::path> write_comparison(const Comparison &comparison
     std::vector<std::string> linked{"compare.json", "compare.csv"};
     if (!still.empty())
         linked.insert(linked.end(), {"compare.svg", "compare.png"});
-    files.add("report.html", page_of(comparison, Units::of_readers(asked), still, linked));
+    files.add("report.html", page_of(comparison, readers, still, linked));
     return files.commit();
 }
 

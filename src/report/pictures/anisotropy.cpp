@@ -45,8 +45,7 @@ ChartPanel anisotropy_panel(const Units &units, const AnisotropyChart &chart) {
          .high = std::min(1.0, std::max({2.2 * chart.anisotropy, 3 * chart.permissible, 0.05}))},
         y};
     panel.title = fmt::format("C = {}", drawn_number(chart.C, 4));
-    ChartCurve region{unstable_style.name, {}, unstable_style};
-    region.filled = true;
+    ChartCurve region = chart_area(unstable_style);
     for (std::size_t i = 0; i < chart.speed.size(); ++i)
         region.points.push_back({std::min(chart.limit[i], *panel.x.high), factor * chart.speed[i]});
     region.points.push_back({*panel.x.high, *y.high});
@@ -68,8 +67,7 @@ ChartPanel polar_inertia_panel(const Units &units, const AnisotropyChart &chart)
         {.title = "Polar inertia C / A", .low = chart.polar.front(), .high = chart.polar.back()},
         y};
     panel.title = fmt::format("anisotropy {}", drawn_number(chart.anisotropy, 4));
-    ChartCurve region{unstable_style.name, {}, unstable_style};
-    region.filled = true;
+    ChartCurve region = chart_area(unstable_style);
     ChartCurve lower{limit_style.name, {}, limit_style, 2};
     ChartCurve upper = lower;
     ChartCurve first{critical_style.name, {}, critical_style};
@@ -78,7 +76,7 @@ ChartPanel polar_inertia_panel(const Units &units, const AnisotropyChart &chart)
     const auto add = [&from, &to, &region] {
         from.insert(from.end(), to.rbegin(), to.rend());
         if (!from.empty())
-            add_area(region.points, from);
+            add_part(region.points, from);
         from.clear();
         to.clear();
     };

@@ -135,6 +135,7 @@ struct LaidOut {
     Range x, y;
     double left, right; ///< pixels
     int top;
+    std::string title; ///< as far as there is room for it beside others
     [[nodiscard]] double wide() const { return right - left; }
     [[nodiscard]] double high() const { return panel.height; }
     [[nodiscard]] double along(double value) const { return part(value, x, panel.x.logarithmic); }
@@ -147,31 +148,61 @@ struct LaidOut {
     }
 };
 
-/// Of the panels, pixels: more where two share a row.
+/// The row of a panel: its first panel, and how many there are.
+struct Row {
+    std::size_t first, count;
+};
+Row row_of(const Chart &chart, std::size_t i) {
+    const std::vector<ChartPanel> &panels = chart.panels;
+    std::size_t first = i, end = i + 1;
+    while (first > 0 && panels[first].beside)
+        --first;
+    while (end < panels.size() && panels[end].beside)
+        ++end;
+    return {first, end - first};
+}
+
+/// Pixels between panels of a row, for what stands left of those on the right.
+double between_panels(const Chart &chart) {
+    double between = 60;
+    for (const ChartPanel &panel : chart.panels)
+        if (panel.beside) {
+            between = std::max(between, panel.y.title.empty() ? 0.0 : 100.0);
+            for (const auto &[at, name] : panel.y.names)
+                between = std::max(between, text_width(name, picture_font) + 20);
+        }
+    return between;
+}
+
+/// Of the widest row, pixels: more where panels share one.
 double panels_wide(const Chart &chart) {
-    return std::ranges::any_of(chart.panels, &ChartPanel::beside) ? 900 : 752;
+    const double shared = std::ranges::any_of(chart.panels, &ChartPanel::beside) ? 900 : 752;
+    const double between = between_panels(chart);
+    double wide = 0;
+    for (std::size_t i = 0; i < chart.panels.size(); ++i)
+        wide = std::max(wide, chart.panels[i].square ? double(row_of(chart, i).count) *
+                                                               (chart.panels[i].height + between) -
+                                                           between
+                                                     : shared);
+    return wide;
 }
 
 constexpr int legended_left = 112; // where panels begin: room for a name beside eight characters
 
+// Of letters, pixels.
+constexpr double title_size = 15, subtitle_size = 11, panel_title_size = 12;
 constexpr double end_size = 11; // of the letters of names at the ends of curves, pixels
 constexpr double end_gap = 16;  // from the curves to these, pixels
-
-/// Whether a panel shares its row.
-bool halved(const Chart &chart, std::size_t i) {
-    return chart.panels[i].beside || (i + 1 < chart.panels.size() && chart.panels[i + 1].beside);
-}
 
 /// With the axes x so long that the names at the ends of curves have room. Above a row with the
 /// same axis x it has no name.
 Chart prepared(Chart chart) {
     std::vector<ChartPanel> &panels = chart.panels;
     for (std::size_t i = 0; i < panels.size(); ++i) {
-        std::size_t below = i + 1;
-        while (below < panels.size() && panels[below].beside)
-            ++below;
+        const Row row = row_of(chart, i);
+        const std::size_t below = row.first + row.count;
         if (below < panels.size() && panels[below].x.title == panels[i].x.title &&
-            halved(chart, below) == halved(chart, i))
+            row_of(chart, below).count == row.count)
             panels[i].x.title.clear();
     }
     double widest = 0;
@@ -196,10 +227,6 @@ Chart prepared(Chart chart) {
 /// Panels from above; one beside another shares its row.
 /// @param left  where they begin, pixels
 std::vector<LaidOut> laid_out(const Chart &chart, double left) {
-    const bool named = std::ranges::any_of(chart.panels, [](const ChartPanel &panel) {
-        return panel.beside && !panel.y.title.empty();
-    });
-    const double between = named ? 100 : 60; // panels beside each other, pixels
     constexpr int second_title = 44;
     std::vector<LaidOut> out;
     int top = chart_head;
@@ -207,8 +234,11 @@ std::vector<LaidOut> laid_out(const Chart &chart, double left) {
         top += second_title;
     for (std::size_t i = 0; i < chart.panels.size(); ++i) {
         const ChartPanel &panel = chart.panels[i];
-        const double half = (panels_wide(chart) - between) / 2;
-        const double from = panel.beside ? left + half + between : left;
+        const double gap = between_panels(chart);
+        const auto [first, count] = row_of(chart, i);
+        const double wide =
+            panel.square ? panel.height : (panels_wide(chart) + gap) / double(count) - gap;
+        const double from = left + double(i - first) * (wide + gap);
         const auto range = [&panel](const ChartAxis &axis, bool along_x) {
             const Range all = needed_by(panel.curves, along_x);
             return Range{axis.low.value_or(all.low), axis.high.value_or(all.high)};
@@ -217,11 +247,9 @@ std::vector<LaidOut> laid_out(const Chart &chart, double left) {
             top = out.back().top;
         else
             top += panel.title.empty() ? 0 : chart_above_title;
-        out.push_back({panel, range(panel.x, true), range(panel.y, false), from,
-                       from + (panel.square       ? panel.height
-                               : halved(chart, i) ? half
-                                                  : panels_wide(chart)),
-                       top});
+        out.push_back(
+            {panel, range(panel.x, true), range(panel.y, false), from, from + wide, top,
+             count == 1 ? panel.title : fitting(panel.title, panel_title_size, wide + gap - 8)});
         top += panel.height + (panel.x.title.empty() ? chart_below_numbers : chart_below_name);
     }
     return out;
@@ -284,6 +312,7 @@ struct PlacedLabel {
 };
 
 constexpr double label_size = 10; // of the letters, pixels
+constexpr double label_gap = 4;   // between these and what stands beside them, pixels
 
 /// Labels beside their points, off the curves, as far as there is room.
 std::vector<PlacedLabel> placed_labels(const LaidOut &at) {
@@ -295,8 +324,8 @@ std::vector<PlacedLabel> placed_labels(const LaidOut &at) {
     for (const ChartLabel &label : at.panel.labels) {
         const double x = at.along(label.x);
         const double y = at.up(label.y);
-        const auto box = placer.place(x, y, (text_width(label.text, label_size) + 8) / at.wide(),
-                                      15 / at.high());
+        const auto box = placer.place(
+            x, y, (text_width(label.text, label_size) + 2 * label_gap) / at.wide(), 15 / at.high());
         if (!box)
             continue;
         placed.push_back({label, *box, x, y});
@@ -311,8 +340,8 @@ std::string labels_of(const LaidOut &at) {
     std::string script;
     for (const PlacedLabel &one : placed) {
         script += fmt::format("set label {} at graph {},{} left font ',{}' textcolor '{}' front\n",
-                              plot_text(one.label.text), one.box.x, one.middle(), label_size,
-                              one.label.colour);
+                              plot_text(one.label.text), one.box.x + label_gap / at.wide(),
+                              one.middle(), label_size, one.label.colour);
         if (one.far(at))
             script += fmt::format("set arrow from graph {},{} to graph {},{} nohead lw 0.6 lc rgb "
                                   "'#999999'\n",
@@ -395,13 +424,14 @@ Json chart_panel_json(const LaidOut &at) {
             {"curves", json_list(panel.curves, chart_curve_json)},
             {"labels", json_list(placed_labels(at),
                                  [&](const PlacedLabel &one) {
-                                     return Json{{"text", one.label.text},
-                                                 {"x", one.label.x},
-                                                 {"y", one.label.y},
-                                                 {"colour", one.label.colour},
-                                                 {"right", (one.box.x - one.x) * at.wide()},
-                                                 {"up", (one.middle() - one.y) * at.high()},
-                                                 {"far", one.far(at)}};
+                                     return Json{
+                                         {"text", one.label.text},
+                                         {"x", one.label.x},
+                                         {"y", one.label.y},
+                                         {"colour", one.label.colour},
+                                         {"right", (one.box.x - one.x) * at.wide() + label_gap},
+                                         {"up", (one.middle() - one.y) * at.high()},
+                                         {"far", one.far(at)}};
                                  })},
             {"ends", json_list(placed_ends(at), [&](const PlacedEnd &one) {
                  return Json{{"text", one.end.text},
@@ -461,13 +491,16 @@ ChartCurve upright_line(const ChartPanel &panel, double x, const LineStyle &styl
     return {style.name, {{x, panel.y.low}, {x, panel.y.high}}, style, width};
 }
 
+ChartCurve chart_area(const LineStyle &style, std::vector<PlotPoint> border) {
+    ChartCurve area{style.name, std::move(border), style};
+    area.filled = true;
+    return area;
+}
+
 ChartCurve chart_bar(Range x, Range y, const LineStyle &style) {
-    ChartCurve bar{
-        style.name,
-        {{x.low, y.low}, {x.high, y.low}, {x.high, y.high}, {x.low, y.high}, {x.low, y.low}},
-        style};
-    bar.filled = true;
-    return bar;
+    return chart_area(
+        style,
+        {{x.low, y.low}, {x.high, y.low}, {x.high, y.high}, {x.low, y.high}, {x.low, y.low}});
 }
 
 std::vector<ChartCurve> chart_map(const std::vector<double> &x, const std::vector<double> &y,
@@ -475,7 +508,7 @@ std::vector<ChartCurve> chart_map(const std::vector<double> &x, const std::vecto
                                   const std::vector<ChartLevel> &levels) {
     std::vector<ChartCurve> areas;
     for (const ChartLevel &level : levels)
-        areas.push_back({level.style.name, {}, level.style, 0, 0, false, 1, {}, true});
+        areas.push_back(chart_area(level.style));
     const auto edges = [](const std::vector<double> &places, std::size_t from, std::size_t to) {
         return Range{from == 0 ? places[from] : (places[from - 1] + places[from]) / 2,
                      to + 1 == places.size() ? places[to] : (places[to] + places[to + 1]) / 2};
@@ -491,7 +524,7 @@ std::vector<ChartCurve> chart_map(const std::vector<double> &x, const std::vecto
                 ++last; // those beside each other as one
             if (level == areas.size())
                 continue;
-            add_area(areas[level].points, chart_bar(edges(x, i, last), edges(y, j, j), {}).points);
+            add_part(areas[level].points, chart_bar(edges(x, i, last), edges(y, j, j), {}).points);
         }
     std::erase_if(areas, [](const ChartCurve &area) { return area.points.empty(); });
     return areas;
@@ -510,10 +543,15 @@ void add_piece(std::vector<PlotPoint> &line, const PlotPoint &from, const PlotPo
     line.push_back(to);
 }
 
-void add_area(std::vector<PlotPoint> &areas, const std::vector<PlotPoint> &area) {
-    if (!areas.empty())
-        areas.push_back({areas.back().x, std::nullopt});
-    areas.insert(areas.end(), area.begin(), area.end());
+void add_part(std::vector<PlotPoint> &curve, const std::vector<PlotPoint> &part) {
+    if (!curve.empty())
+        curve.push_back({curve.back().x, std::nullopt});
+    curve.insert(curve.end(), part.begin(), part.end());
+}
+
+void add_marks(ChartPanel &panel, const std::string &name, int point, std::vector<PlotPoint> at) {
+    if (!at.empty())
+        panel.curves.push_back({name, std::move(at), {"", "#222222", "1", point}, 0, 1.4});
 }
 
 ChartPanel polar_panel(int size, const ChartAxis &x, const ChartAxis &y, double largest) {
@@ -581,40 +619,61 @@ Figure chart_figure(const Chart &described, const model::Case &scene, const Unit
     constexpr double sample = 62; // as gnuplot draws it: the line before a name and the gaps
     constexpr double least = 1080;
     const double right = left + panels_wide(chart) + gap;
-    const double wide = std::max(least, std::ceil(right + sample + widest + 8));
-    std::string script = grid;
+    const double texts =
+        std::max(text_width(chart.title, title_size), text_width(chart.subtitle, subtitle_size));
+    double wide = std::max({least, right + sample + widest + 8, texts + 16});
+    for (const LaidOut &at : panels)
+        wide = std::max(wide, at.left + text_width(at.title, panel_title_size) + 8);
+    wide = std::ceil(wide);
+    std::string script =
+        fmt::format("set multiplot\nset label 101 {} at screen 0.5,{} center font ',{}'\n"
+                    "set label 102 {} at screen 0.5,{} center font ',{}' textcolor '#555555'\n"
+                    "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n",
+                    plot_text(chart.title), 1 - 22.0 / height, title_size,
+                    plot_text(chart.subtitle), 1 - 48.0 / height, subtitle_size);
     std::set<std::string> keyed{""}; // names in the legend, each once
     for (const LaidOut &at : panels) {
         const ChartPanel &panel = at.panel;
-        Curves drawn;
-        for (const ChartCurve &curve : panel.curves)
-            if (!curve.on_page)
-                drawn.add(curve.points, chart_look(curve),
-                          keyed.insert(curve.name).second ? plot_text(curve.name) : "");
-        script += panel_margins(at.left / wide, at.right / wide, 1 - (at.top + at.high()) / height,
-                                1 - double(at.top) / height) +
+        std::string data;
+        std::vector<std::string> drawn; // with their data: gnuplot's elements of a plot
+        for (const ChartCurve &curve : panel.curves) {
+            if (curve.on_page)
+                continue;
+            const std::string block = fmt::format("curve{}", drawn.size());
+            data += data_block(block, curve.points);
+            drawn.push_back(fmt::format(
+                "${} {} {}", block, chart_look(curve),
+                keyed.insert(curve.name).second ? "title " + plot_text(curve.name) : "notitle"));
+        }
+        script += fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n"
+                              "set bmargin at screen {}\nset tmargin at screen {}\n",
+                              at.left / wide, at.right / wide, 1 - (at.top + at.high()) / height,
+                              1 - double(at.top) / height) +
                   axis_commands(panel.x, at.x, 'x', draws_nothing(panel)) +
                   axis_commands(panel.y, at.y, 'y', draws_nothing(panel)) +
                   fmt::format("set key at graph {},1 left top reverse Left vertical samplen 3\n",
                               (right - at.left) / at.wide()) +
-                  (panel.title.empty() ? "unset title\n"
-                                       : fmt::format("set title {} font ',12' offset 0,-0.4\n",
-                                                     plot_text(panel.title)));
+                  (at.title.empty() ? ""
+                                    : fmt::format("set label {} at screen {},{} left font ',{}'\n",
+                                                  plot_text(at.title), at.left / wide,
+                                                  1 - (at.top - 12.0) / height, panel_title_size));
         for (const bool along_x : {true, false})
             if ((along_x ? panel.x : panel.y).spin_speed) {
                 const Range &speeds = along_x ? at.x : at.y;
                 script +=
                     operation_band(scene, units, speeds, along_x ? SpeedAxis::x : SpeedAxis::y);
                 if (keyed.insert("operating speeds").second)
-                    drawn.add(operation_key(scene, units, speeds));
+                    drawn.push_back(operation_key(scene, units, speeds));
             }
-        script += labels_of(at) + ends_of(at) + drawn.script() +
-                  "unset object\nunset arrow\nunset label\n";
+        std::erase(drawn, "");
+        script += labels_of(at) + ends_of(at) + data + "plot " +
+                  (drawn.empty() ? "NaN notitle" : joined(drawn, ", ")) +
+                  "\nunset object\nunset arrow\nunset label\n";
     }
     if (chart.panels.empty())
         script += "set xrange [0:1]\nset yrange [0:1]\nset label 'nothing to draw' at graph "
                   "0.5,0.5 center\nplot NaN notitle\n";
-    return figure_of(static_cast<int>(wide), height, chart.title, chart.subtitle, script);
+    return {script + "unset multiplot\n", static_cast<int>(wide), height};
 }
 
 Json chart_json(const Chart &described) {

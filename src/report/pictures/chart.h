@@ -66,6 +66,8 @@ void add_piece(std::vector<PlotPoint> &line, const PlotPoint &from, const PlotPo
                                     double width = 1);
 [[nodiscard]] ChartCurve upright_line(const ChartPanel &panel, double x, const LineStyle &style,
                                       double width = 1);
+/// What a line goes around, filled.
+[[nodiscard]] ChartCurve chart_area(const LineStyle &style, std::vector<PlotPoint> border = {});
 /// A filled rectangle.
 [[nodiscard]] ChartCurve chart_bar(Range x, Range y, const LineStyle &style);
 /// The same over the height of a panel.
@@ -83,8 +85,11 @@ struct ChartLevel {
                                                 const std::vector<std::vector<double>> &values,
                                                 const std::vector<ChartLevel> &levels);
 
-/// One more of the areas of a filled curve.
-void add_area(std::vector<PlotPoint> &areas, const std::vector<PlotPoint> &area);
+/// One more of the lines or areas of a curve, after a gap.
+void add_part(std::vector<PlotPoint> &curve, const std::vector<PlotPoint> &part);
+
+/// Marks on branches of motions, if there are any.
+void add_marks(ChartPanel &panel, const std::string &name, int point, std::vector<PlotPoint> at);
 
 /// What a point is, beside it where there is room; or the name of a curve at its end.
 struct ChartLabel {
@@ -103,7 +108,7 @@ struct ChartPanel {
     /// top.
     std::vector<ChartLabel> ends{};
     bool square = false; ///< as wide as high
-    bool beside = false; ///< in files right of the panel before, each half as wide
+    bool beside = false; ///< in files right of the panel before, in the same row
 };
 
 struct Chart {

@@ -67,10 +67,10 @@ std::vector<ChartCurve> anisotropy_curves(const BalancerNumbers &balancer) {
     const CompositeCurves &c = *balancer.curves;
     std::vector<ChartCurve> curves;
     if (!c.A_least.empty() && std::abs(c.A_largest.back() - c.A_least.back()) > 1e-9) {
-        ChartCurve band = over(c.m, c.A_least, "all balanced positions", {"", "#D6E6F2"});
+        ChartCurve band =
+            chart_area({"all balanced positions", "#D6E6F2"}, points_over(c.m, 1, c.A_least, 1));
         for (std::size_t i = c.m.size(); i-- > 0;)
             band.points.push_back({c.m[i], c.A_largest[i]});
-        band.filled = true;
         curves.push_back(band);
     }
     for (const Values *bound : {&c.A_without, &c.A_full})

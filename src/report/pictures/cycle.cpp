@@ -47,12 +47,11 @@ Chart cycle_chart(const model::Case &scene, const FoundCycle &found, const Units
                 panel.curves.push_back(curve);
         }
     const auto mark = [&](const auto &which, int point, const std::string &name) {
-        ChartCurve marks{name, {}, {"", "#222222", "1", point}, 0, 1.4};
+        std::vector<PlotPoint> points;
         for (const LimitCycle &cycle : branch)
             if (which(cycle))
-                marks.points.push_back(at(cycle, largest_in));
-        if (!marks.points.empty())
-            panel.curves.push_back(marks);
+                points.push_back(at(cycle, largest_in));
+        add_marks(panel, name, point, std::move(points));
     };
     mark([](const LimitCycle &cycle) { return cycle.kind == "fold"; }, 8, "fold");
     mark([](const LimitCycle &cycle) { return cycle.kind == "border"; }, 12, "border of stability");

@@ -4,7 +4,6 @@
 
 #include "model/case.h"
 #include "report/common/drawing.h"
-#include "report/common/gnuplot.h"
 #include "report/common/units.h"
 #include "report/pictures/chart.h"
 #include "report/pictures/style.h"
@@ -185,14 +184,14 @@ struct ModeCurves {
 
 /// Efficiency of a four-pendulum balancer over spin speed: planar forms, and the steady motions on
 /// the flexible shaft by their stability.
-[[nodiscard]] Figure pendulum_figure(const model::Case &scene,
-                                     const results::PendulumBalance &balancer, const Units &units);
+[[nodiscard]] Chart pendulum_chart(const model::Case &scene,
+                                   const results::PendulumBalance &balancer, const Units &units);
 
 /// Efficiency of the planar rotor over the speed ratio: designs of the balancer side by side, and
 /// its own design at several external dampings; exact by stability, and for small angles.
-[[nodiscard]] Figure pendulum_designs_figure(const model::Case &scene,
-                                             const results::PendulumBalance &balancer,
-                                             const Units &units);
+[[nodiscard]] Chart pendulum_designs_chart(const model::Case &scene,
+                                           const results::PendulumBalance &balancer,
+                                           const Units &units);
 
 /// The composite rotor over the mass of the balls at the case's capacity: inertia of the balls and
 /// diametral inertias, anisotropy, polar inertia, and the diametral inertia over the angle of its

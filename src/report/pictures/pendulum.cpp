@@ -74,8 +74,8 @@ void add_motions(const Units &units, const results::PendulumBalance &balancer, C
 
 } // namespace
 
-Figure pendulum_figure(const model::Case &scene, const results::PendulumBalance &balancer,
-                       const Units &units) {
+Chart pendulum_chart(const model::Case &scene, const results::PendulumBalance &balancer,
+                     const Units &units) {
     const ChartAxis x = along_speeds(units, balancer.speeds);
     const double threshold = units(Quantity::speed, balancer.threshold * balancer.omega_0);
     ChartPanel panel = efficiency_panel(475, x, "");
@@ -93,12 +93,10 @@ Figure pendulum_figure(const model::Case &scene, const results::PendulumBalance 
         level_line(panel, balancer.limit, {"fast rotation 1/(1 + ρ)", "#007D5A", "(2,4)"}));
     if (threshold >= *x.low && threshold <= *x.high)
         panel.curves.push_back(upright_line(panel, threshold, {"threshold", "#5B2A86", "(2,4)"}));
-    return chart_figure(
-        {"Four-pendulum balancer: " + title_of(scene),
-         fmt::format("z = {}, ρ = {}; {}", drawn_value(units, Quantity::length, balancer.z, 4),
-                     drawn_number(balancer.rho, 4), efficiency_meaning),
-         {panel}},
-        scene, units);
+    return {"Four-pendulum balancer: " + title_of(scene),
+            fmt::format("z = {}, ρ = {}; {}", drawn_value(units, Quantity::length, balancer.z, 4),
+                        drawn_number(balancer.rho, 4), efficiency_meaning),
+            {panel}};
 }
 
 namespace {
@@ -147,8 +145,8 @@ std::string damping_title(const PendulumCurve &of) {
 
 } // namespace
 
-Figure pendulum_designs_figure(const model::Case &scene, const results::PendulumBalance &balancer,
-                               const Units &units) {
+Chart pendulum_designs_chart(const model::Case &scene, const results::PendulumBalance &balancer,
+                             const Units &units) {
     const auto &shown = balancer.dampings.front();
     const ChartAxis x{.title = "Spin speed / resonance",
                       .low = shown.ratios.front(),
@@ -164,7 +162,7 @@ Figure pendulum_designs_figure(const model::Case &scene, const results::Pendulum
             balancer.designs, [&](const PendulumCurve &of) { return design_title(units, of); }));
     chart.panels.push_back(curves_panel("External damping, ρ = " + drawn_number(shown.rho, 4), x,
                                         balancer.dampings, damping_title));
-    return chart_figure(chart, scene, units);
+    return chart;
 }
 
 } // namespace whirl::report

@@ -76,6 +76,7 @@ Chart placement_chart(const model::Case &scene, const results::Placement &map, c
     }
     one.curves = criterion_map(scaled(map.z, units.factor(Quantity::length)), speeds, criterion);
     add_operation(scene, units, {"ends of operating speeds", "#FFC83D", "(9,5)"}, one);
+    one.y.spin_speed = false; // behind the map they would show at its sides alone
     for (const double best : scaled(map.best.z, units.factor(Quantity::length))) {
         one.curves.push_back(upright_line(one, best, {"", "#FFFFFF"}, 4));
         one.curves.push_back(upright_line(one, best, {"best place", "#5B2A86", "(8,4)"}, 2));

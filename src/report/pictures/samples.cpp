@@ -63,7 +63,7 @@ ChartPanel panel_of(const Units &units, const SampledAnswer &answer) {
     panel.x.step = step_of(high - low);
     panel.y.low = 0;
     panel.y.high = 1.25 * std::ranges::max(histogram.counts); // room for the shares
-    ChartCurve bars{"", {}, {"", "#9DCBE7"}};
+    ChartCurve bars = chart_area({"", "#9DCBE7"});
     for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
         const double left = low + static_cast<double>(i) * histogram.width;
         const double count = histogram.counts[i];
@@ -72,10 +72,7 @@ ChartPanel panel_of(const Units &units, const SampledAnswer &answer) {
                                                {left + histogram.width, count},
                                                {left + histogram.width, 0}});
     }
-    ChartCurve outline = bars;
-    bars.filled = true;
-    outline.style.colour = "#0072B2";
-    outline.width = 1;
+    const ChartCurve outline{"", bars.points, {"", "#0072B2"}, 1};
     const double factor = units.factor(answer.quantity);
     std::vector<ChartCurve> lines;
     for (const results::SampleQuantile &quantile : answer.quantiles) {

@@ -34,8 +34,7 @@ std::vector<ChartCurve> rotor_outline(const Units &units, const model::Rotor &ro
         for (std::size_t i = count; i-- > 0;)
             above.push_back({above[i].x, -*above[i].y});
         above.push_back(above.front());
-        areas.push_back({"", std::move(above), {"", "#E6E9EC", "1"}});
-        areas.back().filled = true;
+        areas.push_back(chart_area({"", "#E6E9EC"}, std::move(above)));
     };
     std::vector<PlotPoint> shaft;
     double z = 0;

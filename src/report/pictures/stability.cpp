@@ -187,6 +187,8 @@ ChartPanel map_panel(const model::Case &scene, const Units &units,
         growth.push_back(scaled(row, units.factor(Quantity::rate)));
     panel.curves = chart_map(places(map.x), places(map.y), growth, levels_of(units, map));
     add_operation(scene, units, {"ends of operating speeds", "#FFC83D", "(9,5)"}, panel);
+    panel.x.spin_speed = panel.y.spin_speed =
+        false; // behind the map they would show at its sides alone
     return panel;
 }
 

@@ -40,7 +40,7 @@ Chart starts_chart(const model::Case &scene, const ManyStarts &starts, const Uni
             const double x = shown(start.start_angles[first]);
             const double y = start.start_angles.size() > 1 ? shown(start.start_angles[second]) : 0;
             if (grid)
-                add_area(cells.points,
+                add_part(cells.points,
                          chart_bar({x - half, x + half}, {y - half, y + half}, {}).points);
             else
                 cells.points.push_back({x, y});

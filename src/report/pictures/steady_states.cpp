@@ -48,7 +48,10 @@ ByLook drawn_branches(const Units &units, const SteadyStates &states) {
         return std::ranges::lower_bound(speeds, state.speed) - speeds.begin();
     };
     ByLook out;
+    // Never through standstill: the states of the other sense of rotation are others.
     const auto piece = [&](const SteadyState &of, const auto &from, const auto &to) {
+        if ((from.speed < 0) != (to.speed < 0))
+            return;
         add_piece(out[{of.kind, of.stable}].line, drawn(units, from), drawn(units, to));
     };
     for (const auto &[number, branch] : branches) {
@@ -136,8 +139,7 @@ Chart chart_with(const model::Case &scene, const SteadyStates &states, const Uni
         for (const SteadyBorder &border : states.borders)
             if (border.kind == kind)
                 at.push_back(drawn(units, border));
-        if (!at.empty())
-            panel.curves.push_back({name, at, {"", "#222222", "1", point}, 0, 1.4});
+        add_marks(panel, name, point, std::move(at));
     }
     std::vector<double> amplitudes;
     for (const ChartCurve &motion : motions) {

@@ -57,22 +57,14 @@ std::string place_text(const Units &units, const std::string &name, double z) {
     return (name.empty() ? "" : name + ", ") + "z = " + drawn_value(units, Quantity::length, z, 4);
 }
 
-std::string axis_text(const Units &units, const std::string &what, Quantity quantity) {
-    return plot_text(units.label(what, quantity));
-}
-
-std::string data_block(const std::string &name,
-                       const std::vector<std::vector<PlotPoint>> &polylines) {
+std::string data_block(const std::string &name, const std::vector<PlotPoint> &line) {
     std::string block = "$" + name + " << EOD\n";
-    for (const auto &polyline : polylines) {
-        for (const PlotPoint &point : polyline)
-            // In full: rounded, the first and the last could lie outside of the axis.
-            block += point.y && std::isfinite(*point.y) ? fmt::format("{} {}\n", point.x, *point.y)
-                                                        : fmt::format("{} NaN\n", point.x);
-        block += "\n";
-    }
+    for (const PlotPoint &point : line)
+        // In full: rounded, the first and the last could lie outside of the axis.
+        block += point.y && std::isfinite(*point.y) ? fmt::format("{} {}\n", point.x, *point.y)
+                                                    : fmt::format("{} NaN\n", point.x);
     // gnuplot refuses an empty block; a point without a value draws nothing.
-    return block + "NaN NaN\nEOD\n";
+    return block + "\nNaN NaN\nEOD\n";
 }
 
 std::vector<PlotPoint> points_over(const std::vector<double> &x, double x_factor,
@@ -111,48 +103,6 @@ std::vector<PlotPoint> circle_points(double radius) {
     for (int k = 0; k <= 120; ++k)
         points.push_back({radius * std::cos(k * pi / 60), radius * std::sin(k * pi / 60)});
     return points;
-}
-
-void Curves::add(const std::vector<PlotPoint> &line, const std::string &look,
-                 const std::string &title) {
-    add_pieces({line}, look, title);
-}
-
-void Curves::add_pieces(const std::vector<std::vector<PlotPoint>> &pieces, const std::string &look,
-                        const std::string &title) {
-    const std::string block = "curve" + std::to_string(_count++);
-    _data += data_block(block, pieces);
-    add(fmt::format("${} {} {}", block, look, title.empty() ? "notitle" : "title " + title));
-}
-
-void Curves::add(const std::string &elements) {
-    _elements += (_elements.empty() || elements.empty() ? "" : ", ") + elements;
-}
-
-std::string Curves::script() const {
-    return _data + "plot " + (_elements.empty() ? "NaN notitle" : _elements) + "\n";
-}
-
-std::string line_look(const LineStyle &style, double width) {
-    return fmt::format("with lines lc rgb '{}' lw {} dt {}", style.colour, width, style.dash);
-}
-
-Figure figure_of(int width, int height, const std::string &title, const std::string &subtitle,
-                 const std::string &panels) {
-    const double pixel = 1.0 / height;
-    return {fmt::format("set multiplot\n"
-                        "set label 101 {} at screen 0.5,{} center font ',15'\n"
-                        "set label 102 {} at screen 0.5,{} center font ',11' textcolor '#555555'\n"
-                        "{}unset multiplot\n",
-                        plot_text(title), 1 - 22 * pixel, plot_text(subtitle), 1 - 48 * pixel,
-                        panels),
-            width, height};
-}
-
-std::string panel_margins(double left, double right, double bottom, double top) {
-    return fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n"
-                       "set bmargin at screen {}\nset tmargin at screen {}\n",
-                       left, right, bottom, top);
 }
 
 Range range_of(const std::vector<double> &values) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "report/common/gnuplot.h"
 #include "report/common/units.h"
 #include "report/common/words.h"
 #include "results/whirl.h"
@@ -38,8 +37,6 @@ inline constexpr const char *heavy_colour = "#A0A0A0";
 [[nodiscard]] std::string drawn_speed(const Units &units, double speed);
 /// A place of the rotor in a legend: "race, z = 0.5 m".
 [[nodiscard]] std::string place_text(const Units &units, const std::string &name, double z);
-/// Name of an axis: for `set xlabel`.
-[[nodiscard]] std::string axis_text(const Units &units, const std::string &what, Quantity quantity);
 
 /// One point of a polyline; a gap where y is missing.
 struct PlotPoint {
@@ -50,9 +47,8 @@ struct PlotPoint {
 template <class Json> void to_json(Json &json, const PlotPoint &point) {
     json = Json::array({point.x, point.y});
 }
-/// Named data block; each polyline is set apart from the next by an empty line.
-[[nodiscard]] std::string data_block(const std::string &name,
-                                     const std::vector<std::vector<PlotPoint>> &polylines);
+/// Named data block of gnuplot.
+[[nodiscard]] std::string data_block(const std::string &name, const std::vector<PlotPoint> &line);
 
 /// One value over another, each times a factor, as far as both lists go.
 [[nodiscard]] std::vector<PlotPoint> points_over(const std::vector<double> &x, double x_factor,
@@ -67,36 +63,6 @@ template <class Json> void to_json(Json &json, const PlotPoint &point) {
 /// A circle about the origin.
 [[nodiscard]] std::vector<PlotPoint> circle_points(double radius);
 
-/// A plot command with its data: curve by curve, as the legend lists them.
-class Curves {
-  public:
-    /// @param look   for gnuplot: "with lines lw 2"
-    /// @param title  for gnuplot, in its quotation marks; empty: not in the legend
-    void add(const std::vector<PlotPoint> &line, const std::string &look,
-             const std::string &title = "");
-    void add_pieces(const std::vector<std::vector<PlotPoint>> &pieces, const std::string &look,
-                    const std::string &title = "");
-    /// What has no data of its own: "NaN with boxes title 'unstable'"; several with commas between,
-    /// or nothing.
-    void add(const std::string &elements);
-    /// Its data blocks take the place of those of the plot before.
-    [[nodiscard]] std::string script() const;
-
-  private:
-    std::string _data, _elements;
-    int _count = 0;
-};
-/// "with lines lc rgb '#0072B2' lw 2 dt 1"
-[[nodiscard]] std::string line_look(const LineStyle &style, double width);
-
-/// A figure of several panels below its bold heading and the grey line under that.
-[[nodiscard]] Figure figure_of(int width, int height, const std::string &title,
-                               const std::string &subtitle, const std::string &panels);
-/// Margins of a panel in fractions of the figure.
-[[nodiscard]] std::string panel_margins(double left, double right, double bottom, double top);
-
-inline constexpr const char *grid = "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n";
-inline constexpr const char *logarithmic_y = "set logscale y\nset format y '10^{%L}'\n";
 constexpr double picture_font = 14; ///< of gnuplot (common/gnuplot.cpp), pixels
 
 struct Range {

@@ -102,10 +102,9 @@ std::vector<ChartCurve> lines_of(const Layout &layout) {
     std::vector<ChartCurve> curves;
     for (const std::size_t k : layout.order()) {
         ChartCurve line{"", layout.line(k), series_style(0), 0.9};
-        ChartCurve below{"", line.points, {"", "#FFFFFF"}};
+        ChartCurve below = chart_area({"", "#FFFFFF"}, line.points);
         below.points.push_back({line.points.back().x, layout.base(k)});
         below.points.push_back({line.points.front().x, layout.base(k)});
-        below.filled = true;
         curves.insert(curves.end(), {below, line});
     }
     std::size_t number = 0;

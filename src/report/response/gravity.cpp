@@ -3,6 +3,7 @@
 #include "report/common/units.h"
 #include "report/common/words.h"
 #include "report/response/tables.h"
+#include "report/sections.h"
 
 #include <fmt/format.h>
 
@@ -122,9 +123,8 @@ std::vector<Section> gravity_sections(const GravityResponse &response,
          peaks_page(response.resonances, response.peaks, units)},
         {"Weight: static deflection at the first speed, largest circle in the range",
          page_table(deflection_columns, of_stations(response, speeds), units)}};
-    if (!response.bearings.empty())
-        out.push_back({"Weight: forces in the bearings",
-                       page_table(carried_columns, of_bearings(response, speeds), units)});
+    add_table(out, "Weight: forces in the bearings", carried_columns, of_bearings(response, speeds),
+              units);
     return out;
 }
 

@@ -1,6 +1,5 @@
 #include "report/response/orbits.h"
 
-#include "report/common/text_width.h"
 #include "report/common/words.h"
 #include "report/pictures/shaft_outline.h"
 #include "report/pictures/style.h"
@@ -20,9 +19,6 @@ namespace {
 
 constexpr std::size_t most_rows = 6; ///< speeds that are drawn
 constexpr std::size_t most_supports = 4;
-constexpr double cell_width = 250, cell_height = 300; ///< pixels
-constexpr double square = 165;
-constexpr const char *clearance_colour = "#8A4B00";
 
 /// Places whose orbits are drawn, in the order of the shaft: bearings and seals, those with a
 /// clearance first, and the station that moves most at any of the speeds.
@@ -83,7 +79,7 @@ std::vector<PlotPoint> arrow_head(const Units &units, const Orbit &orbit, double
             tip};
 }
 
-/// What is said above an orbit.
+/// What is said in the corner of the panel of an orbit.
 std::string orbit_words(const Orbit &orbit) {
     if (const auto share = orbit.share())
         return fmt::format("{:.3g} % of the clearance", *share * 100);
@@ -95,84 +91,64 @@ double reach_of(const Units &units, const Orbit &orbit) {
     constexpr double seen = 0.25;
     const double share = orbit.share().value_or(0);
     const double size = share >= seen     ? std::max(orbit.major, *orbit.clearance)
-                        : orbit.major > 0 ? 1.15 * orbit.major
+                        : orbit.major > 0 ? 1.08 * orbit.major
                                           : orbit.clearance.value_or(1e-6);
-    return 1.12 * units(drawn_as, size);
+    return 1.2 * units(drawn_as, size); // with room for words above a circle
 }
 
 /// @param sign  of the spin speed
-std::string orbit_panel(const Units &units, const Orbit &orbit, double sign) {
+ChartPanel orbit_panel(const Units &units, const Orbit &orbit, double sign) {
+    constexpr int side = 240; // pixels
+    constexpr const char *blue = "#0072B2";
+    ChartPanel panel{side, chart_axis(units, "x", drawn_as), chart_axis(units, "y", drawn_as)};
+    panel.square = true;
+    panel.title = place_text(units, orbit.name, orbit.z);
     const double reach = reach_of(units, orbit);
-    const double tic = round_below(0.9 * reach);
-    std::string data;
-    std::string plots;
-    if (orbit.clearance && units(drawn_as, *orbit.clearance) <= reach) {
-        data += data_block("c", {circle_points(units(drawn_as, *orbit.clearance))});
-        plots += fmt::format("$c with filledcurves closed fs solid 1 noborder fc rgb '#F4F6F8', "
-                             "$c with lines lc rgb '{}' lw 1.6 dt (9,5) notitle, ",
-                             clearance_colour);
+    const double tick = round_below(0.9 * reach);
+    for (ChartAxis *axis : {&panel.x, &panel.y}) {
+        axis->low = -reach;
+        axis->high = reach;
+        for (const double at : {-tick, 0.0, tick})
+            axis->names.emplace_back(at, drawn_number(at));
     }
-    std::vector<PlotPoint> path;
+    if (orbit.clearance && units(drawn_as, *orbit.clearance) <= reach) {
+        const auto circle = circle_points(units(drawn_as, *orbit.clearance));
+        panel.curves = {chart_area({"", "#F4F6F8"}, circle),
+                        {"radial clearance", circle, {"", "#8A4B00", "(9,5)"}, 1.6}};
+    }
+    ChartCurve path{"orbit", {}, {"", blue}, 2};
     for (int k = 0; k <= 120; ++k)
-        path.push_back(at_angle(units, orbit, sign * k * pi / 60));
-    data += data_block("o", {path}) + data_block("k", {{path.front()}}) +
-            data_block("a", {arrow_head(units, orbit, sign, 0.085 * reach)});
-    return data +
-           fmt::format(
-               "set xrange [{0}:{1}]\nset yrange [{0}:{1}]\nset xtics ({2}, 0, {3}) font ',9'\n"
-               "set ytics ({2}, 0, {3}) font ',9'\n",
-               -reach, reach, -tic, tic) +
-           "plot " + plots +
-           "$o with lines lc rgb '#0072B2' lw 2 notitle, $a with filledcurves closed fs solid 1 "
-           "noborder "
-           "fc rgb '#0072B2', $k with points pt 7 ps 0.9 lc rgb '#000000' notitle\nunset label\n";
+        path.points.push_back(at_angle(units, orbit, sign * k * pi / 60));
+    panel.curves.insert(panel.curves.end(),
+                        {path,
+                         chart_area({"", blue}, arrow_head(units, orbit, sign, 0.065 * reach)),
+                         ChartCurve{"at Ωt = 0", {path.points.front()}, {"", "#000000"}, 0, 0.9}});
+    if (const std::string words = orbit_words(orbit); !words.empty())
+        panel.labels = {{words, -reach, reach, "#555555"}};
+    return panel;
 }
 
 } // namespace
 
-Figure orbits_figure(const model::Case &scene, const std::vector<Orbits> &orbits,
-                     const Units &units) {
+Chart orbits_chart(const model::Case &scene, const std::vector<Orbits> &orbits,
+                   const Units &units) {
+    Chart chart{"Orbits: " + title_of(scene),
+                "arrow: the way it is run through; in a bearing against its pedestal",
+                {}};
     const std::vector<std::size_t> drawn = drawn_places(orbits);
-    const std::size_t rows = std::min(orbits.size(), most_rows);
-    const int width =
-        std::max(860, static_cast<int>(90 + cell_width * static_cast<double>(drawn.size())));
-    const int height = static_cast<int>(90 + cell_height * static_cast<double>(rows));
-    const double high = height;
-    const double wide = width;
-    std::string panels = std::string("unset key\nset tics scale 0.5\n") + grid;
-    for (std::size_t row = 0; row < rows; ++row)
-        for (std::size_t column = 0; column < drawn.size(); ++column) {
-            const Orbit &orbit = orbits[row].stations[drawn[column]];
-            const double left = 95 + cell_width * static_cast<double>(column);
-            const double top = 75 + cell_height * static_cast<double>(row);
-            const auto label = [&](int number, const std::string &text, double x, double y,
-                                   const char *look) {
-                return fmt::format("set label {} {} at screen {},{} {}\n", number, plot_text(text),
-                                   x / wide, 1 - y / high, look);
-            };
-            if (column == 0)
-                panels +=
-                    label(1, "at " + drawn_value(units, Quantity::speed, orbits[row].speed, 6), 20,
-                          top + 8, "left font ',12'");
-            panels +=
-                label(2, fitting(place_text(units, orbit.name, orbit.z), 12.5, cell_width - 20),
-                      left + square / 2, top + 32, "center font ',10'") +
-                label(3, orbit_words(orbit), left + square / 2, top + 51,
-                      "center font ',9' textcolor '#555555'") +
-                panel_margins(left / wide, (left + square) / wide, 1 - (top + 64 + square) / high,
-                              1 - (top + 64) / high) +
-                fmt::format("set xlabel {} font ',9' offset 0,0.5\n{}\n",
-                            axis_text(units, "x", drawn_as),
-                            column == 0 ? fmt::format("set ylabel {} font ',9' offset 1,0",
-                                                      axis_text(units, "y", drawn_as))
-                                        : "unset ylabel") +
-                orbit_panel(units, orbit, orbits[row].speed < 0 ? -1 : 1);
+    for (std::size_t row = 0; row < std::min(orbits.size(), most_rows); ++row)
+        for (const std::size_t place : drawn) {
+            const double speed = orbits[row].speed;
+            ChartPanel &panel = chart.panels.emplace_back(
+                orbit_panel(units, orbits[row].stations[place], speed < 0 ? -1 : 1));
+            panel.beside = place != drawn.front();
+            if (panel.beside)
+                panel.y.title.clear();
+            else
+                panel.title = fmt::format(
+                    "at {} · {}", drawn_value(units, Quantity::speed, speed, 6), panel.title);
         }
-    return figure_of(
-        width, height, "Orbits: " + title_of(scene),
-        "disc: Ωt = 0; arrow: the way it is run through; broken circle: radial clearance; in a "
-        "bearing against its pedestal",
-        panels);
+    return chart;
 }
 
 Chart shapes_chart(const model::Case &scene, const std::vector<DeflectedShape> &shapes,

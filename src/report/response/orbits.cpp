@@ -1,8 +1,8 @@
 #include "report/response/orbits.h"
 
 #include "report/common/csv.h"
-#include "report/common/table.h"
 #include "report/common/words.h"
+#include "report/sections.h"
 
 #include <fmt/format.h>
 
@@ -124,14 +124,9 @@ void add_orbits(Json &json, const ResponseResult &result, const Units &units) {
 
 std::vector<Section> orbit_sections(const ResponseResult &result, const Units &units) {
     std::vector<Section> sections;
-    if (!result.clearances.empty())
-        sections.push_back({"Largest orbits in the clearances",
-                            page_table(use_columns, result.clearances, units)});
-    if (!result.orbits.empty())
-        sections.push_back(
-            {"Orbits", page_table(orbit_columns, rows_of(result.orbits, false), units)});
-    if (!result.shapes.empty())
-        sections.push_back({"Deflected shapes", page_table(shape_columns, result.shapes, units)});
+    add_table(sections, "Largest orbits in the clearances", use_columns, result.clearances, units);
+    add_table(sections, "Orbits", orbit_columns, rows_of(result.orbits, false), units);
+    add_table(sections, "Deflected shapes", shape_columns, result.shapes, units);
     return sections;
 }
 
@@ -145,15 +140,14 @@ std::vector<Picture> orbit_pictures(const model::Case &scene, const ResponseResu
                                     const Units &units) {
     std::vector<Picture> pictures;
     if (!result.orbits.empty())
-        pictures.push_back({"response_orbits", orbits_figure(scene, result.orbits, units),
+        pictures.push_back({"response_orbits", orbits_chart(scene, result.orbits, units),
                             [&result](const Units &units) {
                                 return csv_table(orbit_columns, rows_of(result.orbits, false),
                                                  units);
                             }});
     if (!result.shapes.empty())
         pictures.push_back(
-            {"response_shapes",
-             chart_figure(shapes_chart(scene, result.shapes, units), scene, units),
+            {"response_shapes", shapes_chart(scene, result.shapes, units),
              [&result](const Units &units) { return shapes_csv(result.shapes, units); }});
     return pictures;
 }

@@ -23,8 +23,8 @@ void add_orbits(Json &json, const results::ResponseResult &result, const Units &
 orbit_pictures(const model::Case &scene, const results::ResponseResult &result, const Units &units);
 
 /// One row a speed, one column a place: bearings and seals, and the station that moves most.
-[[nodiscard]] Figure orbits_figure(const model::Case &scene,
-                                   const std::vector<results::Orbits> &orbits, const Units &units);
+[[nodiscard]] Chart orbits_chart(const model::Case &scene,
+                                 const std::vector<results::Orbits> &orbits, const Units &units);
 /// One panel a speed: x and y along the shaft at the instant of the largest deflection, and the
 /// envelope of the orbits.
 [[nodiscard]] Chart shapes_chart(const model::Case &scene,

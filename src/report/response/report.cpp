@@ -14,6 +14,7 @@
 #include "report/response/receptance.h"
 #include "report/response/runs.h"
 #include "report/response/tables.h"
+#include "report/sections.h"
 
 #include <fmt/format.h>
 
@@ -335,10 +336,8 @@ std::vector<Section> motion_sections(const Speeds &speeds, const HarmonicMotion 
         {heading("Resonances and peaks"), peaks_page(motion.resonances, motion.peaks, units)},
         {heading("Largest amplitudes in the range"),
          page_table(station_columns, largest_amplitudes(speeds, motion), units)}};
-    if (!motion.probes.empty())
-        sections.push_back(
-            {heading("Largest readings of the probes"),
-             page_table(probe_peak_columns(), largest_readings(speeds, motion), units)});
+    add_table(sections, heading("Largest readings of the probes"), probe_peak_columns(),
+              largest_readings(speeds, motion), units);
     return sections;
 }
 
@@ -409,8 +408,7 @@ Part force_part(const model::Case &scene, const ResponseResult &result,
         name.front() = static_cast<char>(std::toupper(name.front()));
         std::vector<Section> sections{
             {name + "where they act", page_table(acting_columns, response.forces, units)}};
-        for (Section &section : motion_sections(result.speeds, response, name, units))
-            sections.push_back(std::move(section));
+        add_sections(sections, motion_sections(result.speeds, response, name, units));
         return sections;
     };
     part.text = [&, what](const Units &units) {
@@ -469,8 +467,7 @@ std::vector<Section> sections_of(std::vector<Section> first, const std::vector<P
                                  const Units &units) {
     std::vector<Section> sections = std::move(first);
     for (const Part &part : parts)
-        for (Section &section : part.sections(units))
-            sections.push_back(std::move(section));
+        add_sections(sections, part.sections(units));
     return sections;
 }
 
@@ -491,14 +488,12 @@ std::vector<Picture> pictures_of(const model::Case &scene, const ResponseResult 
                                  const Units &units) {
     std::vector<Picture> pictures;
     if (has_polar(result))
-        pictures.push_back(
-            {"response_polar", chart_figure(polar_chart(scene, result, units), scene, units), {}});
+        pictures.push_back({"response_polar", polar_chart(scene, result, units), {}});
     for (Picture &picture : orbit_pictures(scene, result, units))
         pictures.push_back(std::move(picture));
     const std::vector<Part> parts = parts_of(scene, result);
     for (std::size_t i = 1; i < parts.size(); ++i)
-        pictures.push_back(
-            {parts[i].file, chart_figure(parts[i].chart(units), scene, units), parts[i].csv});
+        pictures.push_back({parts[i].file, parts[i].chart(units), parts[i].csv});
     return pictures;
 }
 
@@ -551,18 +546,14 @@ model::Sentence answer_of(const ResponseResult &result) {
 /// What is told before the curves: the operating speeds and the standard runs.
 std::vector<Section> first_sections(const ResponseResult &result, const Units &units) {
     std::vector<Section> sections = operating_sections(result, units);
-    for (Section &section : run_sections(result, units))
-        sections.push_back(std::move(section));
+    add_sections(sections, run_sections(result, units));
     return sections;
 }
 
 std::vector<Section> brief_of(const ResponseResult &result, const Units &units) {
     std::vector<Section> sections = run_sections(result, units);
-    for (Section &section : operating_brief(result, units))
-        sections.push_back(std::move(section));
-    if (!result.resonances.empty())
-        sections.push_back({"Resonances", page_table_of_first(brief_rows, resonance_columns,
-                                                              result.resonances, units)});
+    add_sections(sections, operating_brief(result, units));
+    add_table(sections, "Resonances", resonance_columns, result.resonances, units, brief_rows);
     return sections;
 }
 

@@ -4,11 +4,11 @@
 
 #include "report/common/csv.h"
 #include "report/common/html.h"
-#include "report/common/table.h"
 #include "report/common/text_width.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
+#include "report/sections.h"
 #include "report/stability/bands.h"
 #include "report/steady_states.h"
 
@@ -210,9 +210,8 @@ std::vector<Section> level1_sections(const Level1 &level1, const Units &units) {
          element("p", units.text(level1.verdict)) +
              (level1.checks.empty() ? "" : page_table(check_columns, level1.checks, units)) +
              page_properties(level1_columns, level1, units)}};
-    if (!level1.stages.empty())
-        sections.push_back({"Anticipated cross coupling of the stages",
-                            page_table(stage_columns, level1.stages, units)});
+    add_table(sections, "Anticipated cross coupling of the stages", stage_columns, level1.stages,
+              units);
     return sections;
 }
 
@@ -227,8 +226,7 @@ std::string level1_text(const Level1 &level1, const Units &units) {
 }
 
 Picture level1_picture(const model::Case &scene, const Level1 &level1, const Units &units) {
-    return {"level1", chart_figure(level1_chart(scene, level1, units), scene, units),
-            [&level1](const Units &files) {
+    return {"level1", level1_chart(scene, level1, units), [&level1](const Units &files) {
                 return csv_lists({{{"q", Quantity::stiffness}, level1.q},
                                   {{"log_dec"}, level1.log_dec},
                                   {{"frequency", Quantity::frequency}, level1.frequency}},
@@ -363,28 +361,19 @@ std::vector<Section> clearance_sections(const StabilityResult &result, const Uni
 
 std::vector<Section> sections_of(const StabilityResult &result, const Units &units) {
     std::vector<Section> sections = headline_sections(result, units);
-    for (Section &section : clearance_sections(result, units))
-        sections.push_back(std::move(section));
-    if (!result.ends.empty())
-        sections.push_back(
-            {"Speeds at which the number of growing motions changes",
-             page_table(without_empty(end_columns, result.ends), result.ends, units)});
-    if (!result.unresolved_ends.empty())
-        sections.push_back({"The same of motions that the elements do not resolve",
-                            page_table(without_empty(end_columns, result.unresolved_ends),
-                                       result.unresolved_ends, units)});
-    if (const std::vector<BandLine> still = still_speeds(result); !still.empty())
-        sections.push_back({"Speeds at which something stands still in rotating axes",
-                            page_table(still_columns, still, units)});
-    if (!result.permissible.empty())
-        sections.push_back({"Permissible inertial anisotropy",
-                            page_table(permissible_columns, result.permissible, units)});
+    add_sections(sections, clearance_sections(result, units));
+    add_table(sections, "Speeds at which the number of growing motions changes",
+              without_empty(end_columns, result.ends), result.ends, units);
+    add_table(sections, "The same of motions that the elements do not resolve",
+              without_empty(end_columns, result.unresolved_ends), result.unresolved_ends, units);
+    add_table(sections, "Speeds at which something stands still in rotating axes", still_columns,
+              still_speeds(result), units);
+    add_table(sections, "Permissible inertial anisotropy", permissible_columns, result.permissible,
+              units);
     if (result.level1)
-        for (Section &section : level1_sections(*result.level1, units))
-            sections.push_back(std::move(section));
+        add_sections(sections, level1_sections(*result.level1, units));
     if (result.states)
-        for (Section &section : states_sections(*result.states, units))
-            sections.push_back(std::move(section));
+        add_sections(sections, states_sections(*result.states, units));
     if (!result.family)
         return sections;
     const results::ArrangementFamily &family = *result.family;
@@ -449,8 +438,7 @@ std::string text_of(const model::Case &scene, const StabilityResult &result, con
 
 std::vector<Section> brief_of(const StabilityResult &result, const Units &units) {
     std::vector<Section> sections = headline_sections(result, units);
-    for (Section &section : clearance_sections(result, units))
-        sections.push_back(std::move(section));
+    add_sections(sections, clearance_sections(result, units));
     if (result.level1)
         sections.push_back(
             {"Level-I stability", page_properties(level1_columns, *result.level1, units)});
@@ -470,10 +458,7 @@ Report describe(const model::Case &scene, const StabilityResult &result) {
             if (result.level1)
                 pictures.push_back(level1_picture(scene, *result.level1, units));
             if (states)
-                pictures.push_back(
-                    {"states",
-                     chart_figure(states_chart(scene, *result.states, units), scene, units),
-                     {}});
+                pictures.push_back({"states", states_chart(scene, *result.states, units), {}});
             return pictures;
         };
         report.pictures_heading = result.level1 && states
