@@ -51,6 +51,7 @@ struct Capacity {
     double longest = 0;   ///< kg m, one mass alone
     Complex centre;       ///< of their races, from the axis, m
     bool centres = false; ///< there are several
+    bool round = true;    ///< all races are circles
 
     /// A polygon of these sides closes unless one is longer than all others together.
     [[nodiscard]] double least() const { return std::max(0.0, 2 * longest - largest); }
@@ -60,6 +61,7 @@ struct Capacity {
             centre = other.centre;
         any = any || other.any;
         pendulums = pendulums || other.pendulums;
+        round = round && other.round;
         largest += other.largest;
         longest = std::max(longest, other.longest);
     }
@@ -78,8 +80,9 @@ std::vector<Capacity> capacities_of(const model::Rotor &rotor,
             continue;
         const auto kind = balancers::kind_of(balancer);
         Capacity &capacity = out[*own];
-        Capacity more{true, !kind->swung().empty(), kind->reach().imbalance,
-                      0,    kind->race_centre(),    false};
+        Capacity more{
+            true,  !kind->swung().empty(),     kind->reach().imbalance, 0, kind->race_centre(),
+            false, kind->out_of_round() == 0.0};
         for (const balancers::CircledMass &mass : kind->circled())
             more.longest = std::max(more.longest, mass.moment);
         capacity.add(more);
@@ -424,6 +427,9 @@ class SupplyFinder {
         return std::ranges::any_of(_active,
                                    [](const Place &place) { return place.capacity.centres; });
     }
+    [[nodiscard]] bool all_round() const {
+        return std::ranges::all_of(_capacities, &Capacity::round);
+    }
     /// One plane of each place.
     [[nodiscard]] std::vector<Index> first_planes() const {
         std::vector<Index> out;
@@ -574,7 +580,7 @@ class SupplyFinder {
         const auto fine = [&](const Eigen::VectorXcd &u) {
             return (u.cwiseAbs().array() >= least.array() * (1 - just)).all();
         };
-        if (several_centres())
+        if (several_centres() || !all_round())
             return out;
         const Eigen::MatrixXd B = at.real_matrix(planes);
         const std::optional<TakingAway> away = taking_away(B, w, capacity);
@@ -775,7 +781,11 @@ class SupplyFinder {
             notes.emplace_back("races in one plane are off the axis by different eccentricities: "
                                "no motion of the plane lets the balls of all of them rest apart, "
                                "and what they supply is not answered");
-        if (holds(Supply::unknown) && !any_pendulum() && !several_centres())
+        if (!all_round())
+            notes.emplace_back("balls in races out of round (ellipticity) bring nothing to rest: "
+                               "what they supply and leave is not answered; [states] finds where "
+                               "they stand");
+        if (holds(Supply::unknown) && !any_pendulum() && !several_centres() && all_round())
             notes.emplace_back(
                 "at some speeds where balancers need more than their capacity, where "
                 "they end was not found: null among the residuals");

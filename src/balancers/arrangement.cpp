@@ -1,6 +1,7 @@
 #include "balancers/arrangement.h"
 
 #include "balancers/balanced_position.h"
+#include "model/errors.h"
 
 #include <algorithm>
 
@@ -46,6 +47,11 @@ Arrangement arrangement_at_balance(const model::Rotor &rotor) {
 
 std::vector<BalancerElement> balancer_elements(const model::Rotor &rotor,
                                                const Arrangement &arrangement) {
+    if (has_race_out_of_round(rotor.balancers))
+        throw model::AnalysisFailure(
+            "small motions about the balanced position are those of balls in round races; out of "
+            "round (ellipticity) they stand elsewhere: `balance` with [states] finds where, and "
+            "what grows there");
     std::vector<BalancerElement> out;
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i)
         out.push_back(balancer_element(rotor.balancers[i], arrangement[i]));

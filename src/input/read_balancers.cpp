@@ -119,6 +119,20 @@ void read_eccentricity(CheckedTable &table, model::Balls &balls) {
                                    "resist rolling, got an eccentric one");
 }
 
+/// Races whose radius changes twice around.
+void read_ellipticity(CheckedTable &table, model::Balls &balls) {
+    constexpr double largest = 0.1; // beyond it one harmonic hardly describes a race
+    balls.ellipticity = table.number_or("ellipticity", 0, Quantity::number, Range{0, largest});
+    balls.ellipticity_angle = table.number_or("ellipticity_angle", 0, Quantity::angle);
+    if (table.has("ellipticity_angle") && !table.has("ellipticity"))
+        table.fail("ellipticity_angle", "expected only with ellipticity, got it alone");
+    if (balls.ellipticity == 0)
+        return;
+    if (balls.contact || balls.resists())
+        table.fail("ellipticity", "expected a round race, ellipticity 0, for balls that touch or "
+                                  "resist rolling, got one out of round");
+}
+
 void read_release(CheckedTable &table, model::Balls &balls) {
     balls.release_speed =
         table.optional_number("release_speed", Quantity::speed, Range::positive());
@@ -151,6 +165,7 @@ void read_ball(CheckedTable &table, model::Balancer &balancer) {
     }
     read_contact(table, balls);
     read_eccentricity(table, balls);
+    read_ellipticity(table, balls);
     read_release(table, balls);
     std::int64_t count = 0;
     for (const model::BallRow &row : balls.rows)
@@ -221,8 +236,8 @@ struct KindOfTable {
 const std::array kinds{
     KindOfTable{"ball",
                 {"n", "radius", "position", "rows", "contact", "restitution", "ball_diameter",
-                 "rolling_resistance", "radii", "eccentricity", "eccentricity_angle",
-                 "release_speed"},
+                 "rolling_resistance", "radii", "eccentricity", "eccentricity_angle", "ellipticity",
+                 "ellipticity_angle", "release_speed"},
                 read_ball},
     KindOfTable{"pendulum4", {"arm", "pivot"}, read_pendulum},
     KindOfTable{"ring",

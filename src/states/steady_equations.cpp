@@ -85,6 +85,7 @@ SteadyEquations::SteadyEquations(const model::Case &scene, double slowest, doubl
         _rows.row(4 * i + 2).head(r) = _rows.row(4 * i + 3).tail(r) = plane.phi.transpose();
     }
     _damped = scene.rotor.damped();
+    _round_races = !balancers::has_race_out_of_round(scene.rotor.balancers);
 }
 
 bool SteadyEquations::driven() const {
@@ -93,8 +94,9 @@ bool SteadyEquations::driven() const {
 }
 
 bool SteadyEquations::round() const {
-    return std::ranges::none_of(
-        _parts.fixed, [](const simulation::FixedMass &mass) { return mass.mass.tilt != 0; });
+    return _round_races &&
+           std::ranges::none_of(
+               _parts.fixed, [](const simulation::FixedMass &mass) { return mass.mass.tilt != 0; });
 }
 
 void SteadyEquations::for_tilting_masses(
