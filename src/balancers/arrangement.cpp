@@ -47,11 +47,11 @@ Arrangement arrangement_at_balance(const model::Rotor &rotor) {
 
 std::vector<BalancerElement> balancer_elements(const model::Rotor &rotor,
                                                const Arrangement &arrangement) {
-    if (has_race_out_of_round(rotor.balancers))
+    if (has_obstructed_race(rotor.balancers))
         throw model::AnalysisFailure(
-            "small motions about the balanced position are those of balls in round races; out of "
-            "round (ellipticity) they stand elsewhere: `balance` with [states] finds where, and "
-            "what grows there");
+            "small motions about the balanced position are those of balls in round races without "
+            "walls; others stand elsewhere: `simulate` finds where, and for races out of round "
+            "(ellipticity) `balance` with [states]");
     std::vector<BalancerElement> out;
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i)
         out.push_back(balancer_element(rotor.balancers[i], arrangement[i]));

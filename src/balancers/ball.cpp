@@ -295,6 +295,10 @@ class BallKind final : public Kind {
         return std::polar(_balls.ellipticity, 2 * _balls.ellipticity_angle);
     }
 
+    [[nodiscard]] bool obstructed() const override {
+        return _balls.ellipticity > 0 || !_balls.walls.empty();
+    }
+
     /// Every row balances its share of the imbalance, symmetrically.
     [[nodiscard]] std::optional<std::vector<double>>
     usual_position(double capacity) const override {
@@ -345,9 +349,9 @@ class BallKind final : public Kind {
         std::vector<BallMotion::Ball> balls;
         std::vector<TouchingRow> touching;
         for (const model::BallRow &row : _balls.rows) {
-            if (_balls.contact && row.n > 1)
+            if ((_balls.contact && row.n > 1) || !_balls.walls.empty())
                 touching.push_back({static_cast<int>(balls.size()), row.n, row.touching_angle(),
-                                    _balls.restitution});
+                                    _balls.restitution, !_balls.contact, walls_of(row)});
             const double inertia = row.mass * row.radius * row.radius;
             const double tilting = tilt ? inertia : 0;
             std::optional<Track> track;
@@ -383,6 +387,22 @@ class BallKind final : public Kind {
 
   private:
     const model::Balls &_balls;
+
+    /// Where a ball of the row touches each wall: its centre half a diameter
+    /// beside it.
+    [[nodiscard]] std::vector<Wall> walls_of(const model::BallRow &row) const {
+        const Track track{row.radius, out_of_round()};
+        const auto beside = [&](double wall, int side) {
+            double angle = wall;
+            for (int i = 0; i < 30; ++i) // each step leaves 2 ellipticity of the error at most
+                angle = wall + side * std::asin(row.diameter / (2 * track.at(angle).value));
+            return angle;
+        };
+        std::vector<Wall> out;
+        for (const double wall : _balls.walls)
+            out.push_back({beside(wall, -1), beside(wall, 1)});
+        return out;
+    }
 };
 
 } // namespace

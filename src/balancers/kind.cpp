@@ -44,10 +44,9 @@ bool has_eccentric_race(const std::vector<model::Balancer> &balancers) {
     });
 }
 
-bool has_race_out_of_round(const std::vector<model::Balancer> &balancers) {
-    return std::ranges::any_of(balancers, [](const model::Balancer &balancer) {
-        return kind_of(balancer)->out_of_round() != 0.0;
-    });
+bool has_obstructed_race(const std::vector<model::Balancer> &balancers) {
+    return std::ranges::any_of(
+        balancers, [](const model::Balancer &balancer) { return kind_of(balancer)->obstructed(); });
 }
 
 } // namespace whirl::balancers

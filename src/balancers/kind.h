@@ -122,6 +122,8 @@ class Kind {
     [[nodiscard]] virtual std::complex<double> race_centre() const { return 0; }
     /// h of the tracks of circled() that are no circles (track.h).
     [[nodiscard]] virtual std::complex<double> out_of_round() const { return 0; }
+    /// circled() do not stand anywhere on circles: their tracks are none, or have walls.
+    [[nodiscard]] virtual bool obstructed() const { return false; }
     /// What swings about its place at rest, in the order of coordinates(); none for balls.
     [[nodiscard]] virtual std::vector<SwungMass> swung() const { return {}; }
     /// The position that is taken where the case gives none, angles from the imbalance; none: the
@@ -160,7 +162,7 @@ class Kind {
 
 /// The centre of some race lies off the axis.
 [[nodiscard]] bool has_eccentric_race(const std::vector<model::Balancer> &balancers);
-/// Some race is no circle.
-[[nodiscard]] bool has_race_out_of_round(const std::vector<model::Balancer> &balancers);
+/// Some race is no circle, or has walls.
+[[nodiscard]] bool has_obstructed_race(const std::vector<model::Balancer> &balancers);
 
 } // namespace whirl::balancers

@@ -126,10 +126,11 @@ void check_held(const model::Case &scene, std::size_t index, const Check &check)
                                kind->parts(), index));
     if (start || placed || !(kind->reach().imbalance > 0) || masses == 0)
         return;
-    if (kind->out_of_round() != 0.0) {
-        check.fail(path + ".held", fmt::format("expected the place of {} in a race out of round, "
-                                               "position or simulate.ball_angles, got neither",
-                                               kind->parts()));
+    if (kind->obstructed()) {
+        check.fail(path + ".held",
+                   fmt::format("expected the place of {} in a race out of round or with walls, "
+                               "position or simulate.ball_angles, got neither",
+                               kind->parts()));
         return;
     }
     if (balancers::balance_exists(kind->circled(), balancer.imbalance))

@@ -22,7 +22,7 @@ bool balanced_position_exists(const model::Rotor &rotor) {
         return balancers::kind_of(b)->circled().empty() && b.imbalance > 0;
     });
     return !others && !pendulums && !balancers::has_eccentric_race(rotor.balancers) &&
-           !balancers::has_race_out_of_round(rotor.balancers);
+           !balancers::has_obstructed_race(rotor.balancers);
 }
 
 /// The masses cancel the imbalances of their balancers to a twentieth.

@@ -53,8 +53,10 @@ void add_balancer(std::vector<double> &sizes, const model::Balancer &b) {
                                kind->reach().imbalance});
     for (const std::complex<double> of_races : {kind->race_centre(), kind->out_of_round()})
         sizes.insert(sizes.end(), {of_races.real(), of_races.imag()});
-    if (const auto *balls = std::get_if<model::Balls>(&b.parts))
+    if (const auto *balls = std::get_if<model::Balls>(&b.parts)) {
         sizes.push_back(balls->release_speed.value_or(0));
+        sizes.insert(sizes.end(), balls->walls.begin(), balls->walls.end());
+    }
     for (const balancers::CircledMass &mass : circled)
         sizes.insert(sizes.end(), {mass.moment, mass.inertia});
     const balancers::SmallMotions small =
