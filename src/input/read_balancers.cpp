@@ -156,8 +156,9 @@ void read_release(CheckedTable &table, model::Balls &balls) {
     if (!balls.release_speed)
         return;
     if (balls.contact || balls.resists() || !balls.walls.empty())
-        table.fail("release_speed", "expected balls that pass each other, do not resist rolling and "
-                                    "meet no walls, got others");
+        table.fail("release_speed",
+                   "expected balls that pass each other, do not resist rolling and "
+                   "meet no walls, got others");
     table.context().remarks.emplace_back(
         "balls with a release_speed are held up to it in `simulate` alone: every other answer is "
         "of free balls, or of held ones with held = true");
