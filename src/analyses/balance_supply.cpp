@@ -51,6 +51,7 @@ struct Capacity {
     double longest = 0;   ///< kg m, one mass alone
     Complex centre;       ///< of their races, from the axis, m
     bool centres = false; ///< there are several
+    bool open = true;     ///< no race is out of round or has walls
 
     /// A polygon of these sides closes unless one is longer than all others together.
     [[nodiscard]] double least() const { return std::max(0.0, 2 * longest - largest); }
@@ -60,6 +61,7 @@ struct Capacity {
             centre = other.centre;
         any = any || other.any;
         pendulums = pendulums || other.pendulums;
+        open = open && other.open;
         largest += other.largest;
         longest = std::max(longest, other.longest);
     }
@@ -78,8 +80,9 @@ std::vector<Capacity> capacities_of(const model::Rotor &rotor,
             continue;
         const auto kind = balancers::kind_of(balancer);
         Capacity &capacity = out[*own];
-        Capacity more{true, !kind->swung().empty(), kind->reach().imbalance,
-                      0,    kind->race_centre(),    false};
+        Capacity more{
+            true,  !kind->swung().empty(), kind->reach().imbalance, 0, kind->race_centre(),
+            false, !kind->obstructed()};
         for (const balancers::CircledMass &mass : kind->circled())
             more.longest = std::max(more.longest, mass.moment);
         capacity.add(more);
@@ -424,6 +427,9 @@ class SupplyFinder {
         return std::ranges::any_of(_active,
                                    [](const Place &place) { return place.capacity.centres; });
     }
+    [[nodiscard]] bool all_open() const {
+        return std::ranges::all_of(_capacities, &Capacity::open);
+    }
     /// One plane of each place.
     [[nodiscard]] std::vector<Index> first_planes() const {
         std::vector<Index> out;
@@ -574,7 +580,7 @@ class SupplyFinder {
         const auto fine = [&](const Eigen::VectorXcd &u) {
             return (u.cwiseAbs().array() >= least.array() * (1 - just)).all();
         };
-        if (several_centres())
+        if (several_centres() || !all_open())
             return out;
         const Eigen::MatrixXd B = at.real_matrix(planes);
         const std::optional<TakingAway> away = taking_away(B, w, capacity);
@@ -775,7 +781,12 @@ class SupplyFinder {
             notes.emplace_back("races in one plane are off the axis by different eccentricities: "
                                "no motion of the plane lets the balls of all of them rest apart, "
                                "and what they supply is not answered");
-        if (holds(Supply::unknown) && !any_pendulum() && !several_centres())
+        if (!all_open())
+            notes.emplace_back(
+                "balls in races out of round (ellipticity) or with walls stand where "
+                "these hold them: what they supply and leave is not answered; "
+                "`simulate` and, without walls, [states] find where they stand");
+        if (holds(Supply::unknown) && !any_pendulum() && !several_centres() && all_open())
             notes.emplace_back(
                 "at some speeds where balancers need more than their capacity, where "
                 "they end was not found: null among the residuals");

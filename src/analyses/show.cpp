@@ -86,13 +86,19 @@ void note_bearings(std::span<const model::Bearing> bearings, const char *kind,
 }
 
 void note_races(const model::Rotor &rotor, std::vector<results::Sentence> &notes) {
-    for (std::size_t i = 0; i < rotor.balancers.size(); ++i)
-        if (const auto centre = balancers::kind_of(rotor.balancers[i])->race_centre();
-            centre != 0.0)
+    for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
+        const std::string name = model::name_or_number(rotor.balancers[i].name, "balancer", i);
+        const auto kind = balancers::kind_of(rotor.balancers[i]);
+        if (const auto centre = kind->race_centre(); centre != 0.0)
             notes.emplace_back(model::Weight::information,
-                               "{}: the race is off the axis by {} at {}",
-                               model::name_or_number(rotor.balancers[i].name, "balancer", i),
+                               "{}: the race is off the axis by {} at {}", name,
                                as::length(std::abs(centre)), as::angle(std::arg(centre)));
+        if (const auto h = kind->out_of_round(); h != 0.0)
+            notes.emplace_back(model::Weight::information,
+                               "{}: the race is out of round by {} of its radius, farthest from "
+                               "its centre at {} and opposite",
+                               name, as::number(std::abs(h)), as::angle(std::arg(h) / 2));
+    }
 }
 
 void add_static_sag(results::ShowResult &result, const model::Case &scene,

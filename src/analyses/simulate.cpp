@@ -104,9 +104,10 @@ void note_overlaps(const model::Case &scene, results::SimulateResult &result) {
             if (row.diameter > 0 && pairs > 0)
                 result.model.notes.emplace_back(
                     "{}: {} {} of balls overlap at the end: their centres are nearer than the "
-                    "diameter of a ball, {}; contact = true keeps them apart",
+                    "diameter of a ball, {}{}",
                     b.name.empty() ? scene.rotor.balancer_path(i) : b.name, pairs,
-                    pairs == 1 ? "pair" : "pairs", as::length(row.diameter, 4));
+                    pairs == 1 ? "pair" : "pairs", as::length(row.diameter, 4),
+                    balls->ellipticity > 0 ? "" : "; contact = true keeps them apart");
         }
     }
 }

@@ -1,6 +1,7 @@
 #include "balancers/arrangement.h"
 
 #include "balancers/balanced_position.h"
+#include "model/errors.h"
 
 #include <algorithm>
 
@@ -46,6 +47,11 @@ Arrangement arrangement_at_balance(const model::Rotor &rotor) {
 
 std::vector<BalancerElement> balancer_elements(const model::Rotor &rotor,
                                                const Arrangement &arrangement) {
+    if (has_obstructed_race(rotor.balancers))
+        throw model::AnalysisFailure(
+            "small motions about the balanced position are those of balls in round races without "
+            "walls; others stand elsewhere: `simulate` finds where, and for races out of round "
+            "(ellipticity) `balance` with [states]");
     std::vector<BalancerElement> out;
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i)
         out.push_back(balancer_element(rotor.balancers[i], arrangement[i]));

@@ -65,11 +65,12 @@ Eigen::MatrixXd means_and_differences(const std::vector<Group> &groups) {
 class BallMotion final : public PartsMotion {
   public:
     struct Ball {
-        CircleMass mass;
+        CircleMass mass;    ///< on circles about the axis; on other tracks its tilting alone
         double drag = 0;    ///< h_A R^2, N m s/rad
         double mass_kg = 0; ///< m
         double gravity = 0; ///< m/s2
         double lever = 0;   ///< of the resistance to rolling at the axis, per normal force, m
+        std::optional<Track> track; ///< where it is no circle about the axis
     };
     /// @param centre  of the races, from the axis in the rotor, m
     BallMotion(std::vector<Ball> balls, std::vector<TouchingRow> touching,
@@ -89,27 +90,33 @@ class BallMotion final : public PartsMotion {
                    MassEquation *out) const override {
         for (std::size_t j = 0; j < _balls.size(); ++j) {
             MassEquation &e = out[j];
-            _balls[j].mass.write_equation(plane, towards.cosines[j], towards.sines[j],
-                                          spin.speed + rates[j], e);
-            e.friction = _balls[j].drag * rates[j];
+            const Ball &ball = _balls[j];
+            ball.mass.write_equation(plane, towards.cosines[j], towards.sines[j],
+                                     spin.speed + rates[j], e);
+            if (ball.track) {
+                add_track(ball, seen(ball, angles[j]), spin, rates[j],
+                          {towards.cosines[j], towards.sines[j]}, e);
+                continue;
+            }
+            e.friction = ball.drag * rates[j];
             e.b += e.friction;
             e.torque(0) = -e.friction;
-            if (!_centre.isZero(0))
-                turn_centre(_balls[j], spin.speed, angles[j], spin.speed + rates[j], e);
-            if (_balls[j].lever > 0)
-                press(_balls[j], spin.angle + angles[j], spin.speed + rates[j], e);
+            if (ball.lever > 0)
+                press(ball, spin.angle + angles[j], spin.speed + rates[j], e);
         }
     }
 
     [[nodiscard]] AtRest at_rest(const PlaneVector &place, double speed,
                                  const double *angles) const override {
         AtRest out(size());
-        PlaneVector of_centre = place;
-        of_centre.head<2>() += _centre;
         for (std::size_t j = 0; j < _balls.size(); ++j) {
             const auto index = static_cast<Index>(4 + j);
-            _balls[j].mass.add_at_rest(of_centre, speed, angles[j], index, out);
-            out.damping(index, index) += _balls[j].drag;
+            const Ball &ball = _balls[j];
+            ball.mass.add_at_rest(place, speed, angles[j], index, out);
+            if (ball.track)
+                add_track_at_rest(ball, place.head<2>() + _centre, speed, angles[j], index, out);
+            else
+                out.damping(index, index) += ball.drag;
         }
         return out;
     }
@@ -118,11 +125,11 @@ class BallMotion final : public PartsMotion {
                                       const double *angles, const double *rates) const override {
         MassMomenta sum;
         for (std::size_t j = 0; j < _balls.size(); ++j) {
-            const double rate = spin.speed + rates[j];
-            sum += _balls[j].mass.momenta(plane, spin.angle + angles[j], rate);
-            const double coupling = _balls[j].mass.moment * along_centre(angles[j]);
-            sum.kinetic += coupling * spin.speed * rate;
-            sum.spin += coupling * (spin.speed + rate);
+            const Ball &ball = _balls[j];
+            sum += ball.mass.momenta(plane, spin.angle + angles[j], spin.speed + rates[j]);
+            if (ball.track)
+                sum += on_track(ball, seen(ball, angles[j]), plane.velocity, spin, angles[j],
+                                rates[j]);
         }
         return sum;
     }
@@ -132,23 +139,89 @@ class BallMotion final : public PartsMotion {
     std::vector<TouchingRow> _touching;
     Eigen::Vector2d _centre; ///< of the races, in the rotor, m
 
-    /// The centre of the races along the radius of a ball, and across it.
-    [[nodiscard]] double along_centre(double angle) const {
-        return _centre(0) * std::cos(angle) + _centre(1) * std::sin(angle);
+    /// Radius of the track and the centre of the race, along the radius of a ball and across it.
+    struct Seen {
+        Track::Radius r;
+        double along, across;
+    };
+    [[nodiscard]] Seen seen(const Ball &ball, double angle) const {
+        const double cosine = std::cos(angle);
+        const double sine = std::sin(angle);
+        return {ball.track->at(angle), _centre(0) * cosine + _centre(1) * sine,
+                _centre(1) * cosine - _centre(0) * sine};
     }
-    [[nodiscard]] double across_centre(double angle) const {
-        return _centre(1) * std::cos(angle) - _centre(0) * std::sin(angle);
+    /// The drag along the path over that along the circle.
+    [[nodiscard]] static double path_squared(const Ball &ball, const Track::Radius &r) {
+        return (r.value * r.value + r.slope * r.slope) / (ball.track->radius * ball.track->radius);
     }
 
-    // The centre e exp(i th) of a race moves with the rotor: beside what the balls' mass at the
-    // centre is, an eccentricity n m e of the rotor, the energy of a ball gains
-    // m R g' th' Re(e exp(-i a)), a its angle in the rotor.
-    void turn_centre(const Ball &ball, double spin, double angle, double rate,
-                     MassEquation &e) const {
-        const double across = ball.mass.moment * across_centre(angle);
-        e.b -= across * spin * spin;
-        e.by_spin = ball.mass.moment * along_centre(angle);
-        e.torque(0) += across * rate * rate;
+    // A ball at c + rho(a) exp(i a) in the rotor (c = along + i across seen from it), g = th + a:
+    // beside what its mass at the centre is, an eccentricity of the rotor, its energy is
+    //     m [rho'^2 a'^2 - 2 rho' a' th' across + rho^2 g'^2 + 2 rho g' th' along]/2
+    //         + m Re(conj(w') exp(i g) (rho' a' + i rho g')) - m G rho sin g.
+    static void add_track(const Ball &ball, const Seen &at, const SpinState &spin, double own,
+                          const Eigen::Vector2d &out, MassEquation &e) {
+        const double m = ball.mass_kg;
+        const auto [rho, slope, bend] = at.r;
+        const double rate = spin.speed + own;
+        const double turning = spin.speed * spin.speed;
+        const double weight = m * ball.gravity;
+        const Eigen::Vector2d around(-out(1), out(0));
+        e.u.head<2>() += m * (slope * out + rho * around);
+        e.a += m * (rho * rho + slope * slope);
+        e.by_spin = m * (rho * at.along - slope * at.across - slope * slope);
+        e.friction = ball.drag * path_squared(ball, at.r) * own;
+        e.b += m * (slope * (rho + bend) * own * own -
+                    turning * (rho * slope + slope * at.along + rho * at.across)) +
+               weight * (slope * out(1) + rho * out(0)) + e.friction;
+        e.force.head<2>() +=
+            m * ((rho * rate * rate - bend * own * own) * out - 2 * slope * own * rate * around);
+        e.per_spin.head<2>() = m * slope * out;
+        e.offset = m * slope * around;
+        e.weight = -weight * rho * out(0);
+        e.torque << m * (rate * rate * (rho * slope + rho * at.across + slope * at.along) +
+                         own * own * (slope * at.along - bend * (slope + at.across))) -
+                        weight * slope * out(1) - e.friction,
+            m * slope * (slope + 2 * at.across);
+    }
+
+    /// @param centre  of the race as the plane stands, in rotating axes, m
+    static void add_track_at_rest(const Ball &ball, const Eigen::Vector2d &centre, double speed,
+                                  double angle, Index index, AtRest &out) {
+        const Eigen::Vector2d e(std::cos(angle), std::sin(angle));
+        const Eigen::Vector2d n(-e(1), e(0));
+        const Track::Radius r = ball.track->at(angle);
+        const Eigen::Vector2d along = r.slope * e + r.value * n; // of its place over the angle
+        const Eigen::Vector2d bent = (r.bend - r.value) * e + 2 * r.slope * n;
+        const Eigen::Vector2d place = centre + r.value * e;
+        const double pull = ball.mass_kg * speed * speed;
+        out.force.head<2>() += pull * r.value * e;
+        out.force(index) += pull * place.dot(along);
+        out.inertia(index, index) += ball.mass_kg * along.squaredNorm();
+        AtRest::add_symmetric(out.inertia, 0, index, ball.mass_kg * along);
+        AtRest::add_skew(out.gyroscopic, 0, index,
+                         2 * ball.mass_kg * speed * (r.slope * n - r.value * e));
+        out.damping(index, index) += ball.drag * path_squared(ball, r);
+        out.stiffness(index, index) -= pull * (along.squaredNorm() + place.dot(bent));
+        AtRest::add_symmetric(out.stiffness, 0, index, -pull * along);
+    }
+
+    static MassMomenta on_track(const Ball &ball, const Seen &at, const PlaneVector &velocity,
+                                const SpinState &spin, double angle, double own) {
+        const double m = ball.mass_kg;
+        const auto [rho, slope, bend] = at.r;
+        const double rate = spin.speed + own;
+        const Eigen::Vector2d out(std::cos(spin.angle + angle), std::sin(spin.angle + angle));
+        const Eigen::Vector2d around(-out(1), out(0));
+        const Eigen::Vector2d moved = slope * own * out + rho * rate * around;
+        MassMomenta sum;
+        sum.kinetic = m * (moved.squaredNorm() / 2 + moved.dot(velocity.head<2>()) +
+                           spin.speed * (rho * rate * at.along - slope * own * at.across));
+        sum.potential = m * ball.gravity * rho * out(1);
+        sum.spin = m * (rho * rho * rate + rho * at.along * (spin.speed + rate) -
+                        slope * own * at.across + rho * around.dot(velocity.head<2>()));
+        sum.plane.head<2>() = m * moved;
+        return sum;
     }
 
     /// m [R g'^2 - Re(exp(-i g) w'') - G sin g], pressing outwards.
@@ -218,6 +291,13 @@ class BallKind final : public Kind {
     [[nodiscard]] std::complex<double> race_centre() const override {
         return std::polar(_balls.eccentricity, _balls.eccentricity_angle);
     }
+    [[nodiscard]] std::complex<double> out_of_round() const override {
+        return std::polar(_balls.ellipticity, 2 * _balls.ellipticity_angle);
+    }
+
+    [[nodiscard]] bool obstructed() const override {
+        return _balls.ellipticity > 0 || !_balls.walls.empty();
+    }
 
     /// Every row balances its share of the imbalance, symmetrically.
     [[nodiscard]] std::optional<std::vector<double>>
@@ -269,17 +349,23 @@ class BallKind final : public Kind {
         std::vector<BallMotion::Ball> balls;
         std::vector<TouchingRow> touching;
         for (const model::BallRow &row : _balls.rows) {
-            if (_balls.contact && row.n > 1)
+            if ((_balls.contact && row.n > 1) || !_balls.walls.empty())
                 touching.push_back({static_cast<int>(balls.size()), row.n, row.touching_angle(),
-                                    _balls.restitution});
+                                    _balls.restitution, !_balls.contact, walls_of(row)});
             const double inertia = row.mass * row.radius * row.radius;
-            const CircleMass mass{row.mass * row.radius, inertia, tilt ? inertia : 0,
-                                  row.mass * row.radius * gravity};
+            const double tilting = tilt ? inertia : 0;
+            std::optional<Track> track;
+            if (race_centre() != 0.0 || out_of_round() != 0.0)
+                track = Track{row.radius, out_of_round()};
+            const CircleMass mass = track ? CircleMass{0, 0, tilting, 0}
+                                          : CircleMass{row.mass * row.radius, inertia, tilting,
+                                                       row.mass * row.radius * gravity};
             // The moment on the ball, rolling * N, is a force 2 rolling / diameter * N along the
             // race.
             const double lever = row.rolling > 0 ? 2 * row.rolling / row.diameter * row.radius : 0;
-            balls.insert(balls.end(), static_cast<std::size_t>(row.n),
-                         {mass, row.damping * row.radius * row.radius, row.mass, gravity, lever});
+            balls.insert(
+                balls.end(), static_cast<std::size_t>(row.n),
+                {mass, row.damping * row.radius * row.radius, row.mass, gravity, lever, track});
         }
         return std::make_shared<BallMotion>(std::move(balls), std::move(touching), race_centre());
     }
@@ -301,6 +387,22 @@ class BallKind final : public Kind {
 
   private:
     const model::Balls &_balls;
+
+    /// Where a ball of the row touches each wall: its centre half a diameter
+    /// beside it.
+    [[nodiscard]] std::vector<Wall> walls_of(const model::BallRow &row) const {
+        const Track track{row.radius, out_of_round()};
+        const auto beside = [&](double wall, int side) {
+            double angle = wall;
+            for (int i = 0; i < 30; ++i) // each step leaves 2 ellipticity of the error at most
+                angle = wall + side * std::asin(row.diameter / (2 * track.at(angle).value));
+            return angle;
+        };
+        std::vector<Wall> out;
+        for (const double wall : _balls.walls)
+            out.push_back({beside(wall, -1), beside(wall, 1)});
+        return out;
+    }
 };
 
 } // namespace

@@ -28,7 +28,8 @@ HeldParts Kind::held(const std::vector<double> &angles) const {
     const std::vector<CircledMass> masses = circled();
     for (std::size_t j = 0; j < masses.size(); ++j) {
         out.second_moment += std::polar(masses[j].inertia, 2 * angles[j]);
-        out.moment_of_mass += std::polar(masses[j].moment, angles[j]);
+        const Track track{1, out_of_round()};
+        out.moment_of_mass += std::polar(masses[j].moment * track.at(angles[j]).value, angles[j]);
     }
     return out;
 }
@@ -41,6 +42,11 @@ bool has_eccentric_race(const std::vector<model::Balancer> &balancers) {
     return std::ranges::any_of(balancers, [](const model::Balancer &balancer) {
         return kind_of(balancer)->race_centre() != 0.0;
     });
+}
+
+bool has_obstructed_race(const std::vector<model::Balancer> &balancers) {
+    return std::ranges::any_of(
+        balancers, [](const model::Balancer &balancer) { return kind_of(balancer)->obstructed(); });
 }
 
 } // namespace whirl::balancers

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "balancers/parts_motion.h"
+#include "balancers/track.h"
 #include "model/balancer.h"
 
 #include <Eigen/Core>
@@ -19,6 +20,8 @@ struct CircledMass {
     double moment = 0;  ///< m R, kg m
     double inertia = 0; ///< m R^2, kg m2
     int alike = 0;      ///< masses of one number could be exchanged
+
+    [[nodiscard]] double radius() const { return inertia / moment; } ///< m
 };
 
 /// A mass that a spring of the centrifugal force holds back: a displacement sin f across a line.
@@ -117,6 +120,10 @@ class Kind {
     [[nodiscard]] virtual std::vector<CircledMass> circled() const { return {}; }
     /// The centre of the circles of circled(), which turns with the rotor, from the axis, m.
     [[nodiscard]] virtual std::complex<double> race_centre() const { return 0; }
+    /// h of the tracks of circled() that are no circles (track.h).
+    [[nodiscard]] virtual std::complex<double> out_of_round() const { return 0; }
+    /// circled() do not stand anywhere on circles: their tracks are none, or have walls.
+    [[nodiscard]] virtual bool obstructed() const { return false; }
     /// What swings about its place at rest, in the order of coordinates(); none for balls.
     [[nodiscard]] virtual std::vector<SwungMass> swung() const { return {}; }
     /// The position that is taken where the case gives none, angles from the imbalance; none: the
@@ -155,5 +162,7 @@ class Kind {
 
 /// The centre of some race lies off the axis.
 [[nodiscard]] bool has_eccentric_race(const std::vector<model::Balancer> &balancers);
+/// Some race is no circle, or has walls.
+[[nodiscard]] bool has_obstructed_race(const std::vector<model::Balancer> &balancers);
 
 } // namespace whirl::balancers

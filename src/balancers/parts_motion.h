@@ -95,11 +95,19 @@ struct AtRest {
                          const Eigen::Vector2d &column);
 };
 
-/// Parts in one race that cannot pass each other.
+/// Where the centre of a part is that touches a wall across its race, before
+/// and behind it, rad.
+struct Wall {
+    double before = 0, behind = 0;
+};
+
+/// Parts in one race that cannot pass each other, or walls there.
 struct TouchingRow {
     int first = 0, count = 0; ///< their coordinates
     double touching = 0;      ///< angle between the centres of two that touch, rad
     double restitution = 1;
+    bool pass = false; ///< they pass each other: there are walls alone
+    std::vector<Wall> walls;
 };
 
 /// Equations of motion of the parts of one balancer: one angle in the rotor a coordinate, no two of

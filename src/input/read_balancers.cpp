@@ -49,12 +49,29 @@ void read_row(CheckedTable &table, model::BallRow &row) {
     read_ball_of_row(table, table.number("radius", Quantity::length, Range::positive()), row);
 }
 
+/// Walls across the races, at angles of their own.
+void read_walls(CheckedTable &table, model::Balls &balls) {
+    if (!table.has("walls"))
+        return;
+    balls.walls = table.numbers("walls", Quantity::angle);
+    if (balls.walls.empty())
+        table.fail("walls", "expected a list of at least one angle, got none");
+    constexpr double apart = 1e-9; // rad, of angles as they are written
+    for (std::size_t i = 0; i < balls.walls.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (std::abs(std::remainder(balls.walls[i] - balls.walls[k], 2 * std::numbers::pi)) <
+                apart)
+                table.fail("walls", fmt::format("expected walls at angles of their own, got two at "
+                                                "{:.6g} rad",
+                                                balls.walls[i]));
+}
+
 /// Balls that do not pass each other must have room.
 void read_contact(CheckedTable &table, model::Balls &balls) {
     balls.contact = table.flag_or("contact", false);
     balls.restitution = table.number_or("restitution", 0.9, Quantity::number, Range{0, 1});
-    if (!balls.contact && table.has("restitution"))
-        table.fail("restitution", "expected only with contact = true, got it alone");
+    if (!balls.contact && balls.walls.empty() && table.has("restitution"))
+        table.fail("restitution", "expected only with contact = true or walls, got it alone");
     for (const model::BallRow &row : balls.rows) {
         const double room = row.n * row.touching_angle();
         if (balls.contact && !(room <= 2 * std::numbers::pi))
@@ -119,14 +136,29 @@ void read_eccentricity(CheckedTable &table, model::Balls &balls) {
                                    "resist rolling, got an eccentric one");
 }
 
+/// Races whose radius changes twice around.
+void read_ellipticity(CheckedTable &table, model::Balls &balls) {
+    constexpr double largest = 0.1; // beyond it one harmonic hardly describes a race
+    balls.ellipticity = table.number_or("ellipticity", 0, Quantity::number, Range{0, largest});
+    balls.ellipticity_angle = table.number_or("ellipticity_angle", 0, Quantity::angle);
+    if (table.has("ellipticity_angle") && !table.has("ellipticity"))
+        table.fail("ellipticity_angle", "expected only with ellipticity, got it alone");
+    if (balls.ellipticity == 0)
+        return;
+    if (balls.contact || balls.resists())
+        table.fail("ellipticity", "expected a round race, ellipticity 0, for balls that touch or "
+                                  "resist rolling, got one out of round");
+}
+
 void read_release(CheckedTable &table, model::Balls &balls) {
     balls.release_speed =
         table.optional_number("release_speed", Quantity::speed, Range::positive());
     if (!balls.release_speed)
         return;
-    if (balls.contact || balls.resists())
+    if (balls.contact || balls.resists() || !balls.walls.empty())
         table.fail("release_speed",
-                   "expected balls that pass each other and do not resist rolling, got others");
+                   "expected balls that pass each other, do not resist rolling and "
+                   "meet no walls, got others");
     table.context().remarks.emplace_back(
         "balls with a release_speed are held up to it in `simulate` alone: every other answer is "
         "of free balls, or of held ones with held = true");
@@ -149,8 +181,10 @@ void read_ball(CheckedTable &table, model::Balancer &balancer) {
     } else {
         read_row(table, balls.rows.front());
     }
+    read_walls(table, balls);
     read_contact(table, balls);
     read_eccentricity(table, balls);
+    read_ellipticity(table, balls);
     read_release(table, balls);
     std::int64_t count = 0;
     for (const model::BallRow &row : balls.rows)
@@ -221,8 +255,8 @@ struct KindOfTable {
 const std::array kinds{
     KindOfTable{"ball",
                 {"n", "radius", "position", "rows", "contact", "restitution", "ball_diameter",
-                 "rolling_resistance", "radii", "eccentricity", "eccentricity_angle",
-                 "release_speed"},
+                 "rolling_resistance", "radii", "eccentricity", "eccentricity_angle", "ellipticity",
+                 "ellipticity_angle", "walls", "release_speed"},
                 read_ball},
     KindOfTable{"pendulum4", {"arm", "pivot"}, read_pendulum},
     KindOfTable{"ring",

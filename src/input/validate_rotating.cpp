@@ -124,8 +124,16 @@ void check_held(const model::Case &scene, std::size_t index, const Check &check)
                    fmt::format("expected one place of {} that are held, got another one in "
                                "simulate.ball_angles[{}]; leave one of them out",
                                kind->parts(), index));
-    if (start || placed || !(kind->reach().imbalance > 0) || masses == 0 ||
-        balancers::balance_exists(kind->circled(), balancer.imbalance))
+    if (start || placed || !(kind->reach().imbalance > 0) || masses == 0)
+        return;
+    if (kind->obstructed()) {
+        check.fail(path + ".held",
+                   fmt::format("expected the place of {} in a race out of round or with walls, "
+                               "position or simulate.ball_angles, got neither",
+                               kind->parts()));
+        return;
+    }
+    if (balancers::balance_exists(kind->circled(), balancer.imbalance))
         return;
     check.fail(path + ".held",
                fmt::format("expected the place of {} that cannot balance (capacity E = {} = "

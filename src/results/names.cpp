@@ -114,7 +114,8 @@ std::string outcome_name(Outcome outcome) {
 }
 
 std::string steady_kind_name(SteadyState::Kind kind) {
-    return name_of(kind, {"balanced", "partly balanced", "coincident", "split", "swung"});
+    return name_of(kind,
+                   {"balanced", "partly balanced", "coincident", "split", "swung", "out of round"});
 }
 
 std::string steady_border_name(SteadyBorder::Kind kind) {

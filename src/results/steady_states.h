@@ -19,7 +19,8 @@ struct SteadyState {
         partly_balanced, ///< some of these planes are not
         coincident,      ///< the balls of every plane stand at one angle
         split,           ///< some stand opposite to others of their plane
-        swung            ///< pendulums alone
+        swung,           ///< pendulums alone
+        out_of_round     ///< those of races out of round stand each where its own track holds it
     };
     double speed = 0; ///< rad/s
     Kind kind = Kind::balanced;
@@ -40,7 +41,7 @@ struct SteadyState {
     int branch = 0;                 ///< states of one number follow each other over speed
 };
 
-/// "balanced", "partly balanced", "coincident", "split" or "swung".
+/// "balanced", "partly balanced", "coincident", "split", "swung" or "out of round".
 [[nodiscard]] std::string steady_kind_name(SteadyState::Kind kind);
 
 /// A speed at which a branch ends, or motions about its states begin or cease to grow.

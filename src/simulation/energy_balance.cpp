@@ -69,7 +69,7 @@ void RotorMotion::add_outside_work(const Spin::At &spin, const double *state, do
         const double turning = _base(1) * e.offset(0) - _base(0) * e.offset(1);
         const double own = *rate++;
         books[0] -= along * (e.in_rotor ? own : spin.speed + own) + turning * spin.speed;
-        books[2] -= e.in_rotor ? turning : along;
+        books[2] -= e.in_rotor ? turning : along + turning;
     }
     for (const balancers::MassEquation &e : _fixed_equations) {
         const double along = e.u.head<2>().dot(_base);

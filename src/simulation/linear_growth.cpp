@@ -21,7 +21,8 @@ bool balanced_position_exists(const model::Rotor &rotor) {
     const bool pendulums = std::ranges::any_of(rotor.balancers, [](const model::Balancer &b) {
         return balancers::kind_of(b)->circled().empty() && b.imbalance > 0;
     });
-    return !others && !pendulums && !balancers::has_eccentric_race(rotor.balancers);
+    return !others && !pendulums && !balancers::has_eccentric_race(rotor.balancers) &&
+           !balancers::has_obstructed_race(rotor.balancers);
 }
 
 /// The masses cancel the imbalances of their balancers to a twentieth.

@@ -354,7 +354,8 @@ Eigen::Vector2d RotorMotion::free_torque(int columns) const {
         const balancers::MassEquation &e = _free_equations[i];
         const double lever = _dry.slip[i] * e.lever;
         Eigen::Vector2d own = e.torque;
-        own(0) += _base(1) * e.offset(0) - _base(0) * e.offset(1) + _friction[i].stand;
+        own(0) += _base(1) * e.offset(0) - _base(0) * e.offset(1) + _friction[i].stand +
+                  _friction[i].wall;
         const bool held = is_held(i);
         if (held) // what its own equation asks for
             own += Eigen::Vector2d(e.b, e.a + e.by_spin);

@@ -43,8 +43,7 @@ class RotorMotion {
     [[nodiscard]] double gap_of(const Gap &gap, const double *angles) const;
     /// Rate at which the two of a gap come apart, rad/s.
     [[nodiscard]] double opening(const Gap &gap, const double *state) const {
-        const double *rates = state + first_angle() + coordinates();
-        return rates[gap.second] - rates[gap.first];
+        return gap.between(state + first_angle() + coordinates());
     }
     // At the state of the last rates(), N m about the axis: what holds two together, what holds one
     // that stands, what friction could hold beyond that; a torque that moves a part at this rate.

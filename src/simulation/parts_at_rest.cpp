@@ -64,6 +64,7 @@ void add_what_is_left(const model::Rotor &fixed, results::PartsAtRest &out) {
 /// Nothing but the whirl moves the parts of any balancer along their circles.
 bool moved_by_whirl_alone(const model::Case &scene) {
     return scene.simulate.forces.empty() && !scene.simulate.base &&
+           !balancers::has_obstructed_race(scene.rotor.balancers) &&
            std::ranges::all_of(scene.rotor.balancers, [](const model::Balancer &b) {
                const auto *balls = std::get_if<model::Balls>(&b.parts);
                return !balancers::kind_of(b)->circled().empty() &&

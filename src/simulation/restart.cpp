@@ -51,10 +51,12 @@ void add_balancer(std::vector<double> &sizes, const model::Balancer &b) {
     sizes.insert(sizes.end(), {b.z, b.imbalance, b.imbalance_phase, b.imbalance_radius.value_or(0),
                                b.tilt_inertia ? 1.0 : 0, parts.mass, parts.on_circle, parts.own,
                                kind->reach().imbalance});
-    const std::complex<double> centre = kind->race_centre();
-    sizes.insert(sizes.end(), {centre.real(), centre.imag()});
-    if (const auto *balls = std::get_if<model::Balls>(&b.parts))
+    for (const std::complex<double> of_races : {kind->race_centre(), kind->out_of_round()})
+        sizes.insert(sizes.end(), {of_races.real(), of_races.imag()});
+    if (const auto *balls = std::get_if<model::Balls>(&b.parts)) {
         sizes.push_back(balls->release_speed.value_or(0));
+        sizes.insert(sizes.end(), balls->walls.begin(), balls->walls.end());
+    }
     for (const balancers::CircledMass &mass : circled)
         sizes.insert(sizes.end(), {mass.moment, mass.inertia});
     const balancers::SmallMotions small =

@@ -209,7 +209,7 @@ BalancedOverSpeed::BalancedOverSpeed(const model::Case &scene, const std::vector
     if (!_search.can_balance())
         throw model::AnalysisFailure(
             "a balanced position that follows all imbalances over the speed is that of balancers "
-            "with two balls or rings and more in each plane, without pendulums");
+            "with two balls or rings and more in each plane, in round races, without pendulums");
 }
 
 int BalancedOverSpeed::arrangements(int most) const {

@@ -48,10 +48,11 @@ class Joining {
             return HUGE_VAL;
         if (a.state.family)
             return 0;
+        const Eigen::VectorXd x = _search.lined_up(b.x, a.x);
         double most = 0;
         for (Eigen::Index k = 0; k < angles(); ++k) {
             const Eigen::Index at = a.x.size() - angles() + k;
-            most = std::max(most, std::abs(std::remainder(a.x(at) - b.x(at), 2 * pi)));
+            most = std::max(most, std::abs(std::remainder(a.x(at) - x(at), 2 * pi)));
         }
         return most;
     }
@@ -88,6 +89,7 @@ class Joining {
         for (const auto &[i, k] : pairs_of(low.states, high.states)) {
             goes_on[i] = true;
             high.states[k].state.branch = low.states[i].state.branch;
+            _search.line_up(high.states[k], low.states[i]);
             find_crossings(
                 low.states[i], high.states[k],
                 [this](const Found &a, const Found &b, double speed) {
@@ -165,7 +167,9 @@ class Joining {
             const bool is_there =
                 nearest != nullptr && apart(*nearest, last) < farthest && states.size() >= with;
             if (is_there) {
-                last = *nearest;
+                Found next = *nearest;
+                _search.line_up(next, last);
+                last = std::move(next);
                 there = middle;
                 with = states.size();
             } else {

@@ -46,8 +46,8 @@ std::string not_alike_in_time(const model::Case &scene) {
         return "the bearings differ between their directions";
     for (const model::Balancer &b : rotor.balancers)
         if (const auto *balls = std::get_if<model::Balls>(&b.parts);
-            balls && (balls->contact || balls->resists()))
-            return "balls touch or resist rolling";
+            balls && (balls->contact || balls->resists() || !balls->walls.empty()))
+            return "balls touch, resist rolling or have walls in their race";
     return "";
 }
 

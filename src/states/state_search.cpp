@@ -35,6 +35,8 @@ constexpr double same_at_fold = 3e-5;
 constexpr int members = 9;
 /// More ways to stand than any rotor has that somebody would wait for.
 constexpr std::size_t most_ways = 20000;
+/// More masses that stand each by itself are as many unknowns: hours.
+constexpr std::size_t most_alone = 4;
 /// A root found by Newton's method: some digits more than are shown.
 constexpr double refined = 1e-9;
 /// What second order terms in the slopes may leave of the equations of a family, which they break.
@@ -101,15 +103,24 @@ class StateSearch::Lines {
         add_free_parts(search, speed, K);
         for (std::size_t i = 0; i < way.sides.size(); ++i) {
             const Plane &plane = search._planes[i];
-            if (!way.sides[i].empty()) {
+            if (plane.out_of_round != 0.0) {
+                for (const Mass &mass : plane.masses)
+                    _lines.push_back({plane.index,
+                                      mass.moment,
+                                      0,
+                                      i,
+                                      plane.centre,
+                                      {mass.radius, plane.out_of_round}});
+            } else if (!way.sides[i].empty()) {
                 double moment = 0;
                 for (std::size_t k = 0; k < plane.masses.size(); ++k)
                     moment += way.sides[i][k] * plane.masses[k].moment;
-                _lines.push_back({plane.index, moment, plane.tilt, i, plane.centre});
+                _lines.push_back({plane.index, moment, plane.tilt, i, plane.centre, {}});
                 continue;
+            } else {
+                _balanced.push_back({plane.index, plane.centre});
             }
-            _balanced.push_back({plane.index, plane.centre});
-            // Of balanced masses the mean over all arrangements.
+            // Of these masses the mean over all arrangements.
             const Eigen::MatrixXd slopes = rows.middleRows<2>(4 * plane.index + 2);
             K += squared * plane.tilt / 2 * slopes.transpose() * slopes;
         }
@@ -135,11 +146,11 @@ class StateSearch::Lines {
             -_needed_alone.segment<2>(row) - _needed_per_load.middleRows<2>(row) * at.load;
         return {s(0), s(1)};
     }
-    [[nodiscard]] double direction(std::size_t plane, const Eigen::VectorXd &x) const {
-        for (std::size_t i = 0; i < _lines.size(); ++i)
-            if (_lines[i].which == plane)
-                return x(static_cast<Index>(i));
-        return 0;
+    /// Of the line of a plane, or on tracks out of round of each mass.
+    [[nodiscard]] double direction(std::size_t plane, std::size_t mass,
+                                   const Eigen::VectorXd &x) const {
+        const auto line = std::ranges::find(_lines, plane, &Line::which);
+        return x((line - _lines.begin()) + (line->track.radius > 0 ? static_cast<Index>(mass) : 0));
     }
 
     [[nodiscard]] TrigRoots roots() const {
@@ -148,6 +159,9 @@ class StateSearch::Lines {
         degrees.setConstant(2);
         if (_tilts)
             degrees.head(std::ssize(_lines)).setConstant(4);
+        for (std::size_t i = 0; i < _lines.size(); ++i)
+            if (_lines[i].track.radius > 0) // a load and a force of the third degree
+                degrees(static_cast<Index>(i)) = 6;
         return all_roots(
             interpolated(degrees, sizes(), [this](const Eigen::VectorXd &x) { return forces(x); }));
     }
@@ -159,6 +173,7 @@ class StateSearch::Lines {
         double tilt;   ///< kg m2
         std::size_t which;
         Eigen::Vector2d centre; ///< of the circles, from the axis, m
+        balancers::Track track; ///< of one mass out of round; radius 0: of several on a line
     };
     struct Balanced {
         Index plane;
@@ -227,8 +242,10 @@ class StateSearch::Lines {
         const Index lines = std::ssize(_lines);
         for (Index i = 0; i < lines; ++i) {
             const Line &line = _lines[static_cast<std::size_t>(i)];
-            out.load.segment<2>(4 * line.plane) +=
-                line.moment * Eigen::Vector2d(std::cos(x(i)), std::sin(x(i)));
+            Eigen::Vector2d moment = line.moment * Eigen::Vector2d(std::cos(x(i)), std::sin(x(i)));
+            if (line.track.radius > 0)
+                moment *= line.track.at(x(i)).value / line.track.radius;
+            out.load.segment<2>(4 * line.plane) += moment;
         }
         for (std::size_t i = 0; i < _swung.size(); ++i) {
             const Swung &one = _swung[i];
@@ -270,6 +287,12 @@ class StateSearch::Lines {
             const Line &line = _lines[static_cast<std::size_t>(i)];
             const Eigen::Vector2d w = at.y.segment<2>(4 * line.plane) + line.centre;
             out(i) = w(1) * std::cos(x(i)) - w(0) * std::sin(x(i));
+            if (line.track.radius > 0) { // (w + rho e) . d(rho e)/da, over R
+                const balancers::Track::Radius r = line.track.at(x(i));
+                out(i) = (r.value * out(i) +
+                          r.slope * (w(0) * std::cos(x(i)) + w(1) * std::sin(x(i)) + r.value)) /
+                         line.track.radius;
+            }
         }
         for (std::size_t k = 0; k < _swung.size(); ++k) {
             const Index i = lines + static_cast<Index>(k);
@@ -303,7 +326,9 @@ class StateSearch::Lines {
         Eigen::VectorXd out(unknowns());
         Index i = 0;
         for (const Line &line : _lines)
-            out(i++) = determinant * (y.segment<2>(4 * line.plane) + line.centre.cwiseAbs()).sum();
+            out(i++) =
+                determinant * ((y.segment<2>(4 * line.plane) + line.centre.cwiseAbs()).sum() +
+                               2 * std::abs(line.track.out_of_round) * line.track.radius);
         for (const Swung &one : _swung)
             out(i++) = determinant * (y.segment<2>(4 * one.plane).sum() + one.pivot);
         return out;
@@ -320,6 +345,18 @@ StateSearch::StateSearch(const model::Case &scene, double slowest, double fastes
                 "steady states are searched for up to {} balls in a plane (states.max_balls); one "
                 "here has {}",
                 most, static_cast<int>(plane.masses.size())));
+    std::size_t alone = 0;    // in races out of round
+    std::size_t together = 0; // most of a plane with round ones
+    for (const Plane &plane : _planes)
+        if (plane.out_of_round != 0.0)
+            alone += plane.masses.size();
+        else
+            together = std::max(together, plane.masses.size());
+    if (alone > most_alone || (alone > 0 && together > 2))
+        throw model::AnalysisFailure(results::Sentence(
+            "steady states are searched for up to {} balls in races out of round (ellipticity), "
+            "and up to 2 in each plane with round ones beside them; here are {} and {}",
+            static_cast<int>(most_alone), static_cast<int>(alone), static_cast<int>(together)));
     if (!_equations.driven() && _equations.round() && !_equations.damped() && !_planes.empty())
         throw model::AnalysisFailure("steady states are not isolated: nothing in this rotor marks "
                                      "a direction, and no damping keeps balls from deflecting it "
@@ -332,7 +369,7 @@ void StateSearch::collect(const model::Case &scene) {
         for (Plane &plane : _planes)
             if (plane.index == index)
                 return plane;
-        _planes.push_back({index, {}, 0, Eigen::Vector2d::Zero(), {}});
+        _planes.push_back({index, {}, 0, Eigen::Vector2d::Zero(), 0, {}});
         return _planes.back();
     };
     _balancers = scene.rotor.balancers;
@@ -349,17 +386,19 @@ void StateSearch::collect(const model::Case &scene) {
             Plane &plane = plane_at(free.plane);
             const std::complex<double> centre = kind->race_centre();
             const Eigen::Vector2d own(centre.real(), centre.imag());
-            if (!plane.balancers.empty() && plane.centre != own)
+            if (!plane.balancers.empty() &&
+                (plane.centre != own || plane.out_of_round != kind->out_of_round()))
                 throw model::AnalysisFailure(
-                    "steady states are found for races in one plane with one centre: those of the "
-                    "balancers here are off the axis by different eccentricities");
+                    "steady states are found for races in one plane with one centre and one form: "
+                    "those of the balancers here differ in eccentricity or ellipticity");
             plane.centre = own;
+            plane.out_of_round = kind->out_of_round();
             plane.balancers.push_back(i);
         }
         for (Index at = first; const balancers::CircledMass &mass : kind->circled()) {
             Plane &plane = plane_at(free.plane);
             const double tilt = b.tilt_inertia ? mass.inertia : 0;
-            plane.masses.push_back({at++, mass.moment, tilt, alike + mass.alike});
+            plane.masses.push_back({at++, mass.moment, mass.radius(), tilt, alike + mass.alike});
             plane.tilt += tilt;
             kinds = std::max(kinds, mass.alike + 1);
         }
@@ -372,6 +411,8 @@ void StateSearch::collect(const model::Case &scene) {
 
 std::vector<StateSearch::Sides> StateSearch::ways_of(const Plane &plane) const {
     std::vector<Sides> out;
+    if (plane.out_of_round != 0.0)
+        return {Sides(plane.masses.size(), 0)};
     if (plane.masses.size() > 1)
         out.emplace_back(); // balanced: one mass alone is so on its line
     const std::size_t n = plane.masses.size();
@@ -450,9 +491,9 @@ bool StateSearch::place(const Way &way, const Lines &lines, const Eigen::VectorX
     for (std::size_t i = 0, balanced = 0; i < _planes.size(); ++i) {
         const Plane &plane = _planes[i];
         if (!way.sides[i].empty()) {
-            const double direction = lines.direction(i, root);
             for (std::size_t k = 0; k < plane.masses.size(); ++k)
-                angles(plane.masses[k].coordinate) = direction + (way.sides[i][k] < 0 ? pi : 0);
+                angles(plane.masses[k].coordinate) =
+                    lines.direction(i, k, root) + (way.sides[i][k] < 0 ? pi : 0);
             continue;
         }
         const std::complex<double> needed = lines.needed(balanced++, root);
@@ -515,6 +556,8 @@ SteadyState::Kind StateSearch::kind_of(const Way &way) const {
     std::size_t balanced = 0;
     bool split = false;
     for (const Sides &sides : way.sides) {
+        if (std::ranges::find(sides, 0) != sides.end())
+            return SteadyState::Kind::out_of_round;
         balanced += sides.empty() ? 1 : 0;
         split = split || std::ranges::find(sides, -1) != sides.end();
     }
@@ -524,20 +567,56 @@ SteadyState::Kind StateSearch::kind_of(const Way &way) const {
                                         : SteadyState::Kind::coincident;
 }
 
+Eigen::VectorXd StateSearch::lined_up(Eigen::VectorXd x, const Eigen::VectorXd &with) const {
+    const Index first = _equations.rotor_unknowns();
+    const auto apart = [](double one, double other) {
+        return std::abs(std::remainder(one - other, 2 * pi));
+    };
+    for (const Plane &plane : _planes) {
+        bool nearer = plane.out_of_round != 0.0;
+        while (nearer) { // each exchange brings two, taken together, nearer
+            nearer = false;
+            for (const Mass &a : plane.masses)
+                for (const Mass &b : plane.masses) {
+                    const Index i = first + a.coordinate;
+                    const Index k = first + b.coordinate;
+                    const double gain = apart(x(i), with(i)) + apart(x(k), with(k)) -
+                                        apart(x(k), with(i)) - apart(x(i), with(k));
+                    if (a.alike != b.alike || gain <= same_at_fold)
+                        continue;
+                    std::swap(x(i), x(k));
+                    nearer = true;
+                }
+        }
+    }
+    return x;
+}
+
+void StateSearch::line_up(Found &found, const Found &with) const {
+    found.x = lined_up(std::move(found.x), with.x);
+    write_angles(found);
+}
+
+void StateSearch::write_angles(Found &found) const {
+    const auto angles = found.x.tail(_equations.parts().free_angles());
+    found.state.angles.clear();
+    for (std::size_t i = 0; i < _first_of.size(); ++i) {
+        found.state.angles.emplace_back();
+        for (std::size_t k = 0; k < _angles_of[i]; ++k)
+            found.state.angles.back().push_back(
+                std::remainder(angles(_first_of[i] + static_cast<Index>(k)), 2 * pi));
+    }
+}
+
 void StateSearch::describe(Found &found, double speed) const {
     SteadyState &state = found.state;
-    const Eigen::VectorXd angles = found.x.tail(_equations.parts().free_angles());
     state.speed = speed;
-    state.angles.clear();
+    write_angles(found);
     state.amplitudes.clear();
     state.residual = 0;
     const std::vector<std::complex<double>> w = _equations.deflections(found.x);
     int turning = 0; // rings about themselves
     for (std::size_t i = 0; i < _first_of.size(); ++i) {
-        state.angles.emplace_back();
-        for (std::size_t k = 0; k < _angles_of[i]; ++k)
-            state.angles.back().push_back(
-                std::remainder(angles(_first_of[i] + static_cast<Index>(k)), 2 * pi));
         const simulation::FreeParts &free = _equations.parts().free[i];
         turning += free.motion->size() - static_cast<int>(_angles_of[i]);
         state.amplitudes.push_back(std::abs(w[static_cast<std::size_t>(free.plane)]));
@@ -653,6 +732,10 @@ double StateSearch::size_of_deflections(double speed) const {
     double deflection = 0;
     for (Index i = 0; i < _equations.planes(); ++i)
         deflection = std::max(deflection, y.segment<2>(4 * i).norm());
+    // Tracks out of round push as much as a deflection of that size does.
+    for (const Plane &plane : _planes)
+        for (const Mass &mass : plane.masses)
+            deflection = std::max(deflection, 2 * std::abs(plane.out_of_round) * mass.radius);
     return deflection;
 }
 
@@ -672,7 +755,9 @@ std::vector<StateSearch::Found> StateSearch::of_way(int way, double speed, bool 
 
 bool StateSearch::can_balance() const {
     return _swung.empty() && !_planes.empty() &&
-           std::ranges::all_of(_planes, [](const Plane &plane) { return plane.masses.size() > 1; });
+           std::ranges::all_of(_planes, [](const Plane &plane) {
+               return plane.masses.size() > 1 && plane.out_of_round == 0.0;
+           });
 }
 
 int StateSearch::free_motions() const {

@@ -16,7 +16,8 @@ namespace whirl::states {
 /// or points to it or away from it. So in each plane that deflection is zero, and the masses make
 /// what that needs, or all masses stand on one line through the centre. For each way to share out
 /// the masses of all planes between the two ends of their lines the directions of the lines are the
-/// roots of as many trigonometric polynomials, all of which are found (trig_roots.h).
+/// roots of as many trigonometric polynomials, all of which are found (trig_roots.h). On tracks out
+/// of round each mass has such an equation of its own.
 class StateSearch {
   public:
     /// @throws model::AnalysisFailure as SteadyEquations; more balls than are searched; states that
@@ -61,6 +62,10 @@ class StateSearch {
     /// The same state at another speed near by, from a guess of its unknowns; none: not reached.
     [[nodiscard]] std::optional<Found> followed(const Found &from, const Eigen::VectorXd &guess,
                                                 double speed) const;
+    /// Masses of races out of round that could be exchanged are, so that each stands as near as may
+    /// be to where it does in another state.
+    [[nodiscard]] Eigen::VectorXd lined_up(Eigen::VectorXd x, const Eigen::VectorXd &with) const;
+    void line_up(Found &found, const Found &with) const;
     /// Sets what follows from the unknowns: angles, amplitudes, growth, stability.
     void describe(Found &found, double speed) const;
 
@@ -72,6 +77,7 @@ class StateSearch {
     struct Mass {
         Eigen::Index coordinate; ///< among all angles
         double moment;           ///< kg m
+        double radius;           ///< m
         double tilt;             ///< kg m2
         int alike;               ///< masses of one number could be exchanged
     };
@@ -80,6 +86,7 @@ class StateSearch {
         std::vector<Mass> masses;
         double tilt = 0;                    ///< of all masses, kg m2
         Eigen::Vector2d centre;             ///< of their circles, from the axis, m
+        std::complex<double> out_of_round;  ///< of their tracks (balancers/track.h)
         std::vector<std::size_t> balancers; ///< whose masses they are
     };
     struct Swung {
@@ -87,7 +94,8 @@ class StateSearch {
         Eigen::Index coordinate;
         double line, moment, pivot;
     };
-    /// How the masses of a plane stand: empty: balanced; else which end of the line each takes.
+    /// How the masses of a plane stand: empty: balanced; else which end of the line each takes, 0:
+    /// where its track holds it.
     using Sides = std::vector<int>;
     struct Way {
         std::vector<Sides> sides; ///< of each plane
@@ -103,6 +111,7 @@ class StateSearch {
     std::vector<std::size_t> _angles_of; ///< angles that each balancer shows
     std::vector<Eigen::Index> _first_of; ///< coordinate of its first angle
 
+    void write_angles(Found &found) const;
     void collect(const model::Case &scene);
     [[nodiscard]] std::vector<Sides> ways_of(const Plane &plane) const;
     [[nodiscard]] std::vector<Way> all_ways() const;

@@ -47,6 +47,11 @@ void refuse_what_is_not_steady(const model::Case &scene) {
             if (balls->contact)
                 throw model::AnalysisFailure("steady states are found for balls that pass each "
                                              "other; those of a balancer here touch (contact)");
+            if (!balls->walls.empty())
+                throw model::AnalysisFailure(
+                    "steady states are found for balls that can go all around; those "
+                    "of a balancer "
+                    "here have walls in their race, against which they may rest");
             if (balls->resists())
                 throw model::AnalysisFailure(
                     "steady states are found for balls without resistance to rolling: with it they "
@@ -85,6 +90,9 @@ SteadyEquations::SteadyEquations(const model::Case &scene, double slowest, doubl
         _rows.row(4 * i + 2).head(r) = _rows.row(4 * i + 3).tail(r) = plane.phi.transpose();
     }
     _damped = scene.rotor.damped();
+    _round_races = std::ranges::all_of(scene.rotor.balancers, [](const model::Balancer &b) {
+        return balancers::kind_of(b)->out_of_round() == 0.0;
+    });
 }
 
 bool SteadyEquations::driven() const {
@@ -93,8 +101,9 @@ bool SteadyEquations::driven() const {
 }
 
 bool SteadyEquations::round() const {
-    return std::ranges::none_of(
-        _parts.fixed, [](const simulation::FixedMass &mass) { return mass.mass.tilt != 0; });
+    return _round_races &&
+           std::ranges::none_of(
+               _parts.fixed, [](const simulation::FixedMass &mass) { return mass.mass.tilt != 0; });
 }
 
 void SteadyEquations::for_tilting_masses(

@@ -35,7 +35,7 @@ class SteadyEquations {
     [[nodiscard]] bool driven() const;
     /// The rotor loses energy as it whirls in turning axes.
     [[nodiscard]] bool damped() const { return _damped; }
-    /// The rotor is the same from all sides but for what deflects it.
+    /// The rotor with its races is the same from all sides but for what deflects it.
     [[nodiscard]] bool round() const;
 
     /// Real matrix of the rotor with all that is fixed in it, without the free parts, at rest in
@@ -63,6 +63,7 @@ class SteadyEquations {
     simulation::MovingParts _parts;
     Eigen::MatrixXd _rows; ///< 4P x 2r
     bool _damped = false;
+    bool _round_races = true;
 
     struct Balance {
         Eigen::VectorXd left;  ///< what is not in balance

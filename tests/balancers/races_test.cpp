@@ -20,11 +20,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
+#include <functional>
+#include <map>
 #include <numbers>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace whirl::races {
 namespace {
@@ -46,8 +50,21 @@ struct Planar {
     double phase = 0.4;      ///< rad
     double e = 2e-4;         ///< m
     double direction = 1.1;  ///< rad
+    double ellipticity = 0;
+    double long_axis = 0.7; ///< rad
 
     [[nodiscard]] Complex centre() const { return std::polar(e, direction); }
+    /// Where a ball is in the rotor, or derivatives of that over its angle: R cos 2(a - b) is half
+    /// the sum of two harmonics.
+    [[nodiscard]] Complex place(double a, int derivative) const {
+        const Complex i(0, 1);
+        const double twice = 2 * long_axis;
+        return (derivative == 0 ? centre() : 0) +
+               radius * (std::pow(i, derivative) * std::polar(1.0, a) +
+                         ellipticity / 2 *
+                             (std::pow(3.0 * i, derivative) * std::polar(1.0, 3 * a - twice) +
+                              std::pow(-i, derivative) * std::polar(1.0, twice - a)));
+    }
     [[nodiscard]] Complex U() const { return std::polar(imbalance, phase); }
     [[nodiscard]] model::Case scene(double speed) const {
         model::Case scene = rotor.scene();
@@ -57,6 +74,8 @@ struct Planar {
         balancer.tilt_inertia = false;
         balls_of(balancer).eccentricity = e;
         balls_of(balancer).eccentricity_angle = direction;
+        balls_of(balancer).ellipticity = ellipticity;
+        balls_of(balancer).ellipticity_angle = long_axis;
         scene.rotor.balancers = {balancer};
         scene.states = model::StatesSettings{};
         scene.speeds = model::SpeedRange{speed, speed, 1};
@@ -110,19 +129,19 @@ Newton newton(const Planar &of, const PlanarState &s, double gravity) {
     Complex on_rotor = -of.rotor.kx * s.w - of.rotor.c * s.v - of.U() * spin * of_turning;
     for (Eigen::Index j = 0; j < n; ++j) {
         const auto at = static_cast<std::size_t>(j);
-        const double whole = s.speed + s.rates[at];
-        const Complex out = std::polar(1.0, s.theta + s.angles[at]);
-        const Complex drag = -of.drag * of.radius * s.rates[at] * i * out; // on the ball
-        // m (w'' + e'' + i R g'' out - R g'^2 out) = drag - N out - i m gravity,
-        // with g'' = a'' + th''
+        const double rate = s.rates[at];
+        const auto path = [&](int k) { return spin * of.place(s.angles[at], k); };
+        const Complex out = -i * path(1) / std::abs(path(1)); // across the race
+        const Complex drag = -of.drag * rate * path(1);       // on the ball
+        // m (w'' + P'') = drag - N out - i m gravity, P = z(a) exp(i th)
         const Eigen::Index row = 2 + 2 * j;
         A.block<2, 2>(row, 0).diagonal().setConstant(of.ball);
-        put(A.block<2, 1>(row, row), of.ball * of.radius * i * out);
+        put(A.block<2, 1>(row, row), of.ball * path(1));
         put(A.block<2, 1>(row, row + 1), out);
         put(b.segment<2>(row),
             drag - i * of.ball * gravity -
-                of.ball * (of.centre() * spin * of_turning +
-                           of.radius * (i * s.acceleration - whole * whole) * out));
+                of.ball * (path(0) * of_turning + 2.0 * i * s.speed * rate * path(1) +
+                           rate * rate * path(2)));
         // On the rotor the other way round; its own static sag carries the weight of the balls.
         put(A.block<2, 1>(0, row + 1), -out);
         on_rotor += -drag + i * of.ball * gravity;
@@ -135,10 +154,8 @@ Newton newton(const Planar &of, const PlanarState &s, double gravity) {
     return result;
 }
 
-TEST(EccentricRace, MovesAsNewtonSays) {
-    Planar of;
+void expect_newton(Planar of) {
     of.n = 3;
-    of.e = 0.009; // far more than any race's, to be seen
     const double gravity = 9.81;
     model::Case scene = of.scene(0);
     scene.simulate.time = 1;
@@ -184,6 +201,21 @@ TEST(EccentricRace, MovesAsNewtonSays) {
     }
 }
 
+TEST(EccentricRace, MovesAsNewtonSays) {
+    Planar of;
+    of.e = 0.009; // far more than any race's, to be seen
+    expect_newton(of);
+}
+
+TEST(RaceOutOfRound, MovesAsNewtonSays) {
+    Planar of;
+    of.ellipticity = 0.1;
+    for (const double e : {0.0, 0.009}) {
+        of.e = e;
+        expect_newton(of);
+    }
+}
+
 /// Energy and angular momentum over what was exchanged.
 void expect_books_close(const model::Case &scene, double tolerance) {
     const results::SimulateResult result = analyses::simulate_alone(scene);
@@ -191,13 +223,8 @@ void expect_books_close(const model::Case &scene, double tolerance) {
     EXPECT_LT(std::abs(result.audit.momentum_error), tolerance * result.audit.momentum_scale);
 }
 
-// The torque that the drive must give is in the books alone: with a motor it turns the rotor.
-TEST(EccentricRace, KeepsEnergyAndMomentum) {
-    model::Case scene = tests::flexible_rotor(200);
-    for (model::Balancer &balancer : scene.rotor.balancers) {
-        balls_of(balancer).eccentricity = 0.005;
-        balls_of(balancer).eccentricity_angle = 0.8;
-    }
+/// The torque that the drive must give is in the books alone: with a motor it turns the rotor.
+void expect_energy_and_momentum(model::Case scene) {
     scene.simulate.gravity = 9.81;
     expect_books_close(scene, 1e-6);
     model::Case motor = scene;
@@ -210,6 +237,18 @@ TEST(EccentricRace, KeepsEnergyAndMomentum) {
     for (model::Balancer &balancer : run_up.rotor.balancers)
         balls_of(balancer).release_speed = 240;
     expect_books_close(run_up, 1e-6);
+}
+
+TEST(EccentricRace, KeepsEnergyAndMomentum) {
+    model::Case scene = tests::flexible_rotor(200);
+    for (model::Balancer &balancer : scene.rotor.balancers) {
+        balls_of(balancer).eccentricity = 0.005;
+        balls_of(balancer).eccentricity_angle = 0.8;
+    }
+    expect_energy_and_momentum(scene);
+    model::Case run_up = scene;
+    run_up.simulate.gravity = 9.81;
+    run_up.simulate.run_up = {{0, 50}, {0.3, 400}};
     for (model::Balancer &balancer : run_up.rotor.balancers) {
         balls_of(balancer).release_speed.reset();
         balls_of(balancer).contact = true;
@@ -217,6 +256,22 @@ TEST(EccentricRace, KeepsEnergyAndMomentum) {
             own.diameter = 0.015;
     }
     expect_books_close(run_up, 1e-6);
+}
+
+TEST(RaceOutOfRound, KeepsEnergyAndMomentum) {
+    model::Case scene = tests::flexible_rotor(200);
+    for (model::Balancer &balancer : scene.rotor.balancers) {
+        balls_of(balancer).ellipticity = 0.08;
+        balls_of(balancer).ellipticity_angle = 0.4;
+    }
+    balls_of(scene.rotor.balancers[0]).eccentricity = 0.005;
+    expect_energy_and_momentum(scene);
+    model::StationForce shaken;
+    shaken.x = 30;
+    shaken.y = -20;
+    shaken.frequency = 300;
+    scene.simulate.base = model::BaseMotion{shaken, {}};
+    expect_books_close(scene, 1e-6);
 }
 
 TEST(EccentricRace, BallsEndWhereItsCentreRests) {
@@ -266,21 +321,20 @@ TEST(EccentricRace, SteadyStatesAreThoseOfTheClosedForm) {
         }
 }
 
-/// Eigenvalues about a state by differences of the motion in time, whose balls count tilting too.
-TEST(EccentricRace, SmallMotionsAreThoseOfTheMotionInTime) {
+/// Eigenvalues about a state of this kind by differences of the motion in time, whose balls count
+/// tilting too.
+void expect_small_motions(const std::function<void(model::Balls &)> &change, Kind kind) {
     for (const double speed : {120.0, 260.0}) {
         model::Case scene = tests::flexible_rotor(speed);
         scene.states = model::StatesSettings{};
-        for (model::Balancer &balancer : scene.rotor.balancers) {
-            balls_of(balancer).eccentricity = 1e-3;
-            balls_of(balancer).eccentricity_angle = -0.6;
-        }
+        for (model::Balancer &balancer : scene.rotor.balancers)
+            change(balls_of(balancer));
         scene.rotor.balancers[1].imbalance_radius.reset();
         const states::StateSearch search(scene, speed, speed);
         bool undecided = false;
         const auto all = search.at(speed, undecided);
-        const auto state = std::ranges::find_if(
-            all, [](const auto &found) { return found.state.kind == Kind::coincident; });
+        const auto state =
+            std::ranges::find_if(all, [&](const auto &found) { return found.state.kind == kind; });
         ASSERT_NE(state, all.end());
         const std::vector<modes::Root> expected =
             modes::all_roots(search.equations().about(state->x, speed), speed, 0);
@@ -308,6 +362,225 @@ TEST(EccentricRace, SmallMotionsAreThoseOfTheMotionInTime) {
         for (const modes::Root &root : expected)
             EXPECT_LT((found.array() - root.value).abs().minCoeff(), 1e-8 * size) << root.value;
     }
+}
+
+TEST(EccentricRace, SmallMotionsAreThoseOfTheMotionInTime) {
+    expect_small_motions(
+        [](model::Balls &balls) {
+            balls.eccentricity = 1e-3;
+            balls.eccentricity_angle = -0.6;
+        },
+        Kind::coincident);
+}
+
+TEST(RaceOutOfRound, SmallMotionsAreThoseOfTheMotionInTime) {
+    expect_small_motions(
+        [](model::Balls &balls) { // two balls and one, in races off the axis as well
+            balls.rows.front().n = balls.rows.front().n == 3 ? 1 : 2;
+            balls.eccentricity = 1e-3;
+            balls.ellipticity = 0.03;
+            balls.ellipticity_angle = 0.5;
+        },
+        Kind::out_of_round);
+}
+
+/// Newton's method from a grid of starts for two balls: W^2 (U + n m c + sum of z) = D w and
+/// (w + c + z) . dz/da = 0.
+std::vector<std::array<double, 2>> pairs_by_newton(const Planar &of, double speed) {
+    const auto along = [](Complex a, Complex b) { return std::real(std::conj(a) * b); };
+    const Complex D = of.dynamic(speed, true) / (speed * speed);
+    const auto left = [&](const std::array<double, 2> &a) {
+        const Complex w = (of.U() + of.ball * (of.place(a[0], 0) + of.place(a[1], 0))) / D;
+        return Eigen::Vector2d(along(w + of.place(a[0], 0), of.place(a[0], 1)),
+                               along(w + of.place(a[1], 0), of.place(a[1], 1)));
+    };
+    std::vector<std::array<double, 2>> found;
+    constexpr int starts = 24;
+    for (int k = 0; k < starts * starts; ++k) {
+        std::array<double, 2> a{2 * pi / starts * (k % starts), 2 * pi / starts * (k / starts)};
+        for (int step = 0; step < 25; ++step) {
+            constexpr double small = 1e-6;
+            Eigen::Matrix2d J;
+            for (std::size_t j = 0; j < 2; ++j) {
+                std::array<double, 2> up = a, down = a;
+                up[j] += small;
+                down[j] -= small;
+                J.col(static_cast<Eigen::Index>(j)) = (left(up) - left(down)) / (2 * small);
+            }
+            const Eigen::Vector2d by = J.fullPivLu().solve(left(a));
+            a = {a[0] - by(0), a[1] - by(1)};
+        }
+        if (!(left(a).norm() < 1e-12 * of.radius * of.radius))
+            continue;
+        for (double &angle : a)
+            angle -= 2 * pi * std::floor(angle / (2 * pi));
+        const auto near = [](double x, double y) {
+            return std::abs(std::remainder(x - y, 2 * pi)) < 1e-6;
+        };
+        if (std::ranges::none_of(found, [&](const auto &b) {
+                return (near(a[0], b[0]) && near(a[1], b[1])) ||
+                       (near(a[0], b[1]) && near(a[1], b[0]));
+            }))
+            found.push_back(a);
+    }
+    return found;
+}
+
+TEST(RaceOutOfRound, SteadyStatesAreAllThatNewtonFinds) {
+    for (const double ellipticity : {1e-4, 3e-3, 0.08})
+        for (const double speed : {150.0, 305.0, 900.0}) {
+            Planar of;
+            of.ellipticity = ellipticity;
+            const model::Case scene = of.scene(speed);
+            bool undecided = false;
+            const auto states = states::StateSearch(scene, speed, speed).at(speed, undecided);
+            EXPECT_FALSE(undecided);
+            const auto expected = pairs_by_newton(of, speed);
+            EXPECT_EQ(states.size(), expected.size()) << ellipticity << " " << speed;
+            for (const auto &found : states) {
+                EXPECT_EQ(found.state.kind, Kind::out_of_round);
+                const std::vector<double> &a = found.state.angles.front();
+                EXPECT_TRUE(std::ranges::any_of(
+                    expected,
+                    [&](const auto &b) {
+                        const auto apart = [&](std::size_t i, std::size_t k) {
+                            return std::abs(std::remainder(a[i] - b[k], 2 * pi));
+                        };
+                        return std::min(apart(0, 0) + apart(1, 1), apart(0, 1) + apart(1, 0)) <
+                               1e-7;
+                    }))
+                    << a[0] << " " << a[1];
+                const Complex w = speed * speed *
+                                  (of.U() + of.ball * (of.place(a[0], 0) + of.place(a[1], 0))) /
+                                  of.dynamic(speed, true);
+                EXPECT_NEAR(found.state.residual, std::abs(w), 1e-8 * std::abs(w));
+            }
+        }
+}
+
+// On a rotor that hardly moves each ball is by itself. With L = m [(rho^2 + rho'^2) a'^2 +
+// W^2 rho^2]/2 it swings about the long axis with w^2 = 4 ellipticity W^2/(1 + ellipticity) and
+// leaves the short one.
+TEST(RaceOutOfRound, BallsSwingAboutTheLongAxis) {
+    const double speed = 200;
+    Planar of;
+    of.e = 0;
+    of.drag = 0;
+    of.ellipticity = 0.02;
+    of.rotor.kx = of.rotor.ky = 1e13; // a rotor moves by m W^2/k = 2e-10 of what balls do
+    const model::Case scene = of.scene(speed);
+    const states::StateSearch search(scene, speed, speed);
+    bool undecided = false;
+    int on_long_axis = 0;
+    const auto states = search.at(speed, undecided);
+    EXPECT_EQ(states.size(), 10U); // pairs out of four places, two alike
+    for (const auto &found : states) {
+        std::vector<double> expected;
+        for (const double angle : found.state.angles.front()) {
+            const double turned = std::remainder(2 * (angle - of.long_axis), 2 * pi);
+            const bool on_long = std::abs(turned) < 1e-6;
+            EXPECT_NEAR(std::abs(turned), on_long ? 0 : pi, 1e-6);
+            const double e = on_long ? of.ellipticity : -of.ellipticity;
+            expected.push_back(4 * e / (1 + e) * speed * speed);
+        }
+        std::ranges::sort(expected);
+        on_long_axis += expected.front() > 0;
+        const auto motions = search.equations().about(found.x, speed);
+        std::vector<double> squares; // of the balls, far slower than the rotor
+        for (const modes::Root &root : modes::all_roots(motions, speed, 0))
+            if (std::abs(root.value) < 2 * speed && root.value.imag() >= 0)
+                squares.push_back(-std::real(root.value * root.value));
+        std::ranges::sort(squares);
+        squares.erase(
+            std::unique(squares.begin(), squares.end(),
+                        [&](double a, double b) { return std::abs(a - b) < 1e-5 * speed * speed; }),
+            squares.end());
+        EXPECT_NEAR(squares.front(), expected.front(), 1e-6 * speed * speed);
+        EXPECT_NEAR(squares.back(), expected.back(), 1e-6 * speed * speed);
+    }
+    EXPECT_EQ(on_long_axis, 3);
+}
+
+// Two balls that balance feel h = 2 ellipticity R sin 2(a - b) along the race each; to first order
+// in it their plane is deflected so that Im(w exp(-i a)) = h holds both.
+TEST(RaceOutOfRound, MovesTheBalancedPosition) {
+    const double speed = 900;
+    Planar of;
+    of.e = 0;
+    of.ellipticity = 1e-7;
+    const double half = std::acos(-of.imbalance / (2 * of.ball * of.radius));
+    const std::array<double, 2> a{of.phase + half, of.phase - half};
+    Eigen::Matrix2d A;
+    Eigen::Vector2d h;
+    for (Eigen::Index j = 0; j < 2; ++j) {
+        const double angle = a[static_cast<std::size_t>(j)];
+        A.row(j) << -std::sin(angle), std::cos(angle);
+        h(j) = 2 * of.ellipticity * of.radius * std::sin(2 * (angle - of.long_axis));
+    }
+    const Eigen::Vector2d w = A.fullPivLu().solve(h);
+    const model::Case scene = of.scene(speed);
+    bool undecided = false;
+    const auto states = states::StateSearch(scene, speed, speed).at(speed, undecided);
+    const auto near = std::ranges::find_if(
+        states, [&](const auto &found) { return found.state.residual < 2 * w.norm(); });
+    ASSERT_NE(near, states.end());
+    // Second order: the balls move by M w/(m R), 7e-5.
+    EXPECT_NEAR(near->state.residual, w.norm(), 3e-4 * w.norm());
+    EXPECT_TRUE(near->state.stable.value());
+}
+
+TEST(RaceOutOfRound, MotionsEndInAStableState) {
+    const double speed = 700;
+    Planar of;
+    of.ellipticity = 0.01;
+    model::Case scene = of.scene(speed);
+    scene.simulate.time = 6;
+    const results::SimulateResult result = analyses::simulate_alone(scene);
+    const std::vector<double> &angles = result.balancers.front().angles;
+    bool undecided = false;
+    const auto states = states::StateSearch(scene, speed, speed).at(speed, undecided);
+    EXPECT_TRUE(std::ranges::any_of(states, [&](const auto &found) {
+        const std::vector<double> &a = found.state.angles.front();
+        const auto apart = [&](std::size_t i, std::size_t k) {
+            return std::abs(std::remainder(a[i] - angles[k], 2 * pi));
+        };
+        return found.state.stable == true &&
+               std::min(apart(0, 0) + apart(1, 1), apart(0, 1) + apart(1, 0)) < 1e-5;
+    }));
+}
+
+// A round race at one place, one out of round at the other: branches go on over the speed.
+TEST(RaceOutOfRound, StandsBesideARoundOne) {
+    model::Case scene = tests::flexible_rotor(900);
+    balls_of(scene.rotor.balancers[0]).rows.front().n = 2;
+    balls_of(scene.rotor.balancers[1]).ellipticity = 0.01;
+    scene.states = model::StatesSettings{};
+    const results::SteadyStates found = states::steady_states(scene, {900, 905});
+    ASSERT_FALSE(found.states.empty());
+    std::map<int, std::vector<const results::SteadyState *>> branches;
+    for (const results::SteadyState &state : found.states)
+        branches[state.branch].push_back(&state);
+    for (const auto &[number, states] : branches) {
+        ASSERT_EQ(states.size(), 2U) << number;
+        for (std::size_t k = 0; k < 2; ++k) // the same ball
+            EXPECT_LT(
+                std::abs(std::remainder(states[1]->angles[1][k] - states[0]->angles[1][k], 2 * pi)),
+                0.2);
+    }
+}
+
+TEST(RaceOutOfRound, WhatIsOfRoundRacesIsRefused) {
+    Planar of;
+    of.e = 0;
+    of.ellipticity = 0.01;
+    model::Case scene = of.scene(700);
+    EXPECT_THROW((void)analyses::stability(scene, {}), model::AnalysisFailure);
+    const results::BalanceResult result = analyses::balance(scene);
+    EXPECT_EQ(result.supply->with_balancers[0], results::Supply::unknown);
+    EXPECT_FALSE(result.supply->planes[0].needed[0]);
+    EXPECT_FALSE(result.states->states.empty());
+    balls_of(scene.rotor.balancers[0]).rows.front().n = 5;
+    EXPECT_THROW((void)states::StateSearch(scene, 700, 700), model::AnalysisFailure);
 }
 
 // --- What balancers must supply ----------------------------------------------------------------
@@ -399,6 +672,13 @@ TEST(EccentricRace, HeldBallsAreAnImbalance) {
     const Complex expected = of.U() + 2 * of.ball * of.centre() +
                              of.ball * of.radius * (std::polar(1.0, 1.0) + std::polar(1.0, 2.5));
     EXPECT_LT(std::abs(left - expected), 1e-15);
+    Planar out_of_round;
+    out_of_round.ellipticity = 0.05;
+    EXPECT_LT(
+        std::abs(balancers::held_masses(out_of_round.scene(1).rotor.balancers.front(), {1.0, 2.5})
+                     .imbalance -
+                 of.U() - of.ball * (out_of_round.place(1, 0) + out_of_round.place(2.5, 0))),
+        1e-15);
 }
 
 // --- Tracks of their own -----------------------------------------------------------------------
@@ -475,6 +755,11 @@ TEST(Tracks, MistakesAreNamed) {
     expect_mistake(race + "eccentricity_angle = 1\n", "eccentricity_angle", "alone");
     expect_mistake(race + "eccentricity = 1e-4\nrolling_resistance = 1e-5\n", "eccentricity",
                    "resist rolling");
+    expect_mistake(race + "ellipticity = 0.2\n", "ellipticity", "[0, 0.1]");
+    expect_mistake(race + "ellipticity_angle = 1\n", "ellipticity_angle", "alone");
+    for (const std::string other : {"contact = true\n", "rolling_resistance = 1e-5\n"})
+        expect_mistake(race + "ellipticity = 1e-3\n" + other, "ellipticity", "touch or resist");
+    expect_mistake(race + "ellipticity = 1e-3\nheld = true\n", "held", "out of round");
     expect_mistake(race + "release_speed = 0\n", "release_speed", "greater than 0");
     expect_mistake(race + "release_speed = 100\ncontact = true\n", "release_speed",
                    "pass each other");

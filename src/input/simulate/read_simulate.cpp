@@ -159,10 +159,10 @@ void read_motor(CheckedTable &table, const model::Rotor &rotor, model::SimulateS
     for (const model::Balancer &b : rotor.balancers)
         if (const auto *balls = std::get_if<model::Balls>(&b.parts);
             simulate.torque && !b.held && balls &&
-            (balls->contact || balls->resists() || balls->release_speed))
+            (balls->contact || balls->resists() || balls->release_speed || !balls->walls.empty()))
             table.fail("torque", "expected a prescribed speed (run_up, or [speeds]) where balls "
-                                 "touch, resist rolling or are released at a speed, got the torque "
-                                 "of a motor");
+                                 "touch, resist rolling, meet walls or are released at a speed, "
+                                 "got the torque of a motor");
     for (const char *key : {"torque_slope", "inertia"})
         if (!simulate.torque && table.has(key))
             table.fail(key, "expected only together with torque, got it alone");

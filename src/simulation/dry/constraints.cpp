@@ -4,6 +4,7 @@
 #include "simulation/motion.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace whirl::simulation {
@@ -47,9 +48,7 @@ int RotorMotion::add_constraint_columns() const {
             _constraints.push_back({-1, static_cast<int>(i), _dry.gaps.size() + i});
     for (std::size_t k = 0; k < _dry.gaps.size(); ++k) {
         const Gap &gap = _dry.gaps[k];
-        const bool held = _dry.stands(static_cast<std::size_t>(gap.first)) &&
-                          _dry.stands(static_cast<std::size_t>(gap.second));
-        if (_dry.closed[k] && !held) // two that stand need not press on each other
+        if (_dry.closed[k] && !_dry.both_stand(gap)) // two that stand need not press on each other
             _constraints.push_back({gap.first, gap.second, k});
     }
     Index column = 2;
@@ -92,7 +91,7 @@ void RotorMotion::apply_constraints(const Spin::At &spin, const double *state, i
     const double *angles = state + first_angle();
     const double *rates = angles + coordinates();
     const auto along = [&](const Constraint &c, Index column) {
-        return free_acceleration(c.second, column) -
+        return (c.second < 0 ? 0 : free_acceleration(c.second, column)) -
                (c.first < 0 ? 0 : free_acceleration(c.first, column));
     };
     Eigen::MatrixXd A(held, held);
@@ -100,9 +99,15 @@ void RotorMotion::apply_constraints(const Spin::At &spin, const double *state, i
     for (Index k = 0; k < held; ++k) {
         const Constraint &c = _constraints[static_cast<std::size_t>(k)];
         const double r = _dry.rate;
-        const double wanted = c.first < 0 ? spin.acceleration - r * rates[c.second]
-                                          : -2 * r * (rates[c.second] - rates[c.first]) -
-                                                r * r * gap_of(_dry.gaps[c.multiplier], angles);
+        double wanted = 0;
+        if (const std::size_t k = c.multiplier; k < _dry.gaps.size())
+            wanted = -2 * r * _dry.gaps[k].between(rates) - r * r * gap_of(_dry.gaps[k], angles);
+        else
+            wanted = -r * rates[c.second];
+        if (c.first < 0)
+            wanted += spin.acceleration;
+        if (c.second < 0)
+            wanted -= spin.acceleration;
         lack(k) = wanted - along(c, 0) - spin.acceleration * along(c, 1);
         for (Index m = 0; m < held; ++m)
             A(k, m) = along(c, 2 + m);
@@ -113,17 +118,22 @@ void RotorMotion::apply_constraints(const Spin::At &spin, const double *state, i
         _multipliers[c.multiplier] = torques(k);
         _forces.col(0) += torques(k) * _forces.col(2 + k);
         _planes.col(0) += torques(k) * _planes.col(2 + k);
-        if (c.first >= 0)
-            _friction[static_cast<std::size_t>(c.first)].push -= torques(k);
-        DryTorque &second = _friction[static_cast<std::size_t>(c.second)];
-        second.push += torques(k);
-        if (c.first < 0)
-            second.stand = torques(k);
+        for (const auto &[i, other, torque] : {std::tuple(c.first, c.second, -torques(k)),
+                                               std::tuple(c.second, c.first, torques(k))}) {
+            if (i < 0)
+                continue;
+            DryTorque &own = _friction[static_cast<std::size_t>(i)];
+            own.push += torque;
+            if (c.multiplier >= _dry.gaps.size())
+                own.stand = torque;
+            else if (other < 0)
+                own.wall += torque;
+        }
     }
 }
 
 double RotorMotion::gap_of(const Gap &gap, const double *angles) const {
-    return angles[gap.second] - angles[gap.first] + gap.offset - gap.touching;
+    return gap.between(angles) + gap.offset - gap.touching;
 }
 
 /// Largest torque of friction on each part, and what friction of those that move takes.

@@ -58,7 +58,7 @@ std::vector<double> DryEvents::values(double t, const double *state) {
     const double *rates = angles + _motion.coordinates();
     std::vector<double> out;
     for (std::size_t k = 0; k < dry.gaps.size(); ++k) {
-        const double strain = overstrained * _motion.torque_scale(dry.gaps[k].second, _scale);
+        const double strain = overstrained * _motion.torque_scale(dry.gaps[k].part(), _scale);
         out.push_back(dry.closed[k] ? _motion.pressure(k) + strain
                                     : _motion.gap_of(dry.gaps[k], angles) + touching);
     }
@@ -169,7 +169,7 @@ bool DryEvents::collide(double t, Eigen::VectorXd &state) {
         return false;
     const Eigen::VectorXd response = _motion.impulse_response(t, state.data(), *worst);
     const Eigen::Index at = _motion.first_angle();
-    const double mobility = response(at + worst->second) - response(at + worst->first);
+    const double mobility = worst->between(response.data() + at);
     jump(t, state, -(1 + worst->restitution) * approach / mobility * response);
     ++_impacts;
     return true;
@@ -211,8 +211,9 @@ void DryEvents::settle(double t, Eigen::VectorXd &state, const std::vector<bool>
     Eigen::MatrixXd mobility(n, n);
     const Eigen::Index at = _motion.first_angle();
     for (Eigen::Index k = 0; k < n; ++k) {
-        const Gap &gap = *gaps[static_cast<std::size_t>(k)];
-        mobility.row(k) = responses.row(at + gap.second) - responses.row(at + gap.first);
+        for (Eigen::Index m = 0; m < n; ++m)
+            mobility(k, m) =
+                gaps[static_cast<std::size_t>(k)]->between(responses.col(m).data() + at);
     }
     const Eigen::VectorXd impulses = linalg::least_squares(mobility, rates);
     jump(t, state, -(responses * impulses));
@@ -248,8 +249,17 @@ bool DryEvents::amend(const Candidates &near, bool first) {
             change = std::move(how);
         }
     };
+    // A wall that a part is pressed against keeps it from turning back.
+    const auto leans = [&dry](std::size_t i) {
+        for (std::size_t k = 0; k < dry.gaps.size(); ++k)
+            if (const Gap &gap = dry.gaps[k]; dry.closed[k] &&
+                                              std::min(gap.first, gap.second) < 0 &&
+                                              gap.part() == static_cast<int>(i))
+                return true;
+        return false;
+    };
     for (std::size_t i = 0; i < dry.slip.size(); ++i) {
-        if (!near.parts[i] || !dry.resists[i])
+        if (!near.parts[i] || !dry.resists[i] || (!dry.stands(i) && leans(i)))
             continue;
         const double scale = _motion.torque_scale(static_cast<int>(i), _scale);
         if (!dry.stands(i))
@@ -265,9 +275,9 @@ bool DryEvents::amend(const Candidates &near, bool first) {
         if (!near.gaps[k])
             continue;
         const Gap &gap = dry.gaps[k];
-        const double scale = _motion.torque_scale(gap.second, _scale);
+        const double scale = _motion.torque_scale(gap.part(), _scale);
         if (!dry.closed[k])
-            propose((accelerations[gap.first] - accelerations[gap.second]) / (_scale * _scale),
+            propose(-gap.between(accelerations) / (_scale * _scale),
                     [&dry, k] { dry.closed[k] = true; });
         else if (const double pressure = _motion.pressure(k) / scale; pressure < -overstrained / 2)
             propose(-pressure, [&dry, k] { dry.closed[k] = false; });

@@ -15,14 +15,15 @@ namespace {
 constexpr double turn = 2 * std::numbers::pi; ///< rad
 constexpr double rounding = 1e-9;             ///< rad, of angles as they are written in a case
 
+/// An angle as one of the first turn.
+double within_turn(double angle) { return angle - turn * std::floor(angle / turn); }
+
 /// The gaps between neighbours around one race.
 void add_gaps(const balancers::TouchingRow &row, int first, const std::vector<double> &angles,
               std::vector<Gap> &gaps) {
     std::vector<std::pair<double, int>> around;
-    for (int i = first + row.first; i < first + row.first + row.count; ++i) {
-        const double angle = angles[static_cast<std::size_t>(i)];
-        around.emplace_back(angle - turn * std::floor(angle / turn), i);
-    }
+    for (int i = first + row.first; i < first + row.first + row.count; ++i)
+        around.emplace_back(within_turn(angles[static_cast<std::size_t>(i)]), i);
     std::ranges::sort(around);
     for (std::size_t k = 0; k < around.size() && around.size() > 1; ++k) {
         const auto [here, i] = around[k];
@@ -35,8 +36,33 @@ void add_gaps(const balancers::TouchingRow &row, int first, const std::vector<do
                 "simulate.ball_angles: expected balls that do not overlap, {:.6g} rad apart or "
                 "more, got {:.6g} rad between two that cannot pass each other (contact = true)",
                 row.touching, apart));
-        gaps.push_back({i, j, apart - between, row.touching, row.restitution});
+        const bool parted =
+            std::ranges::any_of(row.walls, [&, from = here](const balancers::Wall &wall) {
+                return within_turn((wall.before + wall.behind) / 2 - from) < apart;
+            });
+        if (!parted)
+            gaps.push_back({i, j, apart - between, row.touching, row.restitution});
     }
+}
+
+/// Those between a part and the walls on both sides of it.
+void add_walls(const balancers::TouchingRow &row, int i, double angle, std::vector<Gap> &gaps) {
+    double behind = turn; // the wall that it follows
+    double before = turn; // the one that it stands before
+    for (const balancers::Wall &wall : row.walls) {
+        const double into = within_turn(angle - wall.before);
+        const double width = wall.behind - wall.before;
+        if (into > rounding && into < width - rounding)
+            throw model::BadInput(fmt::format(
+                "simulate.ball_angles: expected balls beside the walls of their race, with no "
+                "centre from {:.6g} to {:.6g} rad, got one at {:.6g} rad",
+                wall.before, wall.behind, angle));
+        const auto free = [](double gap) { return gap > turn - rounding ? gap - turn : gap; };
+        behind = std::min(behind, free(within_turn(angle - wall.behind)));
+        before = std::min(before, free(within_turn(wall.before - angle)));
+    }
+    gaps.push_back({-1, i, behind - angle, 0, row.restitution});
+    gaps.push_back({i, -1, before + angle, 0, row.restitution});
 }
 
 } // namespace
@@ -46,8 +72,13 @@ DryState dry_state(const MovingParts &parts, const std::vector<double> &angles, 
     dry.rate = rate;
     for (const FreeParts &free : parts.free) {
         const int first = static_cast<int>(dry.resists.size());
-        for (const balancers::TouchingRow &row : free.motion->touching())
-            add_gaps(row, first, angles, dry.gaps);
+        for (const balancers::TouchingRow &row : free.motion->touching()) {
+            if (!row.pass)
+                add_gaps(row, first, angles, dry.gaps);
+            for (int i = first + row.first; i < first + row.first + row.count; ++i)
+                if (!row.walls.empty())
+                    add_walls(row, i, angles[static_cast<std::size_t>(i)], dry.gaps);
+        }
         for (int i = 0; i < free.motion->size(); ++i)
             dry.resists.push_back(free.motion->resists(i));
     }
