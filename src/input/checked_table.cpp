@@ -132,15 +132,18 @@ bool CheckedTable::flag_or(const std::string &key, bool fallback) {
     return own->flag;
 }
 
-std::optional<std::string> CheckedTable::text(const std::string &key) {
-    const Node *own = find(key);
-    if (!own)
-        return std::nullopt;
-    if (own->kind != Node::Kind::text) {
-        fail(key, "expected a text, got " + shown(*own));
+std::optional<CheckedEntry> CheckedTable::text_entry(const std::string &key) {
+    auto own = entry(key);
+    if (own && own->node.kind != Node::Kind::text) {
+        own->fail("expected a text, got " + shown(own->node));
         return std::nullopt;
     }
-    return own->text;
+    return own;
+}
+
+std::optional<std::string> CheckedTable::text(const std::string &key) {
+    const auto own = text_entry(key);
+    return own ? std::optional(own->node.text) : std::nullopt;
 }
 
 std::size_t CheckedTable::choice(const std::string &key, const std::vector<std::string> &choices,

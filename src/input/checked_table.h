@@ -106,6 +106,8 @@ class CheckedTable {
     int whole_or(const std::string &key, int fallback, int low, int high);
     bool flag_or(const std::string &key, bool fallback);
     std::optional<std::string> text(const std::string &key);
+    /// The same with its place.
+    std::optional<CheckedEntry> text_entry(const std::string &key);
     /// Index of the text of `key` in `choices`; `fallback` where it is missing or wrong.
     std::size_t choice(const std::string &key, const std::vector<std::string> &choices,
                        std::size_t fallback);

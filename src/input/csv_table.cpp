@@ -260,12 +260,13 @@ Digits digits_of(std::string_view cell) {
 
 } // namespace
 
-CsvTable::CsvTable(const std::filesystem::path &file, const std::vector<CsvRule> &rules,
-                   Problems &problems, FileTexts &files)
-    : _problems(&problems), _file(file.generic_string()) {
-    const auto &[text, mistake] = files.of(file, largest_table);
+CsvTable::CsvTable(const CheckedEntry &asked, const std::vector<CsvRule> &rules)
+    : _problems(&asked.context.problems) {
+    const auto file = (asked.context.folder / asked.node.text).lexically_normal();
+    _file = file.generic_string();
+    const auto &[text, mistake] = asked.context.files.of(file, largest_table);
     if (!mistake.empty())
-        problems.add({_file, 0}, "", "expected a CSV table, " + mistake);
+        asked.fail(fmt::format("expected a CSV table, got {}: {}", _file, mistake));
     else
         read(replaced_signs(is_utf8(text) ? text : from_latin1(text), plain_blanks), rules);
 }

@@ -2,7 +2,6 @@
 
 #include "input/checked_table.h"
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,10 +28,9 @@ class CsvRow;
 /// collected as "file:line: column: text".
 class CsvTable {
   public:
-    /// Reads the file; its header may have the columns of `rules`, each once, in any order.
-    /// `file` must be reachable from the working directory and names the table in messages.
-    CsvTable(const std::filesystem::path &file, const std::vector<CsvRule> &rules,
-             Problems &problems, FileTexts &files);
+    /// Reads the file that an entry of the case names; its header may have the columns of `rules`,
+    /// each once, in any order. Where there is no such file, that is a mistake of the entry.
+    CsvTable(const CheckedEntry &asked, const std::vector<CsvRule> &rules);
 
     /// False where the file or its header was wrong or it has no rows; the problem is collected.
     [[nodiscard]] bool usable() const { return _usable; }

@@ -148,10 +148,9 @@ const std::vector<CsvRule> station_columns{
     {"asymmetry_angle", Quantity::angle}, {"shear", Quantity::number},
     {"mass_outer", Quantity::length},     {"mass_inner", Quantity::length}};
 
-std::vector<model::Segment> read_stations(const std::string &path, const Materials &materials,
-                                          int elements, ReadContext &context) {
-    const auto file = (context.folder / path).lexically_normal();
-    CsvTable table(file, station_columns, context.problems, context.files);
+std::vector<model::Segment> read_stations(const CheckedEntry &asked, const Materials &materials,
+                                          int elements) {
+    CsvTable table(asked, station_columns);
     std::vector<model::Segment> segments;
     bool complete = table.usable();
     for (const std::string column : {"length", "outer"})
@@ -233,13 +232,13 @@ model::Shaft read_shaft(CheckedTable &root, const Materials &materials) {
     shaft.torque_kind = static_cast<model::TorqueKind>(
         table->choice("torque_kind", {"axial", "semitangential", "tangential"}, 0));
     const int elements = table->whole_or("elements", 1, 1, largest_count);
-    const auto path = table->text("table");
+    const auto stations = table->text_entry("table");
     if (table->has("table") == table->has("segments"))
         table->fail("segments", table->has("table")
                                     ? "expected either table or segments, got both"
                                     : "missing, expected a list of segments, or table");
-    else if (path)
-        shaft.segments = read_stations(*path, materials, elements, table->context());
+    else if (stations)
+        shaft.segments = read_stations(*stations, materials, elements);
     else
         read_each(*table, "segments", shaft.segments,
                   [&](CheckedTable &of, model::Segment &segment) {

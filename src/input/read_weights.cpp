@@ -213,11 +213,10 @@ class WeightsReader {
     }
 
     std::optional<CsvTable> table_of(const char *key, const std::vector<CsvRule> &rules) {
-        const auto file = _table.text(key);
-        if (!file)
+        const auto asked = _table.text_entry(key);
+        if (!asked)
             return std::nullopt;
-        ReadContext &context = _table.context();
-        CsvTable csv(context.folder / *file, rules, context.problems, context.files);
+        CsvTable csv(*asked, rules);
         bool whole = csv.usable();
         for (const CsvRule &rule : rules)
             if (csv.usable() && rule.name != "speed" && !csv.has(rule.name)) {

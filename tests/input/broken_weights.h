@@ -38,7 +38,8 @@ inline std::vector<BrokenCase> broken_weights() {
          one + "[[plane]]\nname = \"a\"\n" + trial, readings(both)},
         {"weights without readings", 2, "weights.readings", "missing, expected a table of readings",
          "format = 1\n[weights]\n[[plane]]\nname = \"a\"\n"},
-        {"weights of a table that is not there", 0, "", "no such file", one + trial, {}, "r.csv"},
+        {"weights of a table that is not there", 3, "weights.readings",
+         "r.csv: there is no such file", one + trial},
         {"weights by another method", 3, "weights.method", "\"least-squares\" or \"minimax\"",
          "format = 1\n[weights]\nmethod = \"mini-max\"\nreadings = \"r.csv\"\n"
          "[[plane]]\nname = \"a\"\n" +

@@ -12,12 +12,22 @@ using input::Quantity;
 const std::vector<input::CsvRule> rules{
     {"speed", Quantity::speed}, {"k", Quantity::stiffness}, {"label", {}}};
 
-/// A table of that text; its mistakes go to `problems`.
-input::CsvTable read(const std::string &text, input::Problems &problems) {
-    write_case(scratch_folder(), {"", 0, "", "", "", {{"t.csv", text}}});
+/// An entry `table = "t.csv"` of a case.
+struct Asked {
+    input::Node entry;
     input::FileTexts files;
-    return {scratch_folder() / "t.csv", rules, problems, files};
-}
+    input::ReadContext context{entry, files};
+    input::Problems &problems = context.problems;
+
+    /// The table of that text; its mistakes go to `problems`.
+    input::CsvTable read(const std::string &text) {
+        write_case(scratch_folder(), {"", 0, "", "", "", {{"t.csv", text}}});
+        context.folder = scratch_folder();
+        entry.kind = input::Node::Kind::text;
+        entry.text = "t.csv";
+        return {{entry, "table", context}, rules};
+    }
+};
 
 std::string message(const input::Problems &problems) {
     try {
@@ -29,10 +39,9 @@ std::string message(const input::Problems &problems) {
 }
 
 TEST(CsvTable, UnitsOfHeaderAndCell) {
-    input::Problems problems;
-    auto table =
-        read("label , k [kN/mm],speed [rpm]\na,2,60\n\n# note\nb,3 N/m,2 rad/s\n", problems);
-    ASSERT_TRUE(table.usable()) << message(problems);
+    Asked asked;
+    auto table = asked.read("label , k [kN/mm],speed [rpm]\na,2,60\n\n# note\nb,3 N/m,2 rad/s\n");
+    ASSERT_TRUE(table.usable()) << message(asked.problems);
     const std::vector<input::CsvRow> rows = table.rows();
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows[1].text("label"), "b");
@@ -40,36 +49,36 @@ TEST(CsvTable, UnitsOfHeaderAndCell) {
     EXPECT_DOUBLE_EQ(rows[0].number("speed", Quantity::speed), 2 * M_PI);
     EXPECT_EQ(rows[1].number("k", Quantity::stiffness), 3);
     EXPECT_EQ(rows[1].number("speed", Quantity::speed), 2);
-    EXPECT_TRUE(problems.empty());
+    EXPECT_TRUE(asked.problems.empty());
     rows[1].fail("label", "wrong");
-    EXPECT_NE(message(problems).find("t.csv:5: label: wrong"), std::string::npos)
-        << message(problems);
+    EXPECT_NE(message(asked.problems).find("t.csv:5: label: wrong"), std::string::npos)
+        << message(asked.problems);
 }
 
 TEST(CsvTable, MissingColumnsAndCellsAreEmpty) {
-    input::Problems problems;
-    auto table = read("speed,k\n1,\n", problems);
+    Asked asked;
+    auto table = asked.read("speed,k\n1,\n");
     EXPECT_FALSE(table.has("label"));
     const std::vector<input::CsvRow> rows = table.rows();
     EXPECT_FALSE(rows[0].text("label"));
     EXPECT_FALSE(rows[0].optional_number("k", Quantity::stiffness));
-    EXPECT_TRUE(problems.empty());
+    EXPECT_TRUE(asked.problems.empty());
     EXPECT_TRUE(std::isnan(rows[0].number("k", Quantity::stiffness)));
-    EXPECT_NE(message(problems).find("t.csv:2: k: expected a stiffness in N/m, got an empty cell"),
-              std::string::npos)
-        << message(problems);
+    EXPECT_NE(
+        message(asked.problems).find("t.csv:2: k: expected a stiffness in N/m, got an empty cell"),
+        std::string::npos)
+        << message(asked.problems);
 }
 
 TEST(CsvTable, QuotationMarksHoldCommasCommentsAndTheirLike) {
-    input::Problems problems;
-    auto table = read("\"label\",k # comment\n"
-                      "\"a, b\",3\n"
-                      " \" 2\"\" bore, #4 \" , \"5 kN/m\" # the \"last\", but two\n"
-                      "\"\"\"\",7#8\n"
-                      "12\" disc,9\n"
-                      "\"\",10\n",
-                      problems);
-    ASSERT_TRUE(table.usable()) << message(problems);
+    Asked asked;
+    auto table = asked.read("\"label\",k # comment\n"
+                            "\"a, b\",3\n"
+                            " \" 2\"\" bore, #4 \" , \"5 kN/m\" # the \"last\", but two\n"
+                            "\"\"\"\",7#8\n"
+                            "12\" disc,9\n"
+                            "\"\",10\n");
+    ASSERT_TRUE(table.usable()) << message(asked.problems);
     const std::vector<input::CsvRow> rows = table.rows();
     ASSERT_EQ(rows.size(), 5U);
     const std::vector<std::string> labels{"a, b", "2\" bore, #4", "\"", "12\" disc", ""};
@@ -78,14 +87,14 @@ TEST(CsvTable, QuotationMarksHoldCommasCommentsAndTheirLike) {
         EXPECT_EQ(rows[row].text("label").value_or(""), labels[row]);
         EXPECT_EQ(rows[row].number("k", Quantity::stiffness), k[row]);
     }
-    EXPECT_TRUE(problems.empty());
+    EXPECT_TRUE(asked.problems.empty());
 }
 
 TEST(CsvTable, QuotationMarksThatDoNotMatchAreNamed) {
-    input::Problems problems;
-    const auto table = read("label,k\n\"a,3\n\"a\" b,3\n\"a\"\"\"\",3\na,3\n", problems);
+    Asked asked;
+    const auto table = asked.read("label,k\n\"a,3\n\"a\" b,3\n\"a\"\"\"\",3\na,3\n");
     EXPECT_FALSE(table.usable());
-    const std::string text = message(problems);
+    const std::string text = message(asked.problems);
     for (const char *line : {"t.csv:2: expected a quotation mark at the end",
                              "t.csv:3: expected a comma after the quotation mark",
                              "t.csv:4: expected a quotation mark at the end"})
@@ -94,10 +103,10 @@ TEST(CsvTable, QuotationMarksThatDoNotMatchAreNamed) {
 }
 
 TEST(CsvTable, EveryMistakeOfTheHeaderIsNamed) {
-    input::Problems problems;
-    const auto table = read("sped,k [kg],k\n1,2,3\n", problems);
+    Asked asked;
+    const auto table = asked.read("sped,k [kg],k\n1,2,3\n");
     EXPECT_FALSE(table.usable());
-    const std::string text = message(problems);
+    const std::string text = message(asked.problems);
     EXPECT_NE(text.find("t.csv:1: sped: unknown column, did you mean \"speed\"?"),
               std::string::npos)
         << text;

@@ -136,10 +136,9 @@ void read_table_row(const CsvTable &table, const CsvRow &row, model::Bearing &be
 }
 
 /// Reads a bearing table (CSV) into the rows of the bearing.
-void read_bearing_table(const std::string &path, bool spline, model::Bearing &bearing,
-                        ReadContext &context) {
-    const CsvTable table((context.folder / path).lexically_normal(), table_columns(),
-                         context.problems, context.files);
+void read_bearing_table(const CheckedEntry &asked, bool spline, model::Bearing &bearing) {
+    ReadContext &context = asked.context;
+    const CsvTable table(asked, table_columns());
     if (!table.usable())
         return;
     if (!table.has("speed")) {
@@ -149,7 +148,7 @@ void read_bearing_table(const std::string &path, bool spline, model::Bearing &be
     if (!table.has_unit("speed")) {
         const model::Sentence remark("the speeds of {} have no unit and are taken in rad/s; a "
                                      "header such as \"speed [rpm]\" says which",
-                                     path);
+                                     asked.node.text);
         if (std::ranges::find(context.remarks, remark) == context.remarks.end()) // table of another
             context.remarks.push_back(remark);
     }
@@ -184,11 +183,11 @@ void read_rows(CheckedTable &table, model::Bearing &bearing) {
     bool others = false;
     for (const Coefficient &entry : coefficients)
         (entry.quantity == Quantity::mass ? mass : others) |= table.has(entry.name);
-    const auto path = table.text("table");
+    const auto asked = table.text_entry("table");
     if (others)
         table.fail("table", "expected either table or constant coefficients, got both");
-    else if (path)
-        read_bearing_table(*path, spline, bearing, table.context());
+    else if (asked)
+        read_bearing_table(*asked, spline, bearing);
     if (mass && bearing.has_mass())
         table.fail("table", "expected mass coefficients in the table or beside it, got both");
     for (model::BearingCoefficients &row : bearing.rows)
@@ -207,7 +206,7 @@ read_at_clearance(CheckedTable &table, const std::string &which, const model::Be
             table.fail(clearance, fmt::format("expected only with {}, got none", key));
         return std::nullopt;
     }
-    const auto path = table.text(key);
+    const auto asked = table.text_entry(key);
     if (!table.has("table")) {
         table.fail(key, "expected it beside table, got no table");
         return std::nullopt;
@@ -215,8 +214,8 @@ read_at_clearance(CheckedTable &table, const std::string &which, const model::Be
     model::Bearing other;
     other.seal = bearing.seal;
     const Node *between = table.find("interpolation");
-    if (path)
-        read_bearing_table(*path, between && between->text == "spline", other, table.context());
+    if (asked)
+        read_bearing_table(*asked, between && between->text == "spline", other);
     if (other.rows.empty())
         return std::nullopt; // with mistakes
     // What stands beside the table holds for this one too.

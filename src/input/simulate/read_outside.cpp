@@ -33,13 +33,11 @@ void read_harmonic(CheckedTable &table, Quantity quantity, model::StationForce &
                    fmt::format("expected more than from = {} s, got {} s", force.from, *force.to));
 }
 
-std::vector<model::BaseMotion::Row> read_base_table(const std::filesystem::path &file,
-                                                    ReadContext &context) {
+std::vector<model::BaseMotion::Row> read_base_table(const CheckedEntry &asked) {
     std::vector<model::BaseMotion::Row> rows;
     CsvTable csv(
-        file,
-        {{"time", Quantity::time}, {"x", Quantity::acceleration}, {"y", Quantity::acceleration}},
-        context.problems, context.files);
+        asked,
+        {{"time", Quantity::time}, {"x", Quantity::acceleration}, {"y", Quantity::acceleration}});
     if (!csv.usable())
         return rows;
     for (const CsvRow &row : csv.rows()) {
@@ -57,12 +55,11 @@ std::vector<model::BaseMotion::Row> read_base_table(const std::filesystem::path 
 
 model::BaseMotion read_base(CheckedTable &table) {
     model::BaseMotion base;
-    ReadContext &context = table.context();
-    if (const auto file = table.text("table")) {
+    if (const auto asked = table.text_entry("table")) {
         for (const char *key : {"x", "y", "frequency", "phase", "phase_y", "from", "to"})
             if (table.has(key))
                 table.fail(key, "expected either a table or a harmonic acceleration, got both");
-        base.table = read_base_table(context.folder / *file, context);
+        base.table = read_base_table(*asked);
     } else {
         read_harmonic(table, Quantity::acceleration, base.harmonic.emplace());
     }
