@@ -54,6 +54,10 @@ std::string nearest(std::string_view word, const std::vector<std::string> &candi
 
 std::string Origin::text() const { return line > 0 ? fmt::format("{}:{}", file, line) : file; }
 
+std::string Problem::message() const {
+    return origin.text() + ": " + (key.empty() ? "" : key + ": ") + text;
+}
+
 void Problems::add(Origin origin, std::string key, std::string text) {
     constexpr std::size_t most = 1000; // more than anyone reads
     if (_problems.size() < most)
@@ -82,9 +86,7 @@ void Problems::throw_if_any() const {
     std::string message;
     for (const Problem &problem : sorted()) {
         message += message.empty() ? "" : "\n";
-        message += problem.origin.text() + ": ";
-        message += problem.key.empty() ? "" : problem.key + ": ";
-        message += problem.text;
+        message += problem.message();
     }
     if (_more > 0)
         message += fmt::format("\nand {} more", _more);

@@ -20,6 +20,9 @@ struct Problem {
     Origin origin;
     std::string key; ///< path of the entry, or empty
     std::string text;
+
+    /// "cases/x/case.toml:12: bearing[0].k: expected ..., got ...".
+    [[nodiscard]] std::string message() const;
 };
 
 /// Collects all mistakes of a case, so that the user sees them at once.

@@ -1,6 +1,7 @@
 #include "input/toml_text.h"
 
 #include "input/problems.h"
+#include "input/toml_mistake.h"
 #include "input/units.h"
 #include "model/errors.h"
 
@@ -93,18 +94,6 @@ toml::array list_of(const Node &node) {
     return list;
 }
 
-/// Of a line whose value begins as a number does.
-std::string hint_for_line(std::string_view document, toml::source_index line) {
-    for (; line > 1; --line)
-        document.remove_prefix(std::min(document.find('\n') + 1, document.size()));
-    document = document.substr(0, document.find('\n'));
-    const std::size_t value = document.find_first_of("+-0123456789", document.find('=') + 1);
-    if (value != document.find_first_not_of(" \t", document.find('=') + 1))
-        return "";
-    document.remove_prefix(std::min(value, document.size()));
-    return decimal_comma_hint(document.substr(0, document.find_first_of(" \t#")));
-}
-
 /// Follows a document far enough to see how deep its keys and brackets go.
 class DepthReader {
   public:
@@ -163,23 +152,6 @@ class DepthReader {
     }
 };
 
-/// What is wrong with a second header of the same name.
-std::string hint_for_header(std::string_view document, toml::source_index line) {
-    for (; line > 1; --line)
-        document.remove_prefix(std::min(document.find('\n') + 1, document.size()));
-    std::string_view header = trimmed(document.substr(0, document.find('\n')));
-    header = header.substr(0, header.find(']'));
-    if (!header.starts_with('[') || header.starts_with("[["))
-        return "";
-    header = trimmed(header.substr(1));
-    constexpr std::array lists{
-        "disc",  "bearing",   "seal",  "anisotropy",         "balancer",
-        "plane", "imbalance", "probe", "simulate.imbalance", "simulate.force"};
-    return std::ranges::find(lists, header) == lists.end()
-               ? ""
-               : fmt::format("; there may be several: write [[{}]] above each", header);
-}
-
 /// The document, parsed where it is not too deep to be.
 Node parsed(std::string_view document, const Origin &origin) {
     if (const auto line = DepthReader(document).too_deep())
@@ -187,6 +159,18 @@ Node parsed(std::string_view document, const Origin &origin) {
             fmt::format("{}: expected keys and lists within one another up to {} deep, got more",
                         Origin{origin.file, origin.line > 0 ? *line : 0}.text(), deepest));
     return convert(toml::parse(document, origin.file), origin);
+}
+
+/// The lines before that one, where they are a document.
+std::optional<Node> parsed_before(std::string_view document, const Origin &at) {
+    std::size_t end = 0;
+    for (int line = 1; line < at.line; ++line)
+        end = std::min(document.find('\n', end), document.size() - 1) + 1;
+    try {
+        return parsed(document.substr(0, end), {at.file, 1});
+    } catch (const toml::parse_error &) {
+        return std::nullopt;
+    }
 }
 
 /// Finds the places of a document's entries.
@@ -289,12 +273,10 @@ Node parse_toml(std::string_view document, const std::string &file) {
     try {
         return parsed(document, {file, 1});
     } catch (const toml::parse_error &error) {
-        const auto line = error.source().begin.line;
-        std::string text(error.description());
-        text += text.find("redefine existing table") != text.npos ? hint_for_header(document, line)
-                                                                  : hint_for_line(document, line);
-        throw model::BadInput(Origin{file, static_cast<int>(line)}.text() +
-                              ": not valid TOML: " + text);
+        const Origin at{file, static_cast<int>(error.source().begin.line)};
+        const std::optional<Node> before = parsed_before(document, at);
+        throw model::BadInput(
+            toml_mistake(document, error.description(), at, before ? &*before : nullptr).message());
     }
 }
 
