@@ -262,7 +262,8 @@ results::ModesResult mode_shapes(const model::Case &scene) {
     results::ModesResult result;
     if (!scene.modes.speed && !scene.speeds)
         throw model::BadInput(
-            fmt::format("{}: modes.speed: expected a spin speed (--speed), or [speeds], got none",
+            fmt::format("{}: modes.speed: missing, expected a spin speed, as --speed \"3000 rpm\", "
+                        "or a section [speeds]",
                         scene.file.string()));
     result.speed = scene.modes.speed ? *scene.modes.speed : scene.speeds->from;
     result.model.formulation = modes::choose_formulation(scene);

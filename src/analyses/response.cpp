@@ -49,11 +49,12 @@ using forced::unlimited;
 void refuse_what_is_missing(const model::Case &scene) {
     if (scene.rotor.imbalances.empty() && scene.rotor.forces.empty() &&
         scene.response.gravity == 0 && scene.response.receptances.empty())
-        throw model::BadInput(fmt::format("{}: imbalance: expected at least one [[imbalance]], or "
-                                          "the imbalance of a balancer, [[force]], "
-                                          "response.gravity or response.receptance, to drive the "
-                                          "response, got none",
-                                          scene.file.string()));
+        throw model::BadInput(
+            fmt::format("{}: imbalance: missing, expected at least one "
+                        "[[imbalance]], as z = 0.5, mr = \"100 g mm\", to drive "
+                        "the response, or the imbalance of a balancer, [[force]], "
+                        "response.gravity or response.receptance",
+                        scene.file.string()));
     model::Rotor without = scene.rotor; // the response leaves balancers out
     without.balancers.clear();
     if (!without.rotating_anisotropy())
@@ -498,9 +499,8 @@ results::ResponseResult response_peaks(const model::Case &asked, bool with_error
     const model::Case scene = driven(asked);
     if (scene.rotor.imbalances.empty() && scene.response.gravity == 0)
         throw model::BadInput(
-            fmt::format("{}: imbalance: expected at least one [[imbalance]], or "
-                        "the imbalance of a balancer, to drive the response whose "
-                        "peaks are looked for, got none",
+            fmt::format("{}: imbalance: missing, expected at least one [[imbalance]], or the "
+                        "imbalance of a balancer, to drive the response whose peaks are looked for",
                         scene.file.string()));
     results::ResponseResult result;
     choose_model(scene, result.model);

@@ -52,9 +52,10 @@ void add_sweep_notes(results::SweepResult &result) {
 
 results::SweepResult sweep(const model::Case &scene, const CaseWith &with) {
     if (!scene.sweep)
-        throw model::BadInput(fmt::format("{}: sweep: expected a section [sweep] that says which "
-                                          "entries change, got none",
-                                          scene.file.generic_string()));
+        throw model::BadInput(fmt::format(
+            "{}: sweep: missing, expected a section [sweep] with the entries that "
+            "change, as x = {{path = \"bearing[0].k\", from = 1e6, to = 1e8, count = 21}}",
+            scene.file.generic_string()));
     std::optional<process::Stage> stage(std::in_place, "the case as it is", 0.0, 0.02);
     const Answers answers(scene, scene.sweep->of, Naming::by_order);
     results::SweepResult result;

@@ -614,7 +614,10 @@ void add_procedure(const model::Case &scene, WeightsResult &result) {
 
 WeightsResult correction_weights(const model::Case &scene) {
     if (!scene.weights)
-        refuse(scene, "weights: missing, expected a section [weights]");
+        refuse(scene,
+               "weights: missing, expected a section [weights] with readings of the machine, as "
+               "readings = \"runs.csv\", or with speeds of the model, as speeds = [\"3000 "
+               "rpm\"]");
     const WeightsSettings &settings = *scene.weights;
     if (!settings.trials.empty() && settings.places.empty())
         refuse(scene, "weights.readings: missing, expected the table with the readings of the "

@@ -3,7 +3,9 @@
 #include "cli/commands.h"
 #include "cli/manual.h"
 #include "cli/messages.h"
+#include "input/case_file.h"
 #include "input/problems.h"
+#include "model/errors.h"
 #include "report/report.h"
 
 #include <CLI/CLI.hpp>
@@ -81,12 +83,27 @@ void add_unit_options(CLI::App &app, Arguments &arguments) {
     const auto entry = [&arguments](const std::string &text) {
         arguments.overrides.push_back("units." + text);
     };
+    // What is wrong is said of the option, not of the entry that it stands for.
+    const auto checked = [entry](const std::string &text) {
+        const bool preset = text.find('=') == std::string::npos;
+        const std::string own = preset ? "preset=" + text : text;
+        try {
+            if (!own.ends_with('=')) // which takes the entry out
+                (void)input::output_units({"units." + own});
+        } catch (const model::BadInput &problem) {
+            std::string said = problem.what();
+            for (const std::string &start :
+                 {"--set units." + own + ": ", "units." + own.substr(0, own.find('=')) + ": "})
+                if (said.starts_with(start))
+                    said.erase(0, start.size());
+            throw CLI::ValidationError(
+                fmt::format("--units {}: {}{}", text, said, preset ? "; one unit alone: QUANTITY=UNIT" : ""));
+        }
+        entry(own);
+    };
     app.add_option_function<std::vector<std::string>>(
            "--units",
-           [entry](const std::vector<std::string> &all) {
-               for (const std::string &text : all)
-                   entry(text.find('=') == std::string::npos ? "preset=" + text : text);
-           },
+           [checked](const std::vector<std::string> &all) { std::ranges::for_each(all, checked); },
            "units of what is written: si, mm-rpm, us, or e.g. speed=Hz, amplitude=mil; repeatable")
         ->type_name("PRESET|QUANTITY=UNIT")
         ->allow_extra_args(false);

@@ -83,6 +83,11 @@ Command weights_command();
 void check_same_case(const Arguments &arguments, const input::CaseFile &file,
                      const model::Case &scene);
 
+/// Runs the command; of what it finds wrong with the case it names the file, and of an entry the
+/// line.
+/// @throws model::BadInput, model::AnalysisFailure
+void work_on(const Command &command, const Run &run);
+
 /// @throws model::BadInput where the command takes more memory for the case than this machine has
 void refuse_too_large(const input::CaseFile &file, const model::Case &scene,
                       const Arguments &arguments);

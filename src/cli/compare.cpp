@@ -44,14 +44,13 @@ report::ComparedResult computed(const std::string &name, const Command &command,
     refuse_without_shaft(scene, arguments);
     refuse_too_large(file, scene, arguments);
     report::ComparedResult result{name, {}};
-    const Run work{arguments, file, scene, [&](report::Report report) {
-                       if (process::process_rank() != 0) // the first has all of it
-                           return;
-                       report.provenance.case_text = file.text();
-                       report.provenance.set = arguments.overrides;
-                       result.json = report::Json::parse(report::to_si_json(report));
-                   }};
-    command.run(work);
+    work_on(command, {arguments, file, scene, [&](report::Report report) {
+                          if (process::process_rank() != 0) // the first has all of it
+                              return;
+                          report.provenance.case_text = file.text();
+                          report.provenance.set = arguments.overrides;
+                          result.json = report::Json::parse(report::to_si_json(report));
+                      }});
     return result;
 }
 

@@ -122,27 +122,17 @@ void run_command(const Arguments &arguments) {
     if (!(arguments.json || arguments.parts) || arguments.out)
         report::check_folder(checked.folder());
     const report::Provenance provenance = provenance_of(file, arguments);
-    const report::Units units = report::Units::of_readers(scene.units);
     std::optional<ProgressDisplay> display;
     if (!arguments.quiet && !command_named(arguments.command)->lasts &&
         process::process_rank() == 0 && isatty(STDERR_FILENO) != 0)
-        display.emplace(stderr, ProgressDisplay::Pace{}, units);
+        display.emplace(stderr, ProgressDisplay::Pace{}, report::Units::of_readers(scene.units));
     const process::Stage stage(model::Sentence(arguments.command), 0, 1);
-    try {
-        const Run work{arguments, file, scene, [&](report::Report report) {
-                           display.reset(); // its line must be gone before others are written
-                           report.provenance = provenance;
-                           deliver(work, report);
-                       }};
-        command_named(arguments.command)->run(work);
-    } catch (const model::BadInput &problem) { // found late: say where the key stands
-        throw model::BadInput(file.with_place(problem.what(), arguments.overrides));
-    } catch (const model::AnalysisFailure &failure) { // what looks like a slip may be why
-        std::string message = units.text(failure.sentence());
-        for (const model::Sentence &remark : scene.remarks)
-            message += "\nnote: " + units.text(remark);
-        throw model::AnalysisFailure(message);
-    }
+    work_on(*command_named(arguments.command),
+            {arguments, file, scene, [&](report::Report report) {
+                 display.reset(); // its line must be gone before others are written
+                 report.provenance = provenance;
+                 deliver(checked, report);
+             }});
 }
 
 } // namespace
@@ -153,19 +143,35 @@ const Command *command_named(const std::string &name) {
     return found == commands().end() ? nullptr : &*found;
 }
 
+void work_on(const Command &command, const Run &run) {
+    const std::string file = run.file.path().generic_string();
+    bool answered = false; // what fails after it is no fault of the case
+    try {
+        command.run({run.arguments, run.file, run.scene, [&](report::Report report) {
+                         answered = true;
+                         run.deliver(std::move(report));
+                     }});
+    } catch (const model::BadInput &problem) { // found late: say where the key stands
+        throw model::BadInput(run.file.with_place(problem.what(), run.arguments.overrides));
+    } catch (const model::Failure &failure) { // what looks like a slip may be why
+        const report::Units units = report::Units::of_readers(run.scene.units);
+        std::string message = (answered ? "" : file + ": ") + units.text(failure.sentence());
+        for (const model::Sentence &remark : run.scene.remarks)
+            message += "\nnote: " + units.text(remark);
+        throw model::AnalysisFailure(message);
+    }
+}
+
 void refuse_too_large(const input::CaseFile &file, const model::Case &scene,
                       const Arguments &arguments) {
-    try {
-        input::refuse_too_large(scene, arguments.command, process::memory_of_machine());
-    } catch (const model::BadInput &problem) {
-        throw model::BadInput(file.with_place(problem.what(), arguments.overrides));
-    }
+    input::refuse_too_large(scene, arguments.command, process::memory_of_machine(),
+                            file.tree(arguments.overrides));
 }
 
 void refuse_without_shaft(const model::Case &scene, const Arguments &arguments) {
     if (arguments.command != "weights" && !model::has_shaft(scene))
         throw model::BadInput(fmt::format(
-            "{}: shaft: missing, expected a section [shaft]: without one a case has measurements "
+            "{}:1: shaft: missing, expected a section [shaft]: without one a case has measurements "
             "alone, of which weights makes correction weights, and {} has nothing to compute",
             scene.file.generic_string(), arguments.command));
 }

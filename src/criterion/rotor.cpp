@@ -25,8 +25,8 @@ std::vector<model::CorrectionPlane> planes_of(const model::Case &scene) {
         planes = scene.rotor.balancer_planes();
     if (planes.empty())
         throw model::BadInput(fmt::format(
-            "{}: plane: expected at least one [[plane]] with its z, or a [[balancer]] whose plane "
-            "counts, got neither",
+            "{}: plane: missing, expected at least one [[plane]] to balance in, as z = 0.5, or a "
+            "[[balancer]], whose plane counts",
             scene.file.string()));
     return planes;
 }

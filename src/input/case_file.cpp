@@ -134,10 +134,14 @@ model::Case CaseFile::load(const std::vector<std::string> &overrides) const {
 std::string CaseFile::text(const std::vector<std::string> &overrides) const {
     if (overrides.empty())
         return _text;
+    return to_toml(tree(overrides));
+}
+
+Node CaseFile::tree(const std::vector<std::string> &overrides) const {
     Problems problems;
-    const Node tree = overridden(overrides, problems);
+    Node tree = overridden(overrides, problems);
     problems.throw_if_any();
-    return to_toml(tree);
+    return tree;
 }
 
 std::string CaseFile::all_texts() const { return _tables->all(); }
@@ -159,12 +163,8 @@ std::string CaseFile::with_place(const std::string &problem,
     const std::string said =
         problem.starts_with(name + ": ") ? problem.substr(name.size() + 2) : problem;
     const std::string key = said.substr(0, said.find(": "));
-    Problems ignored;
-    const Node tree = overridden(overrides, ignored);
-    Origin origin{name, 0};
-    if (!parse_path(key).empty() && find_path(tree, key) != nullptr)
-        origin = origin_of(tree, key);
-    return origin.text() + ": " + said;
+    const bool is_key = key.find(' ') == key.npos && !parse_path(key).empty();
+    return (is_key ? origin_of(tree(overrides), key) : Origin{name, 0}).text() + ": " + said;
 }
 
 model::OutputUnits output_units(const std::vector<std::string> &overrides) {

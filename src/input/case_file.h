@@ -50,6 +50,10 @@ class CaseFile {
     ///         `cases/x/case.toml:12: bearing[0].kxx: expected a stiffness in N/m, got "5 kg"`
     [[nodiscard]] model::Case load(const std::vector<std::string> &overrides = {}) const;
 
+    /// What is written in it, with these overrides, as a tree.
+    /// @throws model::BadInput where they cannot be applied
+    [[nodiscard]] Node tree(const std::vector<std::string> &overrides) const;
+
     /// The case file as TOML: as it stands, or written anew where overrides change it. Read again
     /// it is the same case.
     /// @throws model::BadInput
@@ -80,8 +84,8 @@ class CaseFile {
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> files() const;
 
     /// A problem that an analysis found in a case, "key: expected ..., got ..." with or without the
-    /// file before it, with the place where the key stands: "cases/x/case.toml:12: key: ...". Where
-    /// the file does not have the key the line is left out.
+    /// file before it, with the place where the key stands, or where the file does not have it,
+    /// what is around it: "cases/x/case.toml:12: key: ...".
     [[nodiscard]] std::string with_place(const std::string &problem,
                                          const std::vector<std::string> &overrides) const;
 

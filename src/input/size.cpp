@@ -1,7 +1,5 @@
 #include "input/size.h"
 
-#include "model/errors.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -111,6 +109,18 @@ Answers answers_of(const model::Case &scene, const std::string &command) {
     return {};
 }
 
+/// What makes a shaft of many elements: the count of the segment that has most of them, where it is
+/// given, else of all; else the order, or how many segments there are.
+std::string cause_of_elements(const model::Shaft &shaft, const Node &tree) {
+    const auto most = std::ranges::max_element(shaft.segments, {}, &model::Segment::elements);
+    for (const std::string &key :
+         {fmt::format("shaft.segments[{}].elements", most - shaft.segments.begin()),
+          std::string("shaft.elements")})
+        if (const Node *given = find_path(tree, key); given && given->number == most->elements)
+            return key;
+    return most->elements > 1 ? "shaft.table" : "shaft";
+}
+
 } // namespace
 
 void check_counts(const model::Case &scene, const Check &check) {
@@ -156,10 +166,11 @@ double least_memory(const model::Case &scene, const std::string &command) {
     return model_memory(scene, command) + answer * answers_of(scene, command).numbers;
 }
 
-void refuse_too_large(const model::Case &scene, const std::string &command, double memory) {
+void refuse_too_large(const model::Case &scene, const std::string &command, double memory,
+                      const Node &tree) {
     if (command == "report") { // one after another: the largest of them decides
         for (const ElementMemory &part : element_memory)
-            refuse_too_large(scene, part.command, memory);
+            refuse_too_large(scene, part.command, memory, tree);
         return;
     }
     const double model = model_memory(scene, command);
@@ -167,14 +178,17 @@ void refuse_too_large(const model::Case &scene, const std::string &command, doub
         return;
     const Answers answers = answers_of(scene, command);
     const bool shaft = model > answer * answers.numbers;
-    throw model::BadInput(fmt::format(
-        "{}: expected what fits into the memory of this machine, {:.3g} GB, got {}, for which {} "
-        "takes {:.3g} GB or more",
-        shaft ? "shaft" : answers.key, memory / gigabyte,
-        shaft ? fmt::format("{:.0f} elements of order {}", elements(scene.rotor),
-                            least_order(scene.rotor.shaft))
-              : answers.counted,
-        command, least_memory(scene, command) / gigabyte));
+    Problems problems;
+    Check{tree, problems}.fail(
+        shaft ? cause_of_elements(scene.rotor.shaft, tree) : answers.key,
+        fmt::format("expected what fits into the memory of this machine, {:.3g} GB, got {}, for "
+                    "which {} takes {:.3g} GB or more",
+                    memory / gigabyte,
+                    shaft ? fmt::format("{:.0f} elements of order {}", elements(scene.rotor),
+                                        least_order(scene.rotor.shaft))
+                          : answers.counted,
+                    command, least_memory(scene, command) / gigabyte));
+    problems.throw_if_any();
 }
 
 } // namespace whirl::input

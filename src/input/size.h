@@ -25,7 +25,10 @@ void check_counts(const model::Case &scene, const Check &check);
 [[nodiscard]] double least_memory(const model::Case &scene, const std::string &command);
 
 /// @param memory  of this machine, bytes
-/// @throws model::BadInput where the command takes more, with the numbers it follows from
-void refuse_too_large(const model::Case &scene, const std::string &command, double memory);
+/// @param tree    the case as it was written
+/// @throws model::BadInput where the command takes more: the entry that it follows from, and
+/// numbers
+void refuse_too_large(const model::Case &scene, const std::string &command, double memory,
+                      const Node &tree);
 
 } // namespace whirl::input

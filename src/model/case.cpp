@@ -11,9 +11,9 @@ namespace whirl::model {
 
 const SpeedRange &required_speeds(const Case &scene) {
     if (!scene.speeds)
-        throw BadInput(
-            fmt::format("{}: speeds: expected a table [speeds] with from, to and count, got none",
-                        scene.file.string()));
+        throw BadInput(fmt::format("{}: speeds: missing, expected a section [speeds], as from = 0, "
+                                   "to = \"12000 rpm\", count = 101",
+                                   scene.file.string()));
     return *scene.speeds;
 }
 

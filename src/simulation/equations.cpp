@@ -77,14 +77,14 @@ std::string where(const model::Case &scene) { return scene.file.string(); }
 
 void refuse_what_is_missing(const model::Case &scene) {
     if (scene.simulate.time <= 0)
-        throw model::BadInput(fmt::format("{}: simulate: expected a table [simulate] with the "
-                                          "time to simulate, got none",
+        throw model::BadInput(fmt::format("{}: simulate: missing, expected a section [simulate] "
+                                          "with the time to simulate, as time = 20",
                                           where(scene)));
     if (!has_drive(scene))
         throw model::BadInput(
-            fmt::format("{}: simulate: expected something that moves the rotor: [[imbalance]], "
-                        "[[balancer]], [[simulate.imbalance]], [[simulate.force]] or "
-                        "[simulate.base], got none",
+            fmt::format("{}: imbalance: missing, expected something that moves the rotor: an "
+                        "[[imbalance]], as z = 0.5, mr = \"100 g mm\", a [[balancer]], "
+                        "[[simulate.imbalance]], [[simulate.force]] or [simulate.base]",
                         where(scene)));
     if (scene.rotor.shaft.asymmetric())
         throw model::AnalysisFailure("motion in time needs a shaft of equal bending stiffnesses; "

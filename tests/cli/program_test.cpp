@@ -85,6 +85,10 @@ TEST_F(Program, WrongArgumentsAreOneMessageAndStatusTwo) {
         {{"campbell"}, "a case folder or .toml file is missing"},
         {{"campbell", rotor, "--fast"}, "--fast"},
         {{"campbell", rotor, "--unit", "us"}, "did you mean \"--units\"?"},
+        {{"campbell", rotor, "--units", "foo"},
+         "--units foo: expected \"none\" or \"si\" or \"mm-rpm\" or \"us\", got \"foo\"; one "
+         "unit alone: QUANTITY=UNIT"},
+        {{"campbell", rotor, "--units", "speed=lb"}, "--units speed=lb: expected the unit of an "},
         {{"campbell", rotor, "second_case"}, "second_case"},
         {{"campbell", rotor, "--out"}, "--out"},
         {{"campbell", rotor, "--out", ""}, "--out"},
@@ -280,6 +284,67 @@ TEST_F(Program, ReadingsAloneAreForWeights) {
     EXPECT_TRUE(contains(without.errors, "expected a section [weights]")) << without.errors;
 }
 
+/// What a command misses is named as an entry that, once it is there, lets the command answer.
+TEST_F(Program, CommandsSayWhatTheyNeedOfTheCase) {
+    struct Missing {
+        const char *command, *key;
+        std::string entries; ///< as the message proposes them
+        std::string others;  ///< what the command needs beside them
+        std::vector<std::string> quick;
+    };
+    const std::string speeds = "speeds = {from = 100, to = 300, count = 3}\n";
+    const std::string imbalance = "imbalance = [{z = 0.5, mr = 1e-4}]\n";
+    const std::vector<Missing> all{
+        {"campbell", "speeds", "from = 0, to = \"12000 rpm\", count = 101", "", {}},
+        {"response", "imbalance", "z = 0.5, mr = \"100 g mm\"", speeds, {}},
+        {"balance", "plane", "z = 0.5", speeds, {}},
+        {"simulate",
+         "simulate",
+         "time = 20",
+         imbalance + "speeds = {from = 100, count = 1}\n",
+         {"--set", "simulate.time=0.01"}},
+        {"samples",
+         "samples",
+         "count = 200, vary = [{path = \"bearing[0].k\", distribution = \"uniform\", from = 1e6, "
+         "to = 2e6}]",
+         "",
+         {"--set", "samples.count=3"}},
+        {"sweep",
+         "sweep",
+         "x = {path = \"bearing[0].k\", from = 1e6, to = 1e8, count = 21}",
+         "",
+         {"--set", "sweep.x.count=3"}},
+        {"weights",
+         "weights",
+         "speeds = [\"3000 rpm\"]",
+         imbalance + "plane = [{name = \"a\", z = 0.5}]\nprobe = [{name = \"p\", z = 0}]\n",
+         {}}};
+    const auto write = [](const std::string &entries) {
+        std::ofstream("case.toml") << "format = 1\n" + entries +
+                                          "[material.steel]\nE = 2e11\nnu = 0.3\nrho = 7800\n"
+                                          "[shaft]\nsegments = [{length = 1, outer = 0.05}]\n"
+                                          "[[bearing]]\nz = 0\nk = 1e6\nc = 100\n"
+                                          "[[bearing]]\nz = 1\nk = 1e6\nc = 100\n";
+    };
+    for (const Missing &missing : all) {
+        const std::string key = missing.key;
+        write(missing.others);
+        const ProgramRun refused = run({missing.command, "case.toml"});
+        EXPECT_EQ(refused.status, 2) << refused.errors;
+        EXPECT_TRUE(refused.errors.starts_with("case.toml:1: " + key + ": missing, expected "))
+            << refused.errors;
+        EXPECT_TRUE(contains(refused.errors, "as " + missing.entries)) << refused.errors;
+        EXPECT_EQ(lines(refused.errors), 1) << refused.errors;
+        const bool list = key == "imbalance" || key == "plane";
+        write(missing.others + key + (list ? " = [{" : " = {") + missing.entries +
+              (list ? "}]\n" : "}\n"));
+        std::vector<std::string> arguments{missing.command, "case.toml", "--json"};
+        arguments.insert(arguments.end(), missing.quick.begin(), missing.quick.end());
+        const ProgramRun answered = run(arguments);
+        EXPECT_EQ(answered.status, 0) << answered.errors;
+    }
+}
+
 TEST_F(Program, RigidLimitAnswersOrSaysWhyNot) {
     const ProgramRun result = run({"rigid-limit", rotor});
     EXPECT_EQ(result.status, 0) << result.errors;
@@ -288,6 +353,8 @@ TEST_F(Program, RigidLimitAnswersOrSaysWhyNot) {
     const std::string anisotropic = std::string(WHIRL_ROOT) + "/cases/friswell_5_9_2";
     const ProgramRun refused = run({"rigid-limit", anisotropic});
     EXPECT_EQ(refused.status, 1);
+    EXPECT_TRUE(contains(refused.errors, anisotropic + "/case.toml: the rigid rotor"))
+        << refused.errors;
     EXPECT_TRUE(contains(refused.errors, "bearing[0] differs between x and y")) << refused.errors;
     EXPECT_EQ(lines(refused.errors), 1) << refused.errors;
     // What looks like a slip in the case is said with the failure.

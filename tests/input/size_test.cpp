@@ -42,7 +42,9 @@ TEST(Sizes, MemoryIsBelowThatOfMeasuredRuns) {
 std::string refused(const std::string &text, const std::vector<std::string> &overrides,
                     const std::string &command, double gigabytes) {
     try {
-        input::refuse_too_large(load_text(text, overrides), command, gigabytes * 1e9);
+        const model::Case scene = load_text(text, overrides);
+        input::refuse_too_large(scene, command, gigabytes * 1e9,
+                                input::CaseFile(scratch_folder()).tree(overrides));
     } catch (const model::BadInput &error) {
         return error.what();
     }
@@ -54,9 +56,20 @@ TEST(Sizes, WhatDoesNotFitIsRefusedWithItsNumbers) {
     EXPECT_EQ(refused(long_shaft, {"shaft.elements=1000000", "shaft.rigid=true"}, "campbell", 8),
               "");
     const std::string shaft = refused(long_shaft, {"shaft.elements=1000000"}, "campbell", 8);
-    for (const char *part : {"shaft: ", "memory of this machine, 8 GB",
-                             "1000000 elements of order 4", "campbell takes 120 GB or more"})
+    for (const char *part :
+         {"--set shaft.elements=1000000: shaft.elements: ", "memory of this machine, 8 GB",
+          "1000000 elements of order 4", "campbell takes 120 GB or more"})
         EXPECT_NE(shaft.find(part), std::string::npos) << shaft;
+    const std::string file = (scratch_folder() / "case.toml").generic_string();
+    const std::string own = "[shaft]\norder = 8\nsegments = [{length = 1, outer = 0.1},\n"
+                            "{length = 1, outer = 0.1, elements = 1000000}]\n";
+    const std::string all = "[shaft]\norder = 8\nsegments = [{length = 1, outer = 0.1}]\n";
+    for (const auto &[text, place] :
+         {std::pair(sound_material + own, ":9: shaft.segments[1].elements: expected what fits"),
+          std::pair(sound_material + all + "elements = 1000000\n",
+                    ":9: shaft.elements: expected ")})
+        EXPECT_TRUE(refused(text, {}, "critical", 8).starts_with(file + place))
+            << refused(text, {}, "critical", 8);
     const std::string speeds =
         refused(long_shaft,
                 {"shaft.elements=1", "speeds.to=200", "speeds.count=1000000", "campbell.modes=500"},
@@ -178,6 +191,10 @@ TEST(CaseFiles, AreReadOnce) {
     EXPECT_EQ(scene.name, "pipe");
     EXPECT_EQ(file.with_place("bearing[0].table: wrong", {}),
               pipe.generic_string() + ":10: bearing[0].table: wrong");
+    EXPECT_EQ(file.with_place("bearing[0].kxx: wrong", {}),
+              pipe.generic_string() + ":8: bearing[0].kxx: wrong");
+    EXPECT_EQ(file.with_place("the rotor is wrong", {}),
+              pipe.generic_string() + ": the rotor is wrong");
 }
 
 TEST(CaseFiles, AreTextOfAllKinds) {

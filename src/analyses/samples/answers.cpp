@@ -135,8 +135,9 @@ results::ResponseResult operating_alone(model::Case scene) {
     scene.speeds = model::SpeedRange{scene.operation->to, scene.operation->to, 1};
     results::ResponseResult result = unbalance_response(scene);
     if (!result.operating || result.operating->rows.empty())
-        throw model::BadInput("of: expected something that drives the rotor, as an [[imbalance]], "
-                              "for \"operating\", got a rotor without");
+        throw model::BadInput(
+            "imbalance: expected something that drives the rotor, as an [[imbalance]], "
+            "for \"operating\", got a rotor without");
     return result;
 }
 
@@ -316,7 +317,7 @@ Answers::Answers(const model::Case &scene, model::WantedAnswers wanted, Naming n
             take(model_of_ends(scene), answers_of(unstable_bands_of(scene, true), *scene.speeds));
     if (_wanted.residual) {
         if (scene.rotor.balancers.empty())
-            throw model::BadInput("of: expected a [[balancer]] whose residual to look at, "
+            throw model::BadInput("balancer: expected a [[balancer]] whose residual to look at, "
                                   "got a rotor without");
         const results::SimulateResult motion = simulate_alone(scene);
         _motion_order = take(motion.model, answers_of(motion));

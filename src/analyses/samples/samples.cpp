@@ -48,9 +48,11 @@ void add_notes(results::SamplesResult &result) {
 
 results::SamplesResult samples(const model::Case &scene, const CaseWith &with) {
     if (!scene.samples)
-        throw model::BadInput(fmt::format("{}: samples: expected a section [samples] that says "
-                                          "which entries vary, got none",
-                                          scene.file.generic_string()));
+        throw model::BadInput(
+            fmt::format("{}: samples: missing, expected a section [samples] with the entries that "
+                        "vary, as count = 200, vary = [{{path = \"bearing[0].k\", distribution = "
+                        "\"uniform\", from = 1e6, to = 2e6}}]",
+                        scene.file.generic_string()));
     const model::SamplesSettings &settings = *scene.samples;
     std::optional<process::Stage> stage(std::in_place, "the case as it is", 0.0, 0.02);
     const Answers answers(scene, settings.of, Naming::by_whirl);
