@@ -2,10 +2,13 @@
 // where they run (tests/cases).
 
 #include "cases/program_run.h"
+#include "results/simulate.h"
 #include "support/schema.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
 #include <sstream>
 #include <unistd.h>
 
@@ -36,6 +39,22 @@ TEST_P(ResultSchema, holds) {
     ASSERT_TRUE(result.is_object());
     EXPECT_EQ(broken_rules_of_result(result), "") << GetParam();
     EXPECT_EQ(broken_rules(schema_file("result.schema.json"), result), "") << GetParam();
+}
+
+/// All words for how a motion ends stand in the schema and on the page of results.
+TEST(Outcomes, AreAllNamed) {
+    const json words = schema_file("result.schema.json")
+                           .at(json::json_pointer("/definitions/simulate/properties/outcome/enum"));
+    std::stringstream page;
+    page << std::ifstream(WHIRL_ROOT "/docs/case_format.md").rdbuf();
+    std::size_t count = 0;
+    for (int i = 0; i <= static_cast<int>(whirl::results::Outcome::undecided); ++i, ++count) {
+        const std::string word =
+            whirl::results::outcome_name(static_cast<whirl::results::Outcome>(i));
+        EXPECT_EQ(std::ranges::count(words, json(word)), 1) << word;
+        EXPECT_NE(page.str().find("`\"" + word + "\"`"), std::string::npos) << word;
+    }
+    EXPECT_EQ(words.size(), count);
 }
 
 INSTANTIATE_TEST_SUITE_P(
