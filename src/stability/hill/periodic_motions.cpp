@@ -163,6 +163,7 @@ Floquet PeriodicMotions::settled(double speed, double reach) const {
     constexpr double enough = 1e-10; // of the speed
     constexpr double densest = 16;   // times the usual density of steps: more do not help
     const double size = std::abs(speed);
+    // Where no steps suffice they are no more at other speeds.
     for (double density = _experience->density;; density *= another) {
         const int coarse = steps(speed, reach, density);
         Floquet found = periodic::floquet_motions(system(speed), speed, coarse);
@@ -173,7 +174,7 @@ Floquet PeriodicMotions::settled(double speed, double reach) const {
             periodic::floquet_motions(system(speed), speed, coarse + (coarse + 1) / 2);
         const double worst = std::max(largest_change(found, fine, reach, size),
                                       largest_change(fine, found, reach, size));
-        if (worst <= enough) { // else what no steps suffice for would make others dearer
+        if (worst <= enough) {
             _experience->density = density;
             _experience->settled_at = size;
             return found;
