@@ -253,6 +253,23 @@ TEST(HillForm, RangesFromRestAreAnsweredAsFromAbove) {
     EXPECT_GT(most_above, 0);
 }
 
+// With the largest anisotropy half a turn at the slowest speeds hides all motions, with the given
+// one it does not: growth and bands are answered.
+TEST(HillForm, SlowSpeedsWithoutPermissibleAnisotropyAreAnswered) {
+    model::Rotor rotor;
+    rotor.shaft = tests::weightless_rigid_shaft(2);
+    rotor.discs = {tests::disc(1, 1, 1, 0.46)};
+    rotor.anisotropies = {{"", 1, 0.12, 0}};
+    rotor.bearings = {tests::bearing(0, 0.78, 0.505, 0, 0.102),
+                      tests::bearing(2, 0.78, 0.505, 0, 0.102)};
+    const model::Case scene = tests::scene_of(rotor, 0, 0.02, 41);
+    const auto found = analyses::stability(scene, [&](const auto &) { return scene; });
+    EXPECT_TRUE(found.unstable.empty());
+    const assembly::Discretization d(rotor, 1);
+    constexpr int slow_steps = 6000; // a turn takes some 50 periods of the slowest motion
+    EXPECT_NEAR(found.growth.back(), tests::PeriodicSystem(d, 0.02, {}).growth(slow_steps), 1e-9);
+}
+
 /// The rotor of cases/hill_rotor on bearings that differ ninefold, hardly damped, with the largest
 /// anisotropy that it can have.
 model::Rotor strongly_unequal_rotor() {
