@@ -234,7 +234,13 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
     if (all)
         separate_resolved(*all, model, roots, result);
     stage.emplace("permissible anisotropy", 0.65, 0.8);
-    result.permissible = ends::permissible_anisotropies(finder, grid, result.unstable);
+    try {
+        result.permissible = ends::permissible_anisotropies(finder, grid, result.unstable);
+    } catch (const stability::NotSettled &failure) { // a slow speed, with another anisotropy
+        result.model.notes.emplace_back(model::Weight::warning,
+                                        "permissible anisotropies are not listed: {}",
+                                        failure.sentence());
+    }
     if (!range)
         return;
     stage.emplace("arrangements of the balls", 0.8, 1.0);

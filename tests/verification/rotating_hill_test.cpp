@@ -208,6 +208,68 @@ TEST(HillForm, FastMotionsThatBearingsDriveAreSeen) {
     }
 }
 
+// At rest the supports stand still, and motions there are no limit of those of slow speeds: bands
+// and permissible anisotropy of a range from rest are those of the multipliers, and the same as of
+// a range that begins higher up.
+TEST(HillForm, RangesFromRestAreAnsweredAsFromAbove) {
+    model::Rotor rotor;
+    rotor.shaft = tests::weightless_rigid_shaft(2);
+    rotor.discs = {tests::disc(1, 1, 1, 0.466)};
+    rotor.anisotropies = {{"", 1, 0.1536, 0}};
+    rotor.bearings = {tests::bearing(0, 0.78, 0.62, 0, 0.065),
+                      tests::bearing(2, 0.78, 0.62, 0, 0.065)};
+    const auto growth = [&](double dI, double speed) {
+        rotor.anisotropies[0].dI = dI;
+        const assembly::Discretization d(rotor, 1);
+        return tests::PeriodicSystem(d, speed, {}).growth(steps);
+    };
+    const model::Case scene = tests::scene_of(rotor, 0, 8, 41);
+    const auto from_rest = analyses::stability(scene, [&](const auto &) { return scene; });
+    const model::Case above = tests::scene_of(rotor, 0.35, 8, 41);
+    const auto from_above = analyses::stability(above, [&](const auto &) { return above; });
+    ASSERT_EQ(from_rest.unstable.size(), 1U);
+    ASSERT_EQ(from_above.unstable.size(), 1U);
+    const auto [from, to] = from_rest.unstable[0];
+    EXPECT_NEAR(from, from_above.unstable[0].from, 1e-9 * from);
+    EXPECT_NEAR(to, from_above.unstable[0].to, 1e-9 * to);
+    const double given = rotor.anisotropies[0].dI;
+    constexpr double beside = 1e-5; // of the speed
+    for (const double sign : {-1.0, 1.0}) {
+        EXPECT_EQ(growth(given, from * (1 + sign * beside)) > 0, sign > 0);
+        EXPECT_EQ(growth(given, to * (1 + sign * beside)) > 0, sign < 0);
+    }
+    ASSERT_EQ(from_rest.permissible.size(), 1U);
+    ASSERT_TRUE(from_rest.permissible[0].dI.has_value());
+    const double permissible = *from_rest.permissible[0].dI;
+    EXPECT_NEAR(permissible, *from_above.permissible[0].dI, 1e-8 * permissible);
+    // The last band closes within the one there is; so far above that it is wider than a step.
+    double most_below = -HUGE_VAL;
+    double most_above = -HUGE_VAL;
+    for (double speed = from; speed < to; speed += 0.01) {
+        most_below = std::max(most_below, growth(0.998 * permissible, speed));
+        most_above = std::max(most_above, growth(1.002 * permissible, speed));
+    }
+    EXPECT_LT(most_below, 0);
+    EXPECT_GT(most_above, 0);
+}
+
+// With the largest anisotropy half a turn at the slowest speeds hides all motions, with the given
+// one it does not: growth and bands are answered.
+TEST(HillForm, SlowSpeedsWithoutPermissibleAnisotropyAreAnswered) {
+    model::Rotor rotor;
+    rotor.shaft = tests::weightless_rigid_shaft(2);
+    rotor.discs = {tests::disc(1, 1, 1, 0.46)};
+    rotor.anisotropies = {{"", 1, 0.12, 0}};
+    rotor.bearings = {tests::bearing(0, 0.78, 0.505, 0, 0.102),
+                      tests::bearing(2, 0.78, 0.505, 0, 0.102)};
+    const model::Case scene = tests::scene_of(rotor, 0, 0.02, 41);
+    const auto found = analyses::stability(scene, [&](const auto &) { return scene; });
+    EXPECT_TRUE(found.unstable.empty());
+    const assembly::Discretization d(rotor, 1);
+    constexpr int slow_steps = 6000; // a turn takes some 50 periods of the slowest motion
+    EXPECT_NEAR(found.growth.back(), tests::PeriodicSystem(d, 0.02, {}).growth(slow_steps), 1e-9);
+}
+
 /// The rotor of cases/hill_rotor on bearings that differ ninefold, hardly damped, with the largest
 /// anisotropy that it can have.
 model::Rotor strongly_unequal_rotor() {

@@ -1,6 +1,7 @@
 #include "stability/hill/band_search.h"
 
 #include "linalg/roots.h"
+#include "stability/hill/hill_motions.h"
 #include "stability/hill/pair_search.h"
 
 #include <algorithm>
@@ -58,13 +59,12 @@ BandSearch::BandSearch(const MotionsAt &at, const std::vector<double> &speeds)
 }
 
 const BandSearch::Probe &BandSearch::probe(double speed, double step) {
-    Probe &out = _probes[speed];
-    out = {speed, _at(speed), 0};
+    Probe out{speed, _at(speed), 0};
     out.growth = growth_of(out.motions);
     _known[speed] = out.growth;
     if (out.growth > 0)
         _seeds.emplace_back(speed, step);
-    return out;
+    return _probes[speed] = std::move(out);
 }
 
 const Continuation &BandSearch::continuation(const Probe &a, const Probe &b) {
@@ -108,7 +108,13 @@ void BandSearch::add_beyond(Coalescence &m, const Probe &end, std::array<int, 2>
 void BandSearch::halve(const Probe &a, const Probe &b, int depth) {
     ++_halvings;
     const double half = (b.speed - a.speed) / 2;
-    const Probe &middle = probe(a.speed + half, half);
+    try {
+        (void)probe(a.speed + half, half);
+    } catch (const NotSettled &) { // so slow that it cannot be described
+        _doubtful.push_back({a.speed, b.speed});
+        return;
+    }
+    const Probe &middle = _probes.at(a.speed + half);
     through(a, middle, depth + 1);
     through(middle, b, depth + 1);
 }
@@ -135,7 +141,8 @@ void BandSearch::through(const Probe &a, const Probe &b, int depth) {
 }
 
 /// @returns whether all of them could be judged.
-bool BandSearch::coalescences_resolved(const Continuation &next, const Probe &a, const Probe &b) {
+bool BandSearch::coalescences_resolved(const Continuation &next, const Probe &a,
+                                       const Probe &b) try {
     for (Coalescence m : next.coalescences) {
         const auto unstable_at = [](const Probe &probe, std::complex<double> value) {
             return probe.growth > 0 && value.real() > 0;
@@ -156,6 +163,8 @@ bool BandSearch::coalescences_resolved(const Continuation &next, const Probe &a,
             _seeds.emplace_back(verdict.speed, 1e-3 * (b.speed - a.speed));
     }
     return true;
+} catch (const NotSettled &) { // next to rest it can ask for any speed
+    return false;
 }
 
 bool BandSearch::one_grows_through(const Continuation &next, const Probe &a, const Probe &b) {

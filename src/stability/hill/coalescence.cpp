@@ -208,7 +208,7 @@ class Follower {
     void add_pair(int i, int j, int ti, int tj, bool ordered) {
         if (!(a(i).may_meet && a(j).may_meet) && !(b(ti).may_meet && b(tj).may_meet))
             return;
-        if (of_one_action({i, j}, {ti, tj}))
+        if (of_one_action({i, j}, {ti, tj}) || both_die_out(i, j, ti, tj))
             return;
         const bool opposite = a(i).action * a(j).action < 0 && b(ti).action * b(tj).action < 0;
         if (opposite && a(i).action != b(ti).action) // mixed: actions identify them
@@ -229,6 +229,19 @@ class Follower {
             if (may_open_a_band(m) && !far_apart(m, moved))
                 _out.coalescences.push_back(m);
         }
+    }
+
+    /// Next to rest, where values are those of the supports as they stand and half a turn averages
+    /// them: of an end that turns, both die out faster than they could be driven from where they
+    /// are, on whichever alias, and the slower the rotor turns, the nearer those are.
+    [[nodiscard]] bool both_die_out(int i, int j, int ti, int tj) const {
+        const bool turns_from = a(i).repeats > 0;
+        if (turns_from == (b(ti).repeats > 0))
+            return false;
+        const Motion &first = turns_from ? a(i) : b(ti);
+        const Motion &second = turns_from ? a(j) : b(tj);
+        return std::max(first.value.real(), second.value.real()) <
+               -alias_distance(first.value, second.value, first.repeats);
     }
 
     /// How far two motions can have moved in frequency, whichever became which.

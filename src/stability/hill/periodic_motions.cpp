@@ -140,10 +140,10 @@ double PeriodicMotions::reach(double speed) const {
     return rigid || _driven ? std::max(out, steady_reach(speed)) : out;
 }
 
-int PeriodicMotions::steps(double speed, double reach) const {
+int PeriodicMotions::steps(double speed, double reach, double density) const {
     const double angle =
         std::numbers::pi / std::abs(speed) * (of_average * reach + slow_enough * std::abs(speed));
-    const double wanted = std::ceil(_experience->density * angle / periodic::resolved_angle);
+    const double wanted = std::ceil(density * angle / periodic::resolved_angle);
     constexpr double most = 1e11; // operations
     const double each = std::pow(2.0 * system(speed).size(), 3);
     if (!(wanted * each < most))
@@ -163,8 +163,9 @@ Floquet PeriodicMotions::settled(double speed, double reach) const {
     constexpr double enough = 1e-10; // of the speed
     constexpr double densest = 16;   // times the usual density of steps: more do not help
     const double size = std::abs(speed);
-    while (true) {
-        const int coarse = steps(speed, reach);
+    // Where no steps suffice they are no more at other speeds.
+    for (double density = _experience->density;; density *= another) {
+        const int coarse = steps(speed, reach, density);
         Floquet found = periodic::floquet_motions(system(speed), speed, coarse);
         const double known_at = _experience->settled_at;
         if (size < another * known_at && known_at < another * size)
@@ -174,15 +175,15 @@ Floquet PeriodicMotions::settled(double speed, double reach) const {
         const double worst = std::max(largest_change(found, fine, reach, size),
                                       largest_change(fine, found, reach, size));
         if (worst <= enough) {
+            _experience->density = density;
             _experience->settled_at = size;
             return found;
         }
-        if (_experience->density > densest)
+        if (density > densest)
             throw NotSettled(
                 model::Sentence("the monodromy matrix does not converge at {}: with more steps "
                                 "in time its multipliers still change by {} of the spin speed",
                                 model::as::speed(speed), model::as::number(worst, 2)));
-        _experience->density *= another;
     }
 }
 

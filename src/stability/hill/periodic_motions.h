@@ -130,7 +130,7 @@ class PeriodicMotions {
     [[nodiscard]] double octave_reach(double speed) const;
     [[nodiscard]] double steady_reach(double speed) const;
     [[nodiscard]] double reach(double speed) const;
-    [[nodiscard]] int steps(double speed, double reach) const;
+    [[nodiscard]] int steps(double speed, double reach, double density) const;
     [[nodiscard]] std::vector<periodic::FloquetMotion> settled(double speed, double reach) const;
     [[nodiscard]] List listed(double speed) const;
     [[nodiscard]] const List &known(double speed) const;

@@ -19,8 +19,8 @@ std::optional<periodic::WholeRotor::Root> PeriodicMotions::whole_root(double spe
         periodic::FloquetMotion motion;
         motion.value = one.motion.value;
         motion.shape = one.shape;
-        const auto series =
-            periodic::centred_series(system(speed), speed, steps(speed, reach(speed)), motion);
+        const auto series = periodic::centred_series(
+            system(speed), speed, steps(speed, reach(speed), _experience->density), motion);
         if (series) {
             const reduction::Projection basis(*_shapes);
             Eigen::MatrixXcd terms(2 * _discretization.planar_size() +
