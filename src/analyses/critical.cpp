@@ -104,9 +104,12 @@ results::CriticalResult critical_of_hill(const model::Case &scene, bool judged) 
             scene.file.string(), scene.speeds ? "one speed" : "none"));
     results::CriticalResult result;
     result.critical_speeds = crossings_of(scene, result.model);
-    result.complete_to = std::max(scene.speeds->from, scene.speeds->to);
-    if (scene.speeds->from > 0)
-        result.doubtful.push_back({0, scene.speeds->from});
+    const auto [from, to] = std::minmax(scene.speeds->from, scene.speeds->to);
+    result.complete = {std::min(from, 0.0), std::max(to, 0.0)};
+    if (from > 0)
+        result.doubtful.push_back({0, from});
+    if (to < 0)
+        result.doubtful.push_back({to, 0});
     if (!judged)
         return result;
     std::vector<results::CriticalSpeed> finer = result.critical_speeds;
@@ -149,21 +152,49 @@ void keep_lowest(synchronous::SynchronousModes &list, int wanted, double top) {
         list.branches.resize(keep);
 }
 
+/// A direction in which a case spins its rotor.
+struct SpinRange {
+    int spin = 1;   ///< sign of the speeds
+    double top = 0; ///< up to this |speed| all critical speeds are wanted, rad/s
+};
+
+/// A rotor whose bearings or seals couple the planes has other critical speeds when it spins from y
+/// to x. Machines operate at positive speeds.
+std::vector<SpinRange> spin_ranges(const model::Case &scene) {
+    const model::SpeedRange range = scene.speeds.value_or(model::SpeedRange{});
+    const double lowest = std::min(range.from, range.to);
+    double highest = std::max(range.from, range.to);
+    if (scene.operation)
+        highest = std::max(highest, operation::highest_relevant_speed(*scene.operation));
+    std::vector<SpinRange> out;
+    if (highest > 0 || lowest >= 0)
+        out.push_back({1, highest});
+    if (lowest < 0)
+        out.push_back({-1, -lowest});
+    return out;
+}
+
+/// From the slower to the faster one, as signed speeds ascend.
+results::Interval signed_interval(int spin, double slow, double fast) {
+    return spin > 0 ? results::Interval{slow, fast} : results::Interval{-fast, -slow};
+}
+
 /// Which critical speeds the list can lack, in words.
-/// @param top  of the range of the case, rad/s
-void note_completeness(const synchronous::SynchronousModes &found, bool more_wanted, double top,
-                       bool rigid, results::CriticalResult &result) {
+/// @param last  |speed| of the fastest of this spin that is listed, rad/s
+void note_completeness(const synchronous::SynchronousModes &found, bool more_wanted,
+                       const SpinRange &range, double last, bool rigid,
+                       results::CriticalResult &result) {
     std::vector<results::Sentence> &notes = result.model.notes;
-    const double last = result.critical_speeds.empty() ? 0 : result.critical_speeds.back().speed;
-    result.complete_to = found.complete_to;
-    for (const auto &[from, to] : found.doubtful)
-        result.doubtful.push_back({from, to});
-    for (const auto &[from, to] : found.doubtful)
-        if (more_wanted || from <= std::max(top, last))
+    (range.spin > 0 ? result.complete.to : result.complete.from) = range.spin * found.complete_to;
+    for (const auto &[slow, fast] : found.doubtful) {
+        const results::Interval doubtful = signed_interval(range.spin, slow, fast);
+        result.doubtful.push_back(doubtful);
+        if (more_wanted || slow <= std::max(range.top, last))
             notes.emplace_back(
                 model::Weight::warning,
                 "critical speeds from {} may be missing: the count there is not certain",
-                as::speed.range(from, to));
+                as::speed.range(doubtful.from, doubtful.to));
+    }
     if (more_wanted && std::isinf(found.complete_to) && found.doubtful.empty())
         notes.emplace_back(model::Weight::information,
                            rigid ? "the rotor has no more critical speeds than the ones listed"
@@ -171,7 +202,7 @@ void note_completeness(const synchronous::SynchronousModes &found, bool more_wan
                                    "(all were counted); a finer mesh can have more");
     else if (!std::isinf(found.complete_to) && (more_wanted || found.complete_to < last))
         notes.emplace_back(model::Weight::information, "the list is complete up to {}",
-                           as::speed(found.complete_to));
+                           as::speed(range.spin * found.complete_to));
 }
 
 /// A shaft that does not bend: what its bearings let it do is lost in the rounding of its
@@ -205,6 +236,53 @@ Sentence light_shaft_text(const model::Rotor &rotor) {
                     as::density(rotor.shaft.segments.front().material.rho), as::density(7850));
 }
 
+/// Adds those of one sign.
+/// @param shapes  to begin with; null: the rotor's own
+void add_speeds(const model::Case &scene, const assembly::Discretization &d, const SpinRange &range,
+                bool judged, const synchronous::SharedShapes *shapes,
+                results::CriticalResult &result) {
+    results::ModelSummary &model = result.model;
+    const results::Form form = model.formulation.form;
+    const int wanted = scene.campbell.modes;
+    // In rotating axes the same motion in two directions counts twice.
+    const int ask = form == results::Form::rotating ? 2 * wanted : wanted;
+    synchronous::SynchronousModes list =
+        synchronous::all_synchronous_modes(d, form, ask, range.top, shapes, range.spin);
+    keep_lowest(list, ask, range.top);
+    const std::vector<results::ErrorParts> errors =
+        judged ? synchronous::errors_by_finer_model(d, form, list, model.notes)
+               : std::vector<results::ErrorParts>(list.modes.size(),
+                                                  {std::numeric_limits<double>::infinity(), 0, 0});
+    std::vector<results::CriticalSpeed> speeds;
+    for (std::size_t i = 0; i < list.modes.size(); ++i) {
+        const modes::WhirlMode &mode = list.modes[i];
+        speeds.push_back({range.spin * mode.eigenvalue.imag(),
+                          mode.whirl,
+                          mode.eigenvalue.real(),
+                          errors[i].sum(),
+                          mode.residual,
+                          results::damping_of(modes::determined_value(mode)),
+                          {},
+                          errors[i],
+                          mode.plane});
+    }
+    if (range.spin < 0)
+        std::ranges::reverse(speeds);
+    if (judged) {
+        const results::Interval all = signed_interval(range.spin, 0, range.top);
+        if (form == results::Form::rotating)
+            drop_second_directions(speeds, wanted, all);
+        const bool more_wanted = static_cast<int>(speeds.size()) < wanted;
+        double last = 0;
+        for (const results::CriticalSpeed &critical : speeds)
+            last = std::max(last, std::abs(critical.speed));
+        note_completeness(list, more_wanted, range, last, scene.rotor.shaft.rigid, result);
+    }
+    result.critical_speeds.insert(range.spin > 0 ? result.critical_speeds.end()
+                                                 : result.critical_speeds.begin(),
+                                  speeds.begin(), speeds.end());
+}
+
 /// Critical speeds with elements of one order.
 results::CriticalResult of_order(const model::Case &scene, const results::Formulation &formulation,
                                  int order, bool judged,
@@ -217,38 +295,11 @@ results::CriticalResult of_order(const model::Case &scene, const results::Formul
     const assembly::Discretization d(scene.rotor, order);
     model.elements = static_cast<int>(d.shaft_mesh().spans.size());
     model.unknowns = form == results::Form::planar ? d.planar_size() : 2 * d.planar_size();
-    double top = scene.speeds ? std::max(scene.speeds->to, scene.speeds->from) : 0;
-    if (scene.operation)
-        top = std::max(top, operation::highest_relevant_speed(*scene.operation));
-    const int wanted = scene.campbell.modes;
-    // In rotating axes the same motion in two directions counts twice.
-    const int ask = form == results::Form::rotating ? 2 * wanted : wanted;
-    synchronous::SynchronousModes list =
-        synchronous::all_synchronous_modes(d, form, ask, top, shapes);
-    keep_lowest(list, ask, top);
-    const std::vector<results::ErrorParts> errors =
-        judged ? synchronous::errors_by_finer_model(d, form, list, model.notes)
-               : std::vector<results::ErrorParts>(list.modes.size(),
-                                                  {std::numeric_limits<double>::infinity(), 0, 0});
-    for (std::size_t i = 0; i < list.modes.size(); ++i) {
-        const modes::WhirlMode &mode = list.modes[i];
-        result.critical_speeds.push_back({mode.eigenvalue.imag(),
-                                          mode.whirl,
-                                          mode.eigenvalue.real(),
-                                          errors[i].sum(),
-                                          mode.residual,
-                                          results::damping_of(modes::determined_value(mode)),
-                                          {},
-                                          errors[i],
-                                          mode.plane});
-    }
-    if (!judged)
-        return result;
-    if (form == results::Form::rotating)
-        drop_second_directions(result.critical_speeds, wanted, top);
-    const bool more_wanted = static_cast<int>(result.critical_speeds.size()) < wanted;
-    note_completeness(list, more_wanted, top, scene.rotor.shaft.rigid, result);
-    note_rounding(scene.rotor, result);
+    result.complete = {0, 0};
+    for (const SpinRange &range : spin_ranges(scene))
+        add_speeds(scene, d, range, judged, shapes, result);
+    if (judged)
+        note_rounding(scene.rotor, result);
     return result;
 }
 
@@ -341,14 +392,22 @@ void add_margins(const model::Case &scene, results::CriticalResult &result,
 
 } // namespace
 
-void drop_second_directions(std::vector<results::CriticalSpeed> &speeds, int wanted, double top) {
+void drop_second_directions(std::vector<results::CriticalSpeed> &speeds, int wanted,
+                            const results::Interval &all) {
     const auto same = [](const results::CriticalSpeed &a, const results::CriticalSpeed &b) {
-        return a.whirl == b.whirl && std::abs(a.speed - b.speed) < 1e-9 * a.speed &&
-               std::abs(a.real - b.real) < 1e-9 * a.speed;
+        return a.whirl == b.whirl && std::abs(a.speed - b.speed) < 1e-9 * std::abs(a.speed) &&
+               std::abs(a.real - b.real) < 1e-9 * std::abs(a.speed);
     };
     speeds.erase(std::unique(speeds.begin(), speeds.end(), same), speeds.end());
-    while (static_cast<int>(speeds.size()) > wanted && speeds.back().speed > top)
+    const auto first = std::ranges::find_if(speeds, [](const auto &c) { return c.speed >= 0; });
+    auto negative = static_cast<int>(first - speeds.begin());
+    auto positive = static_cast<int>(speeds.end() - first);
+    for (; positive > wanted && speeds.back().speed > all.to; --positive)
         speeds.pop_back();
+    auto kept = speeds.begin();
+    for (; negative > wanted && kept->speed < all.from; --negative)
+        ++kept;
+    speeds.erase(speeds.begin(), kept);
 }
 
 results::CriticalResult critical_speeds(const model::Case &scene, bool map,

@@ -11,15 +11,17 @@
 namespace whirl::analyses {
 
 /// Critical speeds directly, without a sweep over speed: the `campbell.modes` lowest, and all up
-/// to speeds.to where the case has speeds.
+/// to speeds.to where the case has speeds. Of negative speeds the same where its range reaches
+/// there: as many of |speed|, and all down to speeds.from.
 ///
 /// Undamped and isotropic: forward det[K - W^2 (M - G)] = 0, backward det[K - W^2 (M + G)] = 0.
 /// Orthotropic undamped: det[K - W^2 (M + S)] = 0; coupled symmetrically: det[K - W^2 (M - iG)] =
 /// 0, Hermitian. General: l = i W in the quadratic problem, l^2 (M - iG) + l (C - i Kc) + K, of
 /// which Im l is the speed and Re l is reported; roots with |Re l| >= Im l (no resonance peak) are
-/// left out. Bearing tables: the same with the coefficients at the speed found; all such speeds
-/// (synchronous::followed_modes). Asymmetric rotors on equal bearings: forward, balls
-/// held, and without damping. Errors: critical_errors; infinite where they are not known.
+/// left out. At negative speeds G and Kc have the other sign. Bearing tables: the same with the
+/// coefficients at the speed found; all such speeds (synchronous::followed_modes). Asymmetric
+/// rotors on equal bearings: forward, balls held, and without damping. Errors: critical_errors;
+/// infinite where they are not known.
 ///
 /// @param map    with the critical speed map (critical_map)
 /// @param peaks  of unbalance_response, for the margins; null: they are looked for here
@@ -44,7 +46,9 @@ unjudged_critical_speeds(const model::Case &scene,
 shapes_for_samples(const model::Case &scene, int order, double highest);
 
 /// The same motion in two directions, where nothing asymmetric takes part, is one whirl: leaves as
-/// many as are wanted, and all up to a speed.
-void drop_second_directions(std::vector<results::CriticalSpeed> &speeds, int wanted, double top);
+/// many as are wanted of each sign of the speed, and all of a range.
+/// @param speeds  ascending
+void drop_second_directions(std::vector<results::CriticalSpeed> &speeds, int wanted,
+                            const results::Interval &all);
 
 } // namespace whirl::analyses

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace whirl::analyses {
@@ -164,8 +165,8 @@ std::vector<results::CriticalSpeed> shown_critical_speeds(const model::Case &sce
     try {
         std::vector<results::CriticalSpeed> speeds =
             unjudged_critical_speeds(scene).critical_speeds;
-        drop_second_directions(speeds, scene.campbell.modes,
-                               std::max(std::abs(scene.speeds->from), std::abs(scene.speeds->to)));
+        const auto [from, to] = std::minmax(scene.speeds->from, scene.speeds->to);
+        drop_second_directions(speeds, scene.campbell.modes, {from, to});
         std::erase_if(speeds, [](const results::CriticalSpeed &c) { return c.speed == 0; });
         return speeds;
     } catch (const model::AnalysisFailure &failure) {
@@ -204,29 +205,39 @@ void add_held(results::ModesResult &result, const model::Rotor &as_given,
     const int wanted = static_cast<int>(critical_speeds.size());
     const std::complex<double> i(0, 1);
     try {
-        // As many as `critical` finds: each direction of a motion alike in two counts there.
-        const auto found = synchronous::all_synchronous_modes(
-            rotor, results::Form::rotating, 2 * wanted, critical_speeds.back().speed);
-        for (const results::CriticalSpeed &critical : critical_speeds)
-            for (const modes::WhirlMode &mode : found.modes) {
+        std::map<int, synchronous::SynchronousModes> found; // by the sign of the speed
+        for (const results::CriticalSpeed &critical : critical_speeds) {
+            const int spin = critical.speed < 0 ? -1 : 1;
+            const double speed = std::abs(critical.speed);
+            const double last =
+                std::abs((spin > 0 ? critical_speeds.back() : critical_speeds.front()).speed);
+            // As many as `critical` finds: each direction of a motion alike in two counts there.
+            if (!found.contains(spin))
+                found[spin] = synchronous::all_synchronous_modes(rotor, results::Form::rotating,
+                                                                 2 * wanted, last, nullptr, spin);
+            for (const modes::WhirlMode &mode : found[spin].modes) {
                 // Found again on other shapes: a drum on soft supports has it to 1e-7 alone.
                 const double rounding = 1e-9 + 10 * (mode.residual + mode.rounding);
-                if (std::abs(mode.eigenvalue.imag() - critical.speed) > rounding * critical.speed)
+                if (std::abs(mode.eigenvalue.imag() - speed) > rounding * speed)
                     continue; // of another speed
                 const assembly::Planes planes(mode.shape);
-                const Eigen::VectorXcd w =
+                Eigen::VectorXcd w =
                     stations.deflections(planes.x) + i * stations.deflections(planes.y);
-                const std::complex<double> largest = largest_component(w, -i * w);
+                if (spin < 0) // x + iy = w exp(-i |W| t)
+                    w = w.conjugate().eval();
+                const std::complex<double> turn = static_cast<double>(-spin) * i;
+                const std::complex<double> largest = largest_component(w, turn * w);
                 result.critical.push_back({"",
                                            critical.speed,
-                                           {0, critical.speed},
+                                           {0, speed},
                                            results::Whirl::forward,
                                            1,
                                            scaled(w, largest),
-                                           scaled(-i * w, largest),
+                                           scaled(turn * w, largest),
                                            {}});
                 break;
             }
+        }
         result.model.notes.emplace_back(
             "shapes at critical speeds are those of `critical`, forward, without damping and with "
             "the parts of balancers held in place; the modes at one speed have them free");

@@ -88,11 +88,12 @@ SeparationMargin of_peak(const ResponsePeak &peak, const CriticalSpeed *critical
     return out;
 }
 
-/// It has no factor and does not pass.
+/// A free motion grows: it has no factor and does not pass.
 void fail(SeparationMargin &margin, const model::Operation &operation) {
     if (margin.side != MarginSide::inside)
         margin.required = margin_of(margin.speed, std::nullopt, operation).required;
     margin.amplification.reset();
+    margin.grows = true;
     margin.passes = false;
 }
 
@@ -196,14 +197,6 @@ peaks_without_factor(const model::Operation &operation,
 
 namespace {
 
-bool is_listed(const CriticalSpeed &critical, const std::vector<SeparationMargin> &margins) {
-    return std::ranges::any_of(margins, [&](const SeparationMargin &margin) {
-        return margin.whirl == critical.whirl &&
-               results::within_width(margin.speed, margin.amplification, critical.speed,
-                                     critical.damping.amplification);
-    });
-}
-
 /// The largest peak that is judged and belongs to a critical speed, or none.
 const ResponsePeak *peak_of(const CriticalSpeed &critical, const std::vector<ResponsePeak> &peaks) {
     const ResponsePeak *largest = nullptr;
@@ -226,23 +219,24 @@ Sentence about(const ResponsePeak &peak) {
                           where, as::number(*peak.amplification, 4), as::number(counted_from));
 }
 
+bool among(const CriticalSpeed &critical, const std::vector<const CriticalSpeed *> &listed) {
+    return std::ranges::find(listed, &critical) != listed.end();
+}
+
 /// Says of critical speeds with AF >= 2.5 by their damping, up to the highest speed that matters,
 /// why they have no margin: the peak of the response that is theirs shows less, or they whirl
 /// backward and have none.
-void note_unlisted(const model::Operation &operation,
-                   const std::vector<CriticalSpeed> &critical_speeds,
+/// @param listed  those with margins
+void note_unlisted(const model::Operation &operation, const std::vector<Resonance> &excited,
                    const std::vector<ResponsePeak> &peaks,
-                   const std::vector<SeparationMargin> &margins, bool backward_too,
+                   const std::vector<const CriticalSpeed *> &listed,
                    std::vector<results::Sentence> &notes) {
-    for (const CriticalSpeed &critical : critical_speeds) {
-        const bool backward = critical.whirl == Whirl::backward;
-        if (critical.speed <= 0 || critical.speed > highest_relevant_speed(operation) ||
-            !critical.damping.known() || !counts(critical.damping.amplification) ||
-            (backward && !backward_too) || is_listed(critical, margins))
+    for (const Resonance &resonance : excited) {
+        const CriticalSpeed &critical = *resonance.critical;
+        if (critical.speed > highest_relevant_speed(operation) || !critical.damping.known() ||
+            !counts(critical.damping.amplification) || grows(critical) || among(critical, listed))
             continue;
         const ResponsePeak *peak = peak_of(critical, peaks);
-        if (!peak && !backward)
-            continue; // one with it is listed
         const Sentence factor = critical.damping.amplification
                                     ? Sentence("{}", as::number(*critical.damping.amplification, 4))
                                     : Sentence("without limit");
@@ -255,16 +249,21 @@ void note_unlisted(const model::Operation &operation,
 }
 
 /// Says which critical speeds have no amplification factor because the motion grows.
+/// @param listed  those with margins
 void note_growing(const std::vector<CriticalSpeed> &critical_speeds,
+                  const std::vector<const CriticalSpeed *> &listed,
                   std::vector<results::Sentence> &notes) {
     for (const CriticalSpeed &critical : critical_speeds)
         if (critical.speed > 0 && grows(critical))
             notes.emplace_back(model::Weight::warning,
                                "margins: the {} mode is unstable at its critical speed {} "
-                               "(damping ratio {}): it has no amplification factor and fails "
-                               "whatever its margin; `stability` finds the onset speed",
+                               "(damping ratio {}): it has no amplification factor and {}; "
+                               "`stability` finds the onset speed",
                                results::whirl_name(critical.whirl), as::speed(critical.speed),
-                               as::number(*critical.damping.ratio, 4));
+                               as::number(*critical.damping.ratio, 4),
+                               among(critical, listed) ? "fails whatever its margin"
+                                                       : "no margin, as imbalance does not "
+                                                         "excite it");
 }
 
 /// Names the probes whose peak at a critical speed with AF >= 2.5 has no factor of its own.
@@ -322,15 +321,18 @@ std::vector<SeparationMargin> separation_margins(const model::Operation &operati
         resonances.push_back({nullptr, std::move(of_one)});
     resonances.insert(resonances.end(), excited.begin(), excited.end());
     std::vector<std::vector<SeparationMargin>> groups; // of one resonance each
+    std::vector<const CriticalSpeed *> listed;
     for (const Resonance &resonance : resonances)
-        groups.push_back(margins_of(resonance, operation));
-    std::erase_if(groups, [](const auto &group) { return group.empty(); });
+        if (auto group = margins_of(resonance, operation); !group.empty()) {
+            groups.push_back(std::move(group));
+            listed.push_back(resonance.critical);
+        }
     std::ranges::stable_sort(groups, {}, [](const auto &group) { return group.front().speed; });
     std::vector<SeparationMargin> out;
     for (const auto &group : groups)
         out.insert(out.end(), group.begin(), group.end());
-    note_growing(critical_speeds, notes);
-    note_unlisted(operation, critical_speeds, peaks, out, backward_too, notes);
+    note_growing(critical_speeds, listed, notes);
+    note_unlisted(operation, excited, peaks, listed, notes);
     note_without_factor(critical_speeds, peaks, notes);
     note_unknown_damping(critical_speeds, notes);
     return out;

@@ -19,8 +19,10 @@
 
 namespace whirl::report {
 
+using model::Sentence;
 using results::CriticalResult;
 using results::CriticalSpeed;
+using results::SeparationMargin;
 
 namespace {
 
@@ -72,8 +74,11 @@ Chart critical_chart(const model::Case &scene, const CriticalResult &result, con
     }
     ChartPanel panel{66, chart_axis(units, "Spin speed", Quantity::speed), {}, {}};
     panel.x.logarithmic = lowest > 0 && lowest < HUGE_VAL && highest > wide * lowest;
-    panel.x.low = panel.x.logarithmic ? lowest / 2 : 0;
-    panel.x.high = panel.x.logarithmic ? 2 * highest : highest > 0 ? 1.06 * highest : 1;
+    panel.x.low = panel.x.logarithmic ? lowest / 2 : lowest < 0 ? 1.06 * lowest : 0;
+    panel.x.high = panel.x.logarithmic ? 2 * highest
+                   : highest > 0       ? 1.06 * highest
+                   : lowest < 0        ? 0
+                                       : 1;
     ChartCurve heavy{"heavily damped (AF < 2.5)", {}, {"", heavy_colour, "1", 6}, 0, 1.5};
     double row = 0;
     for (const auto sense :
@@ -105,8 +110,32 @@ Chart critical_chart(const model::Case &scene, const CriticalResult &result, con
     return {"Critical speeds: " + title_of(scene), "synchronous whirl, 1×", {panel}};
 }
 
+/// What the margins come to, and why some are not enough.
+Sentence verdict_of(const std::vector<SeparationMargin> &margins) {
+    if (margins.empty())
+        return Sentence("none needs a separation margin");
+    Sentence out;
+    const auto add = [&](const char *one, const char *several, const auto &is_why) {
+        const auto count = std::ranges::count_if(
+            margins, [&](const SeparationMargin &m) { return !m.passes && is_why(m); });
+        if (count > 0)
+            out += Sentence("{}{} of {}{} {}", out.empty() ? "" : ", ", count, margins.size(),
+                            out.empty() ? " separation margins" : "", count == 1 ? one : several);
+    };
+    const auto near = [](const SeparationMargin &m) {
+        return !m.required || m.found < *m.required;
+    };
+    add("is too small", "are too small",
+        [&](const SeparationMargin &m) { return !m.grows && near(m); });
+    add("is at a speed reached before the trip", "are at speeds reached before the trip",
+        [&](const SeparationMargin &m) { return !m.grows && !near(m); });
+    add("is of a motion that grows", "are of motions that grow",
+        [](const SeparationMargin &m) { return m.grows; });
+    return out.empty() ? Sentence("each has the separation margin that it must have") : out;
+}
+
 /// The critical speeds and what their margins come to, in one sentence.
-model::Sentence answer_of(const CriticalResult &result) {
+Sentence answer_of(const CriticalResult &result) {
     namespace as = model::as;
     constexpr std::size_t most = 8; // in a sentence
     std::vector<double> sharp;
@@ -115,20 +144,13 @@ model::Sentence answer_of(const CriticalResult &result) {
             sharp.push_back(critical.speed);
     const std::size_t all = sharp.size();
     sharp.resize(std::min(all, most));
-    model::Sentence answer =
-        all == 0      ? model::Sentence("no critical speed that is not heavily damped")
-        : all <= most ? model::Sentence("critical speeds at {}", as::speed.list(sharp, 5))
-                      : model::Sentence("critical speeds at {} and {} more",
-                                        as::speed.list(sharp, 5), all - most);
+    Sentence answer = all == 0      ? Sentence("no critical speed that is not heavily damped")
+                      : all <= most ? Sentence("critical speeds at {}", as::speed.list(sharp, 5))
+                                    : Sentence("critical speeds at {} and {} more",
+                                               as::speed.list(sharp, 5), all - most);
     if (!result.margins)
         return answer;
-    const auto failing =
-        std::ranges::count(*result.margins, false, &results::SeparationMargin::passes);
-    return answer += result.margins->empty() ? model::Sentence("; none needs a separation margin")
-                     : failing == 0
-                         ? model::Sentence("; each has the separation margin that it must have")
-                         : model::Sentence("; {} of {} separation margins {} too small", failing,
-                                           result.margins->size(), failing == 1 ? "is" : "are");
+    return answer += Sentence("; {}", verdict_of(*result.margins));
 }
 
 std::vector<Section> brief_of(const CriticalResult &result, const Units &units) {

@@ -16,7 +16,7 @@
 namespace whirl::results {
 
 struct CriticalSpeed {
-    double speed = 0; ///< rad/s
+    double speed = 0; ///< rad/s; negative where the rotor spins from y to x
     Whirl whirl = Whirl::forward;
     double real = 0;  ///< 1/s, of the synchronous eigenvalue
     double error = 0; ///< relative estimate
@@ -73,8 +73,9 @@ struct CriticalMap {
 struct CriticalResult {
     ModelSummary model;
     std::vector<CriticalSpeed> critical_speeds; ///< ascending
-    /// Up to which none is missing, rad/s; infinite: the model has no more.
-    double complete_to = std::numeric_limits<double>::infinity();
+    /// Where none is missing, rad/s; an end is infinite where the model has no more, and 0 where
+    /// those of its sign are not wanted.
+    Interval complete{0, std::numeric_limits<double>::infinity()};
     std::vector<Interval> doubtful; ///< where some may be missing all the same, rad/s
     /// Where the case has operating speeds; ascending, without those of AF < 2.5.
     std::optional<std::vector<SeparationMargin>> margins;

@@ -31,6 +31,7 @@ struct SeparationMargin {
     MarginSide side = MarginSide::inside;
     double found = 0;               ///< % of the end of the range that is nearer; inside 0
     std::optional<double> required; ///< %; none inside: no margin would do
+    bool grows = false;             ///< a free motion grows there: it fails whatever was found
     bool passes = false;
 };
 

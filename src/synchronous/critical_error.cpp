@@ -192,7 +192,8 @@ errors_by_roots(const SynchronousModes &list, const assembly::Discretization &ro
             }
         if (own.empty())
             continue;
-        const SynchronousProblem problem(finer, form, whirl == results::Whirl::backward ? -1 : 1);
+        const SynchronousProblem problem(finer, form, list.spin,
+                                         whirl == results::Whirl::backward ? -1 : 1);
         const FinerRoots found = finer_roots(own, rotor, problem);
         if (!found.matched)
             return {};
@@ -247,17 +248,17 @@ std::vector<results::ErrorParts> errors_by_finer_model(const assembly::Discretiz
         std::vector<std::optional<results::ErrorParts>> found =
             errors_by_roots(list, rotor, finer, form);
         if (found.empty())
-            found = critical_errors(rotor, form, list, finer,
-                                    all_synchronous_modes(finer, form,
-                                                          static_cast<int>(list.modes.size()) + 2,
-                                                          list.modes.back().eigenvalue.imag()));
+            found = critical_errors(
+                rotor, form, list, finer,
+                all_synchronous_modes(finer, form, static_cast<int>(list.modes.size()) + 2,
+                                      list.modes.back().eigenvalue.imag(), nullptr, list.spin));
         for (std::size_t i = 0; i < errors.size(); ++i) {
             errors[i] = found[i].value_or(unknown);
             if (!found[i])
                 notes.emplace_back(model::Weight::warning,
                                    "the critical speed of {} has no counterpart on a finer mesh "
                                    "(order {}): it may be spurious, and its error is not known",
-                                   results::as::speed(list.modes[i].eigenvalue.imag()),
+                                   results::as::speed(list.spin * list.modes[i].eigenvalue.imag()),
                                    finer.order());
         }
     } catch (const linalg::SolverError &) {

@@ -39,9 +39,10 @@ void join_indistinct(std::vector<modes::WhirlMode> &modes) {
     }
 }
 
-void set_sense(const Discretization &d, bool hyperbolic, std::vector<modes::WhirlMode> &modes) {
+void set_sense(const Discretization &d, bool hyperbolic, int spin,
+               std::vector<modes::WhirlMode> &modes) {
     const modes::Stations stations = modes::Stations::for_orbits(d);
-    const std::complex<double> factor = hyperbolic ? std::complex<double>(0, 1) : 1;
+    const std::complex<double> factor = hyperbolic ? std::complex<double>(0, spin) : 1;
     const auto deflections = [&](const modes::WhirlMode &mode) {
         const assembly::Planes planes(mode.shape);
         return std::pair(stations.deflections(planes.x),
@@ -50,7 +51,7 @@ void set_sense(const Discretization &d, bool hyperbolic, std::vector<modes::Whir
     modes::separate_degenerate(deflections, stations, hyperbolic, modes);
     for (modes::WhirlMode &mode : modes) {
         const auto [x, y] = deflections(mode);
-        const modes::OrbitSense sense = modes::orbit_sense(x, y, stations, 1);
+        const modes::OrbitSense sense = modes::orbit_sense(x, y, stations, spin);
         mode.whirl = sense.whirl;
         mode.forward_fraction = sense.forward_fraction;
         mode.plane = sense.plane;
@@ -64,12 +65,13 @@ void set_forward(std::vector<modes::WhirlMode> &modes, bool forward) {
     }
 }
 
-void name_whirl(const Discretization &d, results::Form form, std::vector<modes::WhirlMode> &modes) {
+void name_whirl(const Discretization &d, results::Form form, int spin,
+                std::vector<modes::WhirlMode> &modes) {
     if (form == results::Form::rotating)
         set_forward(modes, true);
     else {
         join_indistinct(modes);
-        set_sense(d, form == results::Form::hyperbolic, modes);
+        set_sense(d, form == results::Form::hyperbolic, spin, modes);
     }
 }
 
@@ -157,18 +159,19 @@ SynchronousModes on_shapes(const SynchronousProblem &problem, int wanted, double
 
 /// Roots on shapes in a form, with their sense of whirl.
 /// @param bearing_speed  rad/s; none: the bearings as they are at each root
-SynchronousModes of_shapes(const Discretization &d, results::Form form, int wanted, double top,
-                           std::optional<double> bearing_speed,
+SynchronousModes of_shapes(const Discretization &d, results::Form form, int spin, int wanted,
+                           double top, std::optional<double> bearing_speed,
                            const SharedShapes *shared = nullptr) {
     SynchronousModes out;
+    out.spin = spin;
     out.complete_to = unlimited;
     for (const int sign : senses_of(form)) {
         SynchronousModes found =
-            on_shapes(SynchronousProblem(d, form, sign, bearing_speed), wanted, top, shared);
+            on_shapes(SynchronousProblem(d, form, spin, sign, bearing_speed), wanted, top, shared);
         if (form == results::Form::planar)
             set_forward(found.modes, sign > 0);
         else
-            name_whirl(d, form, found.modes);
+            name_whirl(d, form, spin, found.modes);
         out.modes.insert(out.modes.end(), found.modes.begin(), found.modes.end());
         out.branches.insert(out.branches.end(), found.branches.begin(), found.branches.end());
         out.doubtful.insert(out.doubtful.end(), found.doubtful.begin(), found.doubtful.end());
@@ -183,12 +186,12 @@ SynchronousModes of_shapes(const Discretization &d, results::Form form, int want
 
 std::vector<modes::WhirlMode> synchronous_modes(const Discretization &d, results::Form form,
                                                 double bearing_speed, int wanted) {
-    return of_shapes(d, form, wanted, 0, bearing_speed).modes;
+    return of_shapes(d, form, 1, wanted, 0, bearing_speed).modes;
 }
 
 SynchronousModes all_synchronous_modes(const Discretization &d, results::Form form, int wanted,
-                                       double top, const SharedShapes *shared) {
-    return of_shapes(d, form, wanted, top, {}, shared);
+                                       double top, const SharedShapes *shared, int spin) {
+    return of_shapes(d, form, spin, wanted, top, {}, shared);
 }
 
 SharedShapes shared_shapes(const Discretization &d, double reach, int wanted) {

@@ -394,7 +394,6 @@ SynchronousModes followed_modes(const SynchronousProblem &problem, const WholeRo
                                 const Eigen::MatrixXd &shapes, int wanted, double top) {
     const ReducedSynchronous reduced(problem, shapes);
     const std::vector<double> &rows = problem.rows();
-    const std::vector<double> bends = problem.rotor().rotor().table_bends();
     constexpr double infinity = std::numeric_limits<double>::infinity();
     SynchronousModes out;
     std::vector<FoundRoot> found;
@@ -406,7 +405,7 @@ SynchronousModes followed_modes(const SynchronousProblem &problem, const WholeRo
     while (i + 1 < rows.size() && rows[i + 1] <= row)
         ++i;
     while (i + 1 < rows.size() && !enough()) {
-        const std::vector<double> at_once = rows_at_once(bends, rows, i);
+        const std::vector<double> at_once = rows_at_once(problem.bends(), rows, i);
         Follower follower(reduced, roots, at_once, i);
         i += at_once.size() - 1;
         follower.follow(follower.sample(row), follower.sample(at_once.back()), 0);

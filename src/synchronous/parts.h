@@ -14,14 +14,16 @@ namespace whirl::synchronous {
 
 /// Modes whose frequency is that of the spin.
 struct SynchronousModes {
-    std::vector<modes::WhirlMode> modes; ///< ascending by Im of the eigenvalue
+    std::vector<modes::WhirlMode> modes; ///< ascending by Im of the eigenvalue, |spin speed|
+    int spin = 1;                        ///< sign of the spin speed
     /// Conservative rotors: which eigenvalue of K(W) - W^2 M, in ascending order from 1, passes
     /// zero at the mode; empty for others. With a subspace of the unknowns it is not smaller
     /// (Courant and Fischer), so that models of one rotor are compared root by root: the first
     /// passage of eigenvalue k with the first passage of k.
     std::vector<int> branches;
-    double complete_to = 0; ///< none below is missing, rad/s; infinity: the model has no more
-    /// Speeds between which some may be missing, rad/s.
+    /// Up to this |spin speed| none is missing, rad/s; infinity: the model has no more.
+    double complete_to = 0;
+    /// |Spin speeds| between which some may be missing, rad/s.
     std::vector<std::pair<double, double>> doubtful;
 };
 

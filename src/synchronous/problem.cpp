@@ -6,6 +6,8 @@
 #include "assembly/system.h"
 #include "synchronous/parts.h"
 
+#include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace whirl::synchronous {
@@ -23,8 +25,9 @@ QSparse complex(const Matrix &A) { return Real(A.view()).cast<Complex>(); }
 
 QSparse nothing(Eigen::Index n) { return {n, n}; }
 
-ComplexQuadratic problem_at(const Discretization &d, results::Form form, int whirl_sign,
+ComplexQuadratic problem_at(const Discretization &d, results::Form form, int spin, int whirl_sign,
                             double bearing_speed) {
+    const Complex turn = static_cast<double>(spin) * i_unit;
     if (form == results::Form::planar) {
         const assembly::PlanarSystem system = assembly::assemble_planar(d, bearing_speed);
         return {complex(Matrix::sum(1, system.M, -whirl_sign, system.G)), nothing(d.planar_size()),
@@ -32,14 +35,24 @@ ComplexQuadratic problem_at(const Discretization &d, results::Form form, int whi
     }
     if (form == results::Form::rotating) {
         const assembly::RotatingSystem system = held_in_rotating_axes(d, bearing_speed);
-        return {-complex(system.Kss), -i_unit * complex(system.Ks), complex(system.K)};
+        return {-complex(system.Kss), -turn * complex(system.Ks), complex(system.K)};
     }
     const assembly::FixedSystem system = assembly::assemble_fixed(d, bearing_speed);
     if (form == results::Form::hyperbolic)
         return {complex(Matrix::sum(1, system.M, 1, assembly::hyperbolic_coupling(d))),
                 nothing(2 * d.planar_size()), complex(system.K)};
-    return {complex(system.M) - i_unit * complex(system.G),
-            complex(system.C) - i_unit * complex(system.Kc), complex(system.K)};
+    return {complex(system.M) - turn * complex(system.G),
+            complex(system.C) - turn * complex(system.Kc), complex(system.K)};
+}
+
+/// Seen by a spin of that sign.
+/// @param speeds  ascending
+std::vector<double> turned(std::vector<double> speeds, int spin) {
+    if (spin > 0)
+        return speeds;
+    std::ranges::reverse(speeds);
+    std::ranges::transform(speeds, speeds.begin(), std::negate{});
+    return speeds;
 }
 
 bool hermitian(const QSparse &A) {
@@ -50,18 +63,23 @@ bool hermitian(const QSparse &A) {
 
 } // namespace
 
-SynchronousProblem::SynchronousProblem(const Discretization &rotor, results::Form form,
+SynchronousProblem::SynchronousProblem(const Discretization &rotor, results::Form form, int spin,
                                        int whirl_sign, std::optional<double> bearing_speed)
-    : _d(rotor), _rows(bearing_speed ? std::vector{*bearing_speed} : table_speeds(rotor.rotor())),
-      _pairs(form != results::Form::planar) {
+    : _d(rotor), _spin(spin),
+      _rows(
+          turned(bearing_speed ? std::vector{*bearing_speed} : table_speeds(rotor.rotor()), spin)),
+      _bends(turned(rotor.rotor().table_bends(), spin)), _pairs(form != results::Form::planar) {
     if (_rows.empty())
         _rows = {0};
-    _first = problem_at(rotor, form, whirl_sign, _rows.front());
+    const auto at = [&](double row) {
+        return problem_at(rotor, form, spin, whirl_sign, spin * row);
+    };
+    _first = at(_rows.front());
     const Eigen::Index n = _first.K.rows();
     _changes.assign(_rows.size(), {nothing(n), nothing(n), nothing(n)});
     if (form == results::Form::rotating) { // in which damping turns with the rotor
         for (std::size_t i = 1; i < _rows.size(); ++i) {
-            const ComplexQuadratic here = problem_at(rotor, form, whirl_sign, _rows[i]);
+            const ComplexQuadratic here = at(_rows[i]);
             _changes[i].D = here.D - _first.D;
             _changes[i].K = here.K - _first.K;
         }
@@ -98,8 +116,8 @@ void SynchronousProblem::add_bearing_changes(results::Form form) {
     for (std::size_t row = 1; row < _rows.size(); ++row) {
         Entries D;
         Entries K;
-        add(_rows.front(), -1, D, K);
-        add(_rows[row], 1, D, K);
+        add(_spin * _rows.front(), -1, D, K);
+        add(_spin * _rows[row], 1, D, K);
         _changes[row].D.setFromTriplets(D.begin(), D.end());
         _changes[row].K.setFromTriplets(K.begin(), K.end());
     }

@@ -119,7 +119,8 @@ ReducedSynchronous::ReducedSynchronous(const SynchronousProblem &problem,
             {{}, projected(problem.change(i).D), projected(problem.change(i).K), {}, {}});
     const results::Form motions = problem.pairs() ? results::Form::general : results::Form::planar;
     for (const double row : problem.rows())
-        _zeros.push_back(modes::zero_modes(problem.rotor(), motions, row, 0).eigenvalues);
+        _zeros.push_back(
+            modes::zero_modes(problem.rotor(), motions, problem.spin() * row, 0).eigenvalues);
 }
 
 Eigen::MatrixXcd ReducedSynchronous::projected(const ComplexQuadratic::Sparse &A) const {

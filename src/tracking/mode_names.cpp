@@ -159,24 +159,27 @@ bool near_spin(const modes::Spectrum &spectrum, std::size_t place) {
 
 std::vector<std::string>
 names_of_critical(const ModeNames &names,
-                  const std::vector<std::pair<std::complex<double>, results::Whirl>> &critical) {
-    const auto next = [&names](std::complex<double> value, const auto &qualifies) {
+                  const std::vector<results::CriticalSpeed> &critical_speeds) {
+    const auto next = [&names](const results::CriticalSpeed &critical, const auto &qualifies) {
+        const double speed = critical.speed;
+        const std::complex<double> value(critical.real, std::abs(speed));
         // A mode at that speed is off its synchronous eigenvalue by the slope of its frequency over
         // the speed, well below 1, times its real part.
         const double within = 0.05 * value.imag() + 0.5 * std::abs(value.real());
         constexpr double clear = 2; // the next mode of this whirl must be twice as far away
-        return names.nearest(value.imag(), {value.imag(), value, within, clear, qualifies});
+        return names.nearest(speed, {speed, value, within, clear, qualifies});
     };
     std::vector<std::string> out;
-    for (const auto &[value, whirl] : critical)
-        out.push_back(next(
-            value, [sense = whirl](const modes::WhirlMode &mode) { return mode.whirl == sense; }));
+    for (const results::CriticalSpeed &critical : critical_speeds)
+        out.push_back(next(critical, [&critical](const modes::WhirlMode &mode) {
+            return mode.whirl == critical.whirl;
+        }));
     // Of nearly equal eigenvalues, and of orbits that are hardly open, neither list gives the
     // whirl.
-    for (std::size_t i = 0; i < critical.size(); ++i) {
+    for (std::size_t i = 0; i < critical_speeds.size(); ++i) {
         if (!out[i].empty())
             continue;
-        std::string any = next(critical[i].first, [](const modes::WhirlMode &) { return true; });
+        std::string any = next(critical_speeds[i], [](const modes::WhirlMode &) { return true; });
         if (std::ranges::find(out, any) == out.end())
             out[i] = std::move(any);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/case.h"
+#include "results/critical.h"
 #include "tracking/line_names.h"
 
 #include <complex>
@@ -87,10 +88,10 @@ inline constexpr double resonant = 0.25;
 /// A mode this near.
 [[nodiscard]] bool near_spin(const modes::Spectrum &spectrum, std::size_t place);
 
-/// Names of the modes that are critical: at the Im of each synchronous eigenvalue, the speed, the
-/// next one of its whirl. Empty where two are as near.
+/// Names of the modes that are critical: at each speed the next one of its whirl to the synchronous
+/// eigenvalue. Empty where two are as near.
 [[nodiscard]] std::vector<std::string>
 names_of_critical(const ModeNames &names,
-                  const std::vector<std::pair<std::complex<double>, results::Whirl>> &critical);
+                  const std::vector<results::CriticalSpeed> &critical_speeds);
 
 } // namespace whirl::tracking

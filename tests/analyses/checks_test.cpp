@@ -441,6 +441,30 @@ TEST(Checks, CriticalSpeedsOfUnknownDamping) {
         EXPECT_FALSE(check.pass.value_or(false)) << check.where.text();
 }
 
+// A critical speed below the range is always below the trip speed too: that is not why it fails.
+TEST(Checks, AMarginOfAMotionThatGrowsSaysSo) {
+    Analysed analysed(sound());
+    ASSERT_TRUE(analysed.scene.operation.has_value());
+    analysed.scene.operation->trip = 1.1 * analysed.scene.operation->to;
+    results::ResponseResult response = *analysed.response;
+    results::SeparationMargin grows;
+    grows.speed = analysed.scene.operation->from / 2;
+    grows.source = "damping";
+    grows.side = results::MarginSide::below;
+    grows.found = 50;
+    grows.required = 16;
+    grows.grows = true;
+    response.margins = {grows};
+    analyses::Computed computed = analysed.computed;
+    computed.response = &response;
+    const auto margins = named(analyses::assess(analysed.scene, computed), margin);
+    const auto fails =
+        std::ranges::find_if(margins, [](const Check &check) { return check.pass == false; });
+    ASSERT_NE(fails, margins.end());
+    EXPECT_NE(fails->where.find("where a free motion grows"), std::string::npos);
+    EXPECT_EQ(fails->where.find("trips"), std::string::npos);
+}
+
 TEST(Checks, MarginsThatWereNotFound) {
     Analysed analysed(sound());
     analyses::Computed computed = analysed.computed;
@@ -453,7 +477,7 @@ TEST(Checks, MarginsThatWereNotFound) {
     results::CriticalResult critical = *analysed.critical;
     computed = analysed.computed;
     computed.critical = &critical;
-    critical.complete_to = 600;
+    critical.complete.to = 600;
     EXPECT_EQ(analyses::assess(analysed.scene, computed).verdict, Judgement::incomplete);
     critical = *analysed.critical;
     critical.doubtful = {{500, 520}};

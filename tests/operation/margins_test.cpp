@@ -206,6 +206,30 @@ TEST(Margins, SayWhyACriticalSpeedIsNotAmongThem) {
     EXPECT_NE(damped[0].find("has an amplification factor of 2.3, below 2.5"), std::string::npos);
 }
 
+/// Where a free motion grows the peak of the steady motion is no measure: the margin fails, and
+/// what is said of it is said once.
+TEST(Margins, OfAMotionThatGrowsFail) {
+    std::vector<results::CriticalSpeed> speeds{critical(400, Whirl::backward, 1),
+                                               critical(500, Whirl::forward, 1)};
+    for (results::CriticalSpeed &one : speeds) {
+        one.damping.amplification.reset();
+        one.damping.ratio = -0.03;
+    }
+    std::vector<results::Sentence> notes;
+    const auto margins =
+        separation_margins(running, speeds, {peak("station", 0, 501, 1e-6, 17)}, false, notes);
+    ASSERT_EQ(margins.size(), 1U);
+    EXPECT_EQ(margins[0].speed, 501);
+    EXPECT_GT(margins[0].found, *margins[0].required);
+    EXPECT_TRUE(margins[0].grows);
+    EXPECT_FALSE(margins[0].passes);
+    ASSERT_EQ(notes.size(), 2U);
+    EXPECT_NE(notes[0].find("backward mode is unstable"), std::string::npos);
+    EXPECT_NE(notes[0].find("no margin"), std::string::npos);
+    EXPECT_NE(notes[1].find("forward mode is unstable"), std::string::npos);
+    EXPECT_NE(notes[1].find("fails whatever its margin"), std::string::npos);
+}
+
 /// The damping ratio -Re/|lambda| of m l^2 + c l + k is zeta: AF = 1/(2 zeta).
 TEST(Margins, JeffcottRotorByDamping) {
     tests::RigidJeffcott rotor;

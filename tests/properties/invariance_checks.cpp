@@ -121,8 +121,16 @@ Answer other_names(InvarianceScene &s) {
 Answer negative_spin(InvarianceScene &s) {
     if (s.tables())
         return std::nullopt;
-    return spectra_difference(s.campbell(), its_speed, analyses::campbell(reflected(s.scene())),
-                              its_speed, s.scene().campbell.modes, {});
+    const model::Case turned = reflected(s.scene());
+    const int modes = s.scene().campbell.modes;
+    std::string out = spectra_difference(s.campbell(), its_speed, analyses::campbell(turned),
+                                         its_speed, modes, {});
+    if (!out.empty() || s.turning_parts() || turned.speeds->to >= 0)
+        return out;
+    results::CriticalResult critical = analyses::critical_speeds(turned);
+    for (results::CriticalSpeed &one : critical.critical_speeds)
+        one.speed = -one.speed;
+    return critical_difference(s.critical(), critical, modes - 1, {});
 }
 
 bool could_not_follow(const std::vector<results::Sentence> &notes) {

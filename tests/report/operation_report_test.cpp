@@ -128,6 +128,32 @@ TEST_F(OperationReport, MarginsAreInTextPageAndData) {
     EXPECT_NE(content_of(folder / "report.html").find("Margin required"), std::string::npos);
 }
 
+/// A margin that is wide enough is never called too small: it fails for another reason.
+TEST_F(OperationReport, TheAnswerSaysWhyMarginsFail) {
+    const model::Case scene = running_case();
+    results::CriticalResult result = sample_critical();
+    const auto answer = [&] { return describe(scene, result).answer.text(); };
+    EXPECT_NE(answer().find("; 1 of 1 separation margins is too small"), std::string::npos);
+    results::SeparationMargin wide = result.margins->front();
+    wide.found = 40;
+    wide.grows = true;
+    result.margins->push_back(wide);
+    EXPECT_NE(answer().find("; 1 of 2 separation margins is too small, 1 of 2 is of a motion that "
+                            "grows"),
+              std::string::npos)
+        << answer();
+    result.margins->front() = wide;
+    EXPECT_NE(answer().find("; 2 of 2 separation margins are of motions that grow"),
+              std::string::npos)
+        << answer();
+    wide.grows = false; // above the range, below the trip speed
+    result.margins = {wide};
+    EXPECT_NE(answer().find("is at a speed reached before the trip"), std::string::npos)
+        << answer();
+    result.margins->front().passes = true;
+    EXPECT_NE(answer().find("each has the separation margin"), std::string::npos);
+}
+
 TEST_F(OperationReport, WithoutOperatingSpeedsThereAreNone) {
     results::CriticalResult result = sample_critical();
     result.margins.reset();

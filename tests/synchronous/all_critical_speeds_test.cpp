@@ -5,6 +5,7 @@
 #include "assembly/discretization.h"
 #include "assembly/system.h"
 #include "results/critical.h"
+#include "support/rigid_jeffcott.h"
 #include "support/scenes.h"
 #include "support/written_case.h"
 
@@ -35,7 +36,8 @@ Speeds below(Speeds speeds, double top) {
 Speeds listed(const model::Case &scene) {
     Speeds out;
     for (const results::CriticalSpeed &c : analyses::critical_speeds(scene).critical_speeds)
-        out.push_back(c.speed);
+        if (c.speed >= scene.speeds->from)
+            out.push_back(c.speed);
     return below(out, scene.speeds->to);
 }
 
@@ -106,13 +108,14 @@ Speeds dense_undamped(const model::Case &scene) {
     return below(out, top);
 }
 
-/// Of a damped rotor without tables at positive speeds: all l of l^2 (M - iG) + l C + K, as
-/// l = from + t in (x, x/t), eigenvalue 1/t.
-Speeds dense_damped(const model::Case &scene, double top) {
+/// Of a damped rotor without tables at speeds of the sign s: all l of
+/// l^2 (M - i s G) + l (C - i s Kc) + K with Im l > |Re l|, ascending by Im l, as l = from + t in
+/// (x, x/t), eigenvalue 1/t.
+std::vector<Complex> dense_roots(const model::Case &scene, double top, int sign) {
     const assembly::FixedSystem at = assembly::assemble_fixed(discretized(scene), 0);
-    const Complex i(0, 1);
+    const Complex i(0, sign);
     const Eigen::MatrixXcd M = dense(at.M) - i * dense(at.G);
-    const Eigen::MatrixXcd C = dense(at.C).cast<Complex>();
+    const Eigen::MatrixXcd C = dense(at.C) - i * dense(at.Kc);
     const Eigen::MatrixXcd K = dense(at.K).cast<Complex>();
     const Complex from = top * Complex(0.1, 0.37); // no root is there
     const Eigen::PartialPivLU<Eigen::MatrixXcd> A(K + from * C + from * from * M);
@@ -123,13 +126,21 @@ Speeds dense_damped(const model::Case &scene, double top) {
     companion.bottomLeftCorner(n, n) = -top * top * A.solve(M);
     companion.bottomRightCorner(n, n) = -top * A.solve(B);
     const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(companion, false);
-    Speeds out;
+    std::vector<Complex> out;
     for (const Complex root : solver.eigenvalues()) {
         const Complex l = from + top / root;
-        if (l.imag() > std::abs(l.real()))
-            out.push_back(l.imag());
+        if (l.imag() > std::abs(l.real()) && l.imag() <= top)
+            out.push_back(l);
     }
-    return below(out, top);
+    std::ranges::sort(out, {}, [](Complex l) { return l.imag(); });
+    return out;
+}
+
+Speeds dense_damped(const model::Case &scene, double top) {
+    Speeds out;
+    for (const Complex l : dense_roots(scene, top, 1))
+        out.push_back(l.imag());
+    return out;
 }
 
 struct Row {
@@ -390,6 +401,138 @@ TEST(AllCriticalSpeeds, AreTheLowestWhereTwoAreNearlyOne) {
         lowest.push_back(c.speed);
     expect_all(below(lowest, 45000), expected, 1e-7);
     expect_all(listed(scene), expected, 1e-7);
+}
+
+const std::string coupled_supports = R"(
+[shaft]
+order = 6
+elements = 2
+internal_damping = 2e-6
+segments = [{length = 0.7, outer = 0.08}, {length = 0.5, outer = 0.05}]
+[[disc]]
+z = 0.65
+mass = 12
+Id = 0.05
+Ip = 0.08
+[[bearing]]
+z = 0.4
+kxx = 1.3e7
+kyy = 6.8e6
+kxy = -1.7e5
+kyx = 1.3e5
+cxx = 150
+cyy = 2000
+[[bearing]]
+z = 0.85
+kxx = 6.2e7
+kyy = 2.5e7
+kxy = -3.5e6
+kyx = 3e6
+cxx = 130
+cyy = 3200
+cxy = -11
+cyx = -19
+[[seal]]
+z = 0.78
+k = 2.5e5
+kxy = 4.8e4
+c = 11
+[campbell]
+modes = 2
+[speeds]
+count = 2
+)";
+
+// Supports that couple the planes drive forward whirl of a spin in one direction and backward whirl
+// of one in the other, so that speeds and damping differ.
+TEST(AllCriticalSpeeds, OfASpinFromYToXAreNotThoseFromXToY) {
+    struct Range {
+        double from, to;
+    };
+    constexpr double rounding = 1e-6; // rad/s, 1e-9 of the range: of the dense decomposition
+    for (const Range range : {Range{-1500, -10}, Range{-1200, 1500}, Range{10, 1500}}) {
+        const model::Case scene =
+            tests::written_case(coupled_supports + "from = " + std::to_string(range.from) +
+                                "\nto = " + std::to_string(range.to) + "\n");
+        std::vector<Complex> expected; // real part and speed
+        if (range.from < 0)
+            for (const Complex l : dense_roots(scene, -range.from, -1))
+                expected.insert(expected.begin(), Complex(l.real(), -l.imag()));
+        if (range.to > 0)
+            for (const Complex l : dense_roots(scene, range.to, 1))
+                expected.push_back(l);
+        const auto found = analyses::critical_speeds(scene);
+        const auto &speeds = found.critical_speeds;
+        ASSERT_EQ(speeds.size(), expected.size()) << range.from;
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            EXPECT_NEAR(speeds[i].speed, expected[i].imag(), rounding);
+            EXPECT_NEAR(speeds[i].real, expected[i].real(), rounding);
+            EXPECT_LT(speeds[i].error, 1e-4) << speeds[i].speed; // the finer model has the same
+        }
+        const auto &slowest = std::ranges::min(
+            speeds, {}, [](const auto &critical) { return std::abs(critical.speed); });
+        EXPECT_FALSE(slowest.mode.empty()) << slowest.speed; // as lines of campbell have names
+        EXPECT_LE(found.complete.from, range.from < 0 ? range.from : 0);
+        EXPECT_GE(found.complete.to, range.to > 0 ? range.to : 0);
+    }
+}
+
+// m w'' + c w' + (k - iq) w = 0: at W > 0 forward whirl exp(lt) with Im l > 0 is that with
+// m l^2 + c l + k - iq = 0, at W < 0 that with k + iq, which the seals damp.
+TEST(AllCriticalSpeeds, ASealDrivesForwardWhirlOfOneSpinOnly) {
+    const double q = 2.5e5; // above c w_n = 2e5
+    tests::RigidJeffcott rotor;
+    model::Case scene = rotor.scene();
+    for (model::Bearing &bearing : scene.rotor.bearings)
+        bearing.rows[0].k += q / 2 * Eigen::Matrix2d{{0, 1}, {-1, 0}};
+    scene.speeds = model::SpeedRange{-1000, 1000, 2};
+    const auto root = [&](double sign) { // of the larger imaginary part
+        const Complex half = rotor.c / (2 * rotor.mass);
+        return -half + std::sqrt(half * half - Complex(rotor.kx, -sign * q) / rotor.mass);
+    };
+    const auto upper = [](Complex l, Complex sum) { return l.imag() > 0 ? l : sum - l; };
+    const Complex sum = -rotor.c / rotor.mass;
+    const Complex driven = upper(root(1), sum);
+    const Complex damped = upper(root(-1), sum);
+    ASSERT_GT(driven.real(), 0);
+    int forward = 0;
+    for (const auto &critical : analyses::critical_speeds(scene).critical_speeds) {
+        const bool drives = (critical.whirl == results::Whirl::forward) == (critical.speed > 0);
+        const Complex expected = drives ? driven : damped;
+        if (std::abs(std::abs(critical.speed) - expected.imag()) > 1e-3 * expected.imag())
+            continue; // it tilts
+        EXPECT_NEAR(std::abs(critical.speed), expected.imag(), 1e-9 * expected.imag());
+        EXPECT_NEAR(critical.real, expected.real(), 1e-9 * expected.imag());
+        forward += critical.whirl == results::Whirl::forward ? 1 : 0;
+    }
+    EXPECT_EQ(forward, 2); // one of each spin
+}
+
+// The bearings are read at the speed with its sign: a table and the same one with the signs of its
+// speeds turned are of one undamped rotor that spins one way and the other.
+TEST(AllCriticalSpeeds, ReadTablesAtNegativeSpeeds) {
+    const std::vector<Row> rows{{-900, 2e6, 3e6, 0},
+                                {-500, 4e5, 6e5, 0},
+                                {-150, 2e5, 3e5, 0},
+                                {200, 5e6, 5.5e6, 0},
+                                {800, 9e6, 9.5e6, 0}};
+    std::vector<Row> turned;
+    for (const Row &row : rows)
+        turned.insert(turned.begin(), {-row.speed, row.kx, row.ky, row.c});
+    model::Case negative = tests::written_case(stiff_shaft + range(1500, 1));
+    model::Case positive = negative;
+    negative.speeds = model::SpeedRange{-1500, 0, 2};
+    for (std::size_t i = 0; i < 2; ++i) {
+        set_table(negative.rotor.bearings[i], rows);
+        set_table(positive.rotor.bearings[i], turned);
+    }
+    const Speeds expected = dense_undamped(positive);
+    ASSERT_GE(expected.size(), 4U);
+    Speeds found = listed(negative);
+    std::ranges::reverse(found);
+    for (double &speed : found)
+        speed = -speed;
+    expect_all(found, expected, 1e-6);
 }
 
 } // namespace

@@ -50,7 +50,7 @@ const char *const margin_name = "separation margin";
 const char *const factor_name = "amplification factor of a critical speed at operating speeds";
 const char *const api617 = "API 617";
 
-Check check_of(const SeparationMargin &margin, const model::Operation &operation) {
+Check check_of(const SeparationMargin &margin) {
     Check check;
     check.source = api617;
     check.pass = margin.passes;
@@ -71,9 +71,8 @@ Check check_of(const SeparationMargin &margin, const model::Operation &operation
     if (margin.required)
         check.limit = *margin.required / 100;
     if (!margin.passes && check.limit && *check.value >= *check.limit)
-        check.where += operation.trip && margin.speed <= *operation.trip
-                           ? Sentence(", which the machine reaches before it trips")
-                           : Sentence(", where a free motion grows");
+        check.where += margin.grows ? Sentence(", where a free motion grows")
+                                    : Sentence(", which the machine reaches before it trips");
     return check;
 }
 
@@ -103,14 +102,14 @@ bool covers(const SeparationMargin &margin, const results::CriticalSpeed &critic
 /// Where critical speeds may be missing in a list.
 void add_missing_criticals(std::vector<Check> &checks, const results::CriticalResult &critical,
                            double highest) {
-    if (critical.complete_to < highest)
+    if (critical.complete.to < highest)
         checks.push_back(not_judged(margin_name,
                                     {"critical speeds are known up to {}, and could be too near up "
                                      "to {}",
-                                     as::speed(critical.complete_to), as::speed(highest)},
+                                     as::speed(critical.complete.to), as::speed(highest)},
                                     api617));
     for (const Interval &doubtful : critical.doubtful)
-        if (doubtful.from < highest)
+        if (doubtful.to > 0 && doubtful.from < highest)
             checks.push_back(not_judged(margin_name,
                                         {"critical speeds from {} may be missing",
                                          as::speed.range(doubtful.from, doubtful.to)},
@@ -325,7 +324,7 @@ void add_margins(std::vector<Check> &checks, const model::Case &scene, const Com
             continue;
         none = none && run.margins->empty();
         for (const SeparationMargin &margin : *run.margins) {
-            Check check = check_of(margin, operation);
+            Check check = check_of(margin);
             apply(of_run, check);
             name_run(check, run);
             worst.add(margin, check, run);

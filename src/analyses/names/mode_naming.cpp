@@ -99,10 +99,7 @@ void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const Mode
         names_of(modes, *form, {speeds_of(critical_speeds), true, tracking::near_spin});
     if (!names)
         return;
-    std::vector<std::pair<std::complex<double>, results::Whirl>> values;
-    for (const results::CriticalSpeed &critical : critical_speeds)
-        values.push_back({{critical.real, critical.speed}, critical.whirl});
-    std::vector<std::string> found = tracking::names_of_critical(*names, values);
+    std::vector<std::string> found = tracking::names_of_critical(*names, critical_speeds);
     for (std::size_t i = 0; i < found.size(); ++i)
         critical_speeds[i].mode = std::move(found[i]);
 }

@@ -56,12 +56,20 @@ std::vector<Answer> answers_of(const results::CriticalResult &result, const mode
                                Naming naming) {
     const bool directions = result.model.formulation.form == results::Form::rotating;
     const int modes = (directions ? 2 : 1) * scene.campbell.modes;
-    const double top = scene.speeds ? scene.speeds->to : 0;
+    const model::SpeedRange range = scene.speeds.value_or(model::SpeedRange{});
+    const bool both_signs = range.from < 0 && range.to > 0;
+    std::vector<results::CriticalSpeed> slowest_first = result.critical_speeds;
+    std::ranges::stable_sort(slowest_first, {},
+                             [](const auto &critical) { return std::abs(critical.speed); });
     std::vector<Answer> out;
-    Names names(naming);
-    for (const results::CriticalSpeed &critical : result.critical_speeds) {
-        const std::string name = names.next(results::whirl_name(critical.whirl));
-        const bool asked_for = std::ssize(out) < modes || critical.speed <= top;
+    std::map<bool, Names> names{{false, Names(naming)}, {true, Names(naming)}}; // of negative ones
+    std::map<bool, int> count;
+    for (const results::CriticalSpeed &critical : slowest_first) {
+        const bool negative = critical.speed < 0;
+        const std::string name = (both_signs && negative ? "negative " : "") +
+                                 names.at(negative).next(results::whirl_name(critical.whirl));
+        const bool asked_for = count[negative]++ < modes || (negative ? critical.speed >= range.from
+                                                                      : critical.speed <= range.to);
         out.push_back({"critical " + name,
                        "critical",
                        name,
@@ -104,7 +112,7 @@ std::vector<Answer> margins_of(const results::CriticalResult &result, Naming nam
 void take_errors(const std::vector<results::CriticalSpeed> &judged, std::vector<Answer> &answers) {
     for (Answer &answer : answers)
         for (const results::CriticalSpeed &critical : judged)
-            if (std::abs(critical.speed - answer.value) <= 1e-8 * critical.speed)
+            if (std::abs(critical.speed - answer.value) <= 1e-8 * std::abs(critical.speed))
                 answer.error = critical.error;
 }
 
@@ -294,9 +302,9 @@ Answers::Answers(const model::Case &scene, model::WantedAnswers wanted, Naming n
                                  scene, naming);
             take_errors(result.critical_speeds, answers);
         }
-        if (!result.critical_speeds.empty())
-            _shapes =
-                shapes_for_samples(scene, result.model.order, result.critical_speeds.back().speed);
+        if (const auto &speeds = result.critical_speeds; !speeds.empty())
+            _shapes = shapes_for_samples(scene, result.model.order,
+                                         std::max(-speeds.front().speed, speeds.back().speed));
         append(answers, _wanted.margins ? margins_of(result, naming) : std::vector<Answer>{});
         _critical_order = take(result.model, answers);
     }

@@ -19,7 +19,9 @@ std::string where(const SeparationMargin &margin, const Units &units) {
                : at;
 }
 
-std::string verdict(const SeparationMargin &margin) { return margin.passes ? "passes" : "fails"; }
+std::string verdict(const SeparationMargin &margin) {
+    return margin.passes ? "passes" : margin.grows ? "fails: grows" : "fails";
+}
 
 std::string side(const SeparationMargin &margin) {
     return results::margin_side_name(margin.side) + " the range";

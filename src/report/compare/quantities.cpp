@@ -81,11 +81,19 @@ void add_operating(const Json &json, Numbers &all) {
 
 void of_critical(const Json &json, Numbers &all) {
     std::map<std::string, int> counted;
-    for (const Json &at : list(json, "critical_speeds")) {
-        const std::string whirl = text(at, "whirl");
+    const auto add_one = [&](const Json &at, const char *sign) {
+        const std::string whirl = sign + text(at, "whirl");
         add(all, Sentence("critical speed, {} {}", whirl, ++counted[whirl]), Quantity::speed,
             number(at, "speed"), number(at, "error"));
-    }
+    };
+    const Json &speeds = list(json, "critical_speeds"); // ascending: negative ones the last first
+    const auto is_negative = [](const Json &at) { return number(at, "speed").value_or(0) < 0; };
+    for (auto at = speeds.rbegin(); at != speeds.rend(); ++at)
+        if (is_negative(*at))
+            add_one(*at, "negative ");
+    for (const Json &at : speeds)
+        if (!is_negative(at))
+            add_one(at, "");
     add_margins(json, all);
 }
 
