@@ -96,8 +96,8 @@ void add_unit_options(CLI::App &app, Arguments &arguments) {
                  {"--set units." + own + ": ", "units." + own.substr(0, own.find('=')) + ": "})
                 if (said.starts_with(start))
                     said.erase(0, start.size());
-            throw CLI::ValidationError(
-                fmt::format("--units {}: {}{}", text, said, preset ? "; one unit alone: QUANTITY=UNIT" : ""));
+            throw CLI::ValidationError(fmt::format(
+                "--units {}: {}{}", text, said, preset ? "; one unit alone: QUANTITY=UNIT" : ""));
         }
         entry(own);
     };
