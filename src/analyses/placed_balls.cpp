@@ -2,6 +2,7 @@
 
 #include "analyses/notes/ball_positions.h"
 #include "assembly/discretization.h"
+#include "balancers/kind.h"
 #include "model/errors.h"
 #include "model/variants.h"
 #include "stability/unstable_bands.h"
@@ -65,7 +66,8 @@ void add_at_speed(const std::optional<states::StateSearch::Found> &found,
 std::unique_ptr<states::BalancedOverSpeed>
 placed_by_all_imbalances(const model::Case &scene, int order, const std::vector<double> &speeds,
                          std::vector<Sentence> &notes) {
-    if (!balls_stand_elsewhere(scene.rotor))
+    if (!balls_stand_elsewhere(scene.rotor) ||
+        balancers::has_obstructed_race(scene.rotor.balancers))
         return nullptr;
     try {
         auto position = std::make_unique<states::BalancedOverSpeed>(of_order(scene, order), speeds);

@@ -394,7 +394,7 @@ class BallKind final : public Kind {
         const Track track{row.radius, out_of_round()};
         const auto beside = [&](double wall, int side) {
             double angle = wall;
-            for (int i = 0; i < 30; ++i) // each step leaves 2 ellipticity of the error at most
+            for (int i = 0; i < 60; ++i) // each step leaves less than half of the error
                 angle = wall + side * std::asin(row.diameter / (2 * track.at(angle).value));
             return angle;
         };

@@ -56,6 +56,9 @@ void read_walls(CheckedTable &table, model::Balls &balls) {
     balls.walls = table.numbers("walls", Quantity::angle);
     if (balls.walls.empty())
         table.fail("walls", "expected a list of at least one angle, got none");
+    if (std::ranges::any_of(balls.walls,
+                            [](double wall) { return !(std::abs(wall) <= 2 * std::numbers::pi); }))
+        table.fail("walls", "expected angles within one turn, up to 6.283 rad, got one beyond");
     constexpr double apart = 1e-9; // rad, of angles as they are written
     for (std::size_t i = 0; i < balls.walls.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
@@ -148,6 +151,24 @@ void read_ellipticity(CheckedTable &table, model::Balls &balls) {
     if (balls.contact || balls.resists())
         table.fail("ellipticity", "expected a round race, ellipticity 0, for balls that touch or "
                                   "resist rolling, got one out of round");
+    // The short axis. A ball at a wall must not fill the race: where it touches is found by steps
+    // that leave 2 ellipticity tan(a) of the error, sin(a) the diameter over that of the circle.
+    constexpr double widest = 0.9;
+    const double least = 1 - balls.ellipticity;
+    for (const model::BallRow &row : balls.rows) {
+        if (!balls.walls.empty() && row.diameter > 2 * widest * least * row.radius)
+            table.fail("walls",
+                       fmt::format("expected balls of less than {:.6g} m (ball_diameter) between "
+                                   "the walls of this race out of round, got {:.6g} m",
+                                   2 * widest * least * row.radius, row.diameter));
+        for (const model::BallRow &other : balls.rows)
+            if (table.has("radii") && other.radius > row.radius &&
+                (other.radius - row.radius) * least < row.diameter)
+                table.fail("radii", fmt::format("expected tracks that leave room for the balls at "
+                                                "the short axis too, {:.6g} m (ball_diameter), got "
+                                                "{:.6g} m there",
+                                                row.diameter, (other.radius - row.radius) * least));
+    }
 }
 
 void read_release(CheckedTable &table, model::Balls &balls) {

@@ -392,7 +392,7 @@ std::string outcome_text(const SimulateResult &result, const Units &units) {
                             *result.linear_growth > 0 ? "unstable, small motions grow" : "stable",
                             units.text(Quantity::rate, *result.linear_growth, 4));
     if (result.impacts)
-        text += fmt::format("  {} impacts between balls\n", *result.impacts);
+        text += fmt::format("  {} impacts of balls on each other or on walls\n", *result.impacts);
     if (result.decision_time)
         text += fmt::format("  a motion of {} would decide\n",
                             units.text(Quantity::time, *result.decision_time, 3));

@@ -126,7 +126,9 @@ class Joining {
             int &growing_after = there < gone ? border.growing_above : border.growing_below;
             growing_before = last.state.growing;
             growing_after = -1;
-            border.kind = lost ? SteadyBorder::Kind::undecided : SteadyBorder::Kind::limit;
+            const bool meets = first.state.kind == Kind::out_of_round && meet(last);
+            border.kind =
+                lost && !meets ? SteadyBorder::Kind::undecided : SteadyBorder::Kind::limit;
             for (auto other = states.begin(); other != states.end(); ++other) {
                 if ((*other)->way != first.way)
                     continue;
@@ -144,34 +146,46 @@ class Joining {
         }
     }
 
+    /// Whether two balls stand at one angle but for what is left next to where they meet.
+    [[nodiscard]] bool meet(const Found &found) const {
+        constexpr double near = 0.05; // rad, as for two states next to a fold
+        for (Eigen::Index i = 1; i <= angles(); ++i)
+            for (Eigen::Index k = i + 1; k <= angles(); ++k)
+                if (std::abs(std::remainder(
+                        found.x(found.x.size() - i) - found.x(found.x.size() - k), 2 * pi)) < near)
+                    return true;
+        return false;
+    }
+
     struct Last {
         double speed;
         Found found;
         bool lost; ///< just beyond Newton's method leads nowhere: it may go on
     };
-    /// The last speed at which a state is found, and the state there.
+    /// The last speed at which a state is found, and the state there. Of its way several may end in
+    /// one step (races out of round): it is there as long as it has a partner when all of them are
+    /// paired with those before, as between two speeds of the list.
     [[nodiscard]] Last last_of(const Found &first, double there, double gone) const {
         Found last = first;
         bool ignored = false;
         bool lost = false;
-        std::size_t with = _search.of_way(first.way, there, ignored).size();
+        std::vector<Found> before = _search.of_way(first.way, there, ignored);
         while (std::abs(gone - there) > known * std::abs(there)) {
             const double middle = (there + gone) / 2;
             bool undecided = false;
-            const std::vector<Found> states = _search.of_way(first.way, middle, undecided);
-            const Found *nearest = nullptr;
-            for (const Found &state : states)
-                if (nearest == nullptr || apart(state, last) < apart(*nearest, last))
-                    nearest = &state;
-            // Fewer than there were, and the nearest is another's: gone.
-            const bool is_there =
-                nearest != nullptr && apart(*nearest, last) < farthest && states.size() >= with;
-            if (is_there) {
-                Found next = *nearest;
+            std::vector<Found> states = _search.of_way(first.way, middle, undecided);
+            const auto own = std::ranges::min_element(
+                before, {}, [&](const Found &state) { return apart(state, last); });
+            const auto pairs = pairs_of(before, states);
+            const auto partner = std::ranges::find_if(pairs, [&](const auto &pair) {
+                return own == before.begin() + static_cast<std::ptrdiff_t>(pair.first);
+            });
+            if (partner != pairs.end()) {
+                Found next = states[partner->second];
                 _search.line_up(next, last);
                 last = std::move(next);
                 there = middle;
-                with = states.size();
+                before = std::move(states);
             } else {
                 gone = middle;
                 lost = undecided;

@@ -10,6 +10,7 @@
 #include "results/simulate.h"
 #include "simulation/equations.h"
 #include "simulation/motion.h"
+#include "states/branches.h"
 #include "states/state_search.h"
 #include "support/balancer_scenes.h"
 #include "support/rigid_jeffcott.h"
@@ -456,6 +457,37 @@ TEST(RaceOutOfRound, SteadyStatesAreAllThatNewtonFinds) {
                 EXPECT_NEAR(found.state.residual, std::abs(w), 1e-8 * std::abs(w));
             }
         }
+}
+
+// Several branches end between two speeds: each at a speed of its own, at which as many states come
+// or go as Newton's method finds on both sides.
+TEST(RaceOutOfRound, BranchesThatEndInOneStepEndEachAtItsOwnSpeed) {
+    Planar of;
+    of.ellipticity = 0.01;
+    of.e = 0;
+    constexpr double from = 276;
+    constexpr double to = 340;
+    const states::StateSearch search(of.scene(from), from, to);
+    std::vector<states::AtSpeed> all;
+    for (const double speed : {from, to}) {
+        bool undecided = false;
+        all.push_back({speed, search.at(speed, undecided)});
+        EXPECT_FALSE(undecided);
+    }
+    results::SteadyStates found;
+    states::join_branches(search, all, found);
+    using BorderKind = results::SteadyBorder::Kind;
+    std::map<double, int> ends; // how many branches end
+    for (const results::SteadyBorder &border : found.borders)
+        if (border.kind == BorderKind::fold || border.kind == BorderKind::limit)
+            ends[border.speed] += border.kind == BorderKind::fold ? 2 : 1;
+    EXPECT_GE(ends.size(), 3U);
+    for (const auto &[speed, count] : ends) {
+        constexpr double near = 1e-4; // of the speed: states are a hundredth of a radian apart
+        const auto below = std::ssize(pairs_by_newton(of, speed * (1 - near)));
+        const auto above = std::ssize(pairs_by_newton(of, speed * (1 + near)));
+        EXPECT_EQ(std::abs(below - above), count) << speed;
+    }
 }
 
 // On a rotor that hardly moves each ball is by itself. With L = m [(rho^2 + rho'^2) a'^2 +

@@ -112,6 +112,15 @@ Comparison compare(std::vector<ComparedResult> results) {
             throw model::BadInput(fmt::format(
                 "compare: expected results of one command, got {} ({}) and {} ({})", out.command,
                 out.results.front().name, command_of_result(result.json), result.name));
+    for (std::size_t i = 0; i < out.results.size(); ++i) { // curves of one name have one entry
+        const std::string name = out.results[i].name;
+        int alike = 1;
+        for (std::size_t k = 0; k < i; ++k)
+            if (out.results[k].name == name || out.results[k].name.starts_with(name + " ("))
+                ++alike;
+        if (alike > 1)
+            out.results[i].name = fmt::format("{} ({})", name, alike);
+    }
     const std::vector<ComparedNumber> first = quantities_of(out.results.front());
     for (std::size_t i = 1; i < out.results.size(); ++i) {
         const std::vector<ComparedNumber> other = quantities_of(out.results[i]);

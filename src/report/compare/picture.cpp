@@ -179,7 +179,7 @@ ChartPanel lower_panel(const Units &units, const Comparison &comparison) {
     for (std::size_t other = 1; other < comparison.results.size(); ++other) {
         const LineStyle style = series_style(other);
         ChartCurve differences{comparison.results[other].name, {}, style, 0, 1.1};
-        ChartCurve errors{"both error bars", {}, {"", style.colour}, 1};
+        ChartCurve errors{"both error bars", {}, {"", heavy_colour}, 1};
         double x = 0;
         for (const Difference &at : comparison.differences[other - 1]) {
             ++x;
