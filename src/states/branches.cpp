@@ -126,9 +126,12 @@ class Joining {
             int &growing_after = there < gone ? border.growing_above : border.growing_below;
             growing_before = last.state.growing;
             growing_after = -1;
-            const bool meets = first.state.kind == Kind::out_of_round && meet(last);
-            border.kind =
-                lost && !meets ? SteadyBorder::Kind::undecided : SteadyBorder::Kind::limit;
+            using BorderKind = SteadyBorder::Kind;
+            const bool alone = first.state.kind == Kind::out_of_round;
+            if (lost && !(alone && meet(last)))
+                border.kind = BorderKind::undecided;
+            else // of a branch that begins and ends between two speeds none is seen but this end
+                border.kind = alone && !meet(last) ? BorderKind::fold : BorderKind::limit;
             for (auto other = states.begin(); other != states.end(); ++other) {
                 if ((*other)->way != first.way)
                     continue;

@@ -465,11 +465,10 @@ TEST(RaceOutOfRound, BranchesThatEndInOneStepEndEachAtItsOwnSpeed) {
     Planar of;
     of.ellipticity = 0.01;
     of.e = 0;
-    constexpr double from = 276;
-    constexpr double to = 340;
-    const states::StateSearch search(of.scene(from), from, to);
+    const std::vector<double> speeds{276, 288, 300, 312, 324};
+    const states::StateSearch search(of.scene(speeds.front()), speeds.front(), speeds.back());
     std::vector<states::AtSpeed> all;
-    for (const double speed : {from, to}) {
+    for (const double speed : speeds) {
         bool undecided = false;
         all.push_back({speed, search.at(speed, undecided)});
         EXPECT_FALSE(undecided);
