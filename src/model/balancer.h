@@ -30,7 +30,8 @@ struct Balls {
     /// The centre of all races lies off the axis by this, in this direction of the rotor, m and
     /// rad.
     double eccentricity = 0, eccentricity_angle = 0;
-    /// Radius of a race at the angle a in the rotor over its mean: 1 + ellipticity cos 2(a - angle).
+    /// Radius of a race at the angle a in the rotor over its mean: 1 + ellipticity cos 2(a -
+    /// angle).
     double ellipticity = 0, ellipticity_angle = 0;
     /// Angles in the rotor of thin walls across all races, which no ball passes, rad.
     std::vector<double> walls;
