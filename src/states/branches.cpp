@@ -128,10 +128,12 @@ class Joining {
             growing_after = -1;
             using BorderKind = SteadyBorder::Kind;
             const bool alone = first.state.kind == Kind::out_of_round;
-            if (lost && !(alone && meet(last)))
+            if (alone && meet(last))
+                border.kind = BorderKind::limit;
+            else if (lost)
                 border.kind = BorderKind::undecided;
             else // of a branch that begins and ends between two speeds none is seen but this end
-                border.kind = alone && !meet(last) ? BorderKind::fold : BorderKind::limit;
+                border.kind = alone ? BorderKind::fold : BorderKind::limit;
             for (auto other = states.begin(); other != states.end(); ++other) {
                 if ((*other)->way != first.way)
                     continue;
