@@ -4,6 +4,7 @@
 #include "analyses/notes/campbell_notes.h"
 #include "assembly/discretization.h"
 #include "mesh_error/estimate.h"
+#include "mesh_error/finer_model.h"
 #include "modes/formulation.h"
 #include "process/processes.h"
 #include "process/progress.h"
@@ -15,6 +16,7 @@
 #include "tracking/crossings.h"
 #include "tracking/followed_lines.h"
 #include "tracking/hill/periodic_diagram.h"
+#include "tracking/hill/whole_and_reduced.h"
 #include "tracking/line_errors.h"
 #include "tracking/line_names.h"
 #include "tracking/tracking.h"
@@ -154,12 +156,10 @@ results::CampbellMode mode_along(const tracking::Line &line,
     return out;
 }
 
-void add_modes(const model::Case &scene, const modes::SpectrumSolver &solver,
-               const tracking::FollowedLines &found, const std::vector<std::string> &labels,
+void add_modes(const modes::SpectrumSolver &solver, const tracking::FollowedLines &found,
+               const std::vector<std::string> &labels, const tracking::LineErrors &errors,
                results::CampbellResult &result) {
     const std::vector<tracking::Line> &lines = found.tracking.lines;
-    const tracking::LineErrors errors =
-        tracking::line_errors(scene.rotor, solver, lines, found.spectra);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         result.modes.push_back(mode_along(lines[i], found.spectra, errors[i],
                                           results::in_rotating_axes(solver.form()),
@@ -173,9 +173,22 @@ void add_modes(const model::Case &scene, const modes::SpectrumSolver &solver,
     }
 }
 
-} // namespace
+/// Of crossings that were found on all unknowns, what finer elements change of them.
+std::vector<std::optional<double>> changes_by_mesh(const model::Case &scene,
+                                                   const modes::SpectrumSolver &solver,
+                                                   tracking::Crossings crossed) {
+    const tracking::WholeAndReduced same{
+        solver, solver, tracking::modes_to_follow(scene.rotor, scene.campbell.modes)};
+    const auto [low, high] = std::minmax(scene.speeds->from, scene.speeds->to);
+    const mesh_error::FinerModel finer(scene.rotor, solver);
+    same.improve(crossed, low, high, &finer);
+    return std::move(crossed.by_mesh);
+}
 
-results::CampbellResult campbell(const model::Case &scene) {
+/// @param by_mesh  not null: crossings alone are wanted, and what finer elements change of them;
+///                 lines are then as good as these need, without errors, at all speeds followed
+results::CampbellResult diagram(const model::Case &scene,
+                                std::vector<std::optional<double>> *by_mesh) {
     const model::SpeedRange &range = model::required_speeds(scene);
     results::CampbellResult result;
     result.model.formulation = modes::choose_formulation(scene);
@@ -190,11 +203,12 @@ results::CampbellResult campbell(const model::Case &scene) {
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     std::optional<process::Stage> stage(std::in_place, "whirl speeds", 0.0, 0.5);
     std::optional<tracking::PeriodicDiagram> periodic;
-    if (scene.reduction && solver.form() == results::Form::hill)
-        periodic = tracking::periodic_diagram(solver, result.speeds, tracking::naming_speeds(range),
-                                              scene.campbell.modes, scene.campbell.multiples);
     const int modes = scene.campbell.modes;
     const std::vector<double> naming = tracking::naming_speeds(range);
+    if (scene.reduction && solver.form() == results::Form::hill)
+        periodic = tracking::periodic_diagram(
+            solver, by_mesh == nullptr ? result.speeds : std::vector<double>(), naming, modes,
+            scene.campbell.multiples);
     const std::vector<double> nodes = tracking::followed_speeds(scene.rotor, range);
     int followed = modes;
     if (solver.form() != results::Form::hill && !scene.campbell.multiples.empty())
@@ -206,6 +220,11 @@ results::CampbellResult campbell(const model::Case &scene) {
                                             scene.reduction, nodes);
     if (process::process_rank() != 0)
         return result;
+    if (periodic && by_mesh != nullptr) {
+        result.speeds.clear();
+        for (const modes::Spectrum &spectrum : found.spectra)
+            result.speeds.push_back(spectrum.speed);
+    }
     const std::vector<std::size_t> own = places_of(result.speeds, found.spectra);
     const std::vector<tracking::LineName> names = tracking::line_names(
         found.tracking.lines, found.spectra, places_of(naming, found.spectra), modes);
@@ -224,12 +243,29 @@ results::CampbellResult campbell(const model::Case &scene) {
     const std::vector<std::string> labels = keep_drawn(drawn, names, found, crossed);
     if (periodic || coarse)
         keep_own(found, own);
-    stage.emplace("errors of the whirl speeds", 0.75, 1.0);
-    add_modes(scene, solver, found, labels, result);
+    stage.emplace("errors", 0.75, 1.0);
+    const tracking::LineErrors errors =
+        by_mesh == nullptr
+            ? tracking::line_errors(scene.rotor, solver, found.tracking.lines, found.spectra)
+            : tracking::LineErrors(found.tracking.lines.size(),
+                                   tracking::LineErrors::value_type(found.spectra.size()));
+    add_modes(solver, found, labels, errors, result);
+    if (by_mesh != nullptr)
+        *by_mesh = periodic ? std::move(crossed.by_mesh) : changes_by_mesh(scene, solver, crossed);
     result.crossings = std::move(crossed.found);
     result.locked = std::move(crossed.locked);
     add_campbell_notes(scene.campbell, found, crossed, periodic.has_value(), result);
     return result;
+}
+
+} // namespace
+
+results::CampbellResult campbell(const model::Case &scene) { return diagram(scene, nullptr); }
+
+HillCrossings hill_crossings(const model::Case &scene) {
+    HillCrossings out;
+    out.diagram = diagram(scene, &out.by_mesh);
+    return out;
 }
 
 } // namespace whirl::analyses

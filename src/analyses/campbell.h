@@ -3,6 +3,9 @@
 #include "model/case.h"
 #include "results/campbell.h"
 
+#include <optional>
+#include <vector>
+
 namespace whirl::analyses {
 
 /// Whirl speeds and damping over the spin speeds of the case, modes tracked, with every crossing
@@ -14,5 +17,13 @@ namespace whirl::analyses {
 /// Collective under mpirun; complete on process 0.
 /// @throws model::BadInput without [speeds]; model::AnalysisFailure where modes are not found.
 [[nodiscard]] results::CampbellResult campbell(const model::Case &scene);
+
+/// Crossings of a rotor of form hill. The lines of the diagram are no more than it takes to find
+/// and name these: without errors, at speeds that name them.
+struct HillCrossings {
+    results::CampbellResult diagram;
+    std::vector<std::optional<double>> by_mesh; ///< tracking::Crossings::by_mesh
+};
+[[nodiscard]] HillCrossings hill_crossings(const model::Case &scene);
 
 } // namespace whirl::analyses

@@ -22,6 +22,7 @@
 #include "rigid/shaft.h"
 #include "synchronous/critical_error.h"
 #include "synchronous/critical_speeds.h"
+#include "tracking/line_names.h"
 
 #include <fmt/format.h>
 
@@ -64,46 +65,54 @@ void note_balls_held(results::Form form, results::ModelSummary &model) {
                                  "place; stability lists the speeds at which they are free");
 }
 
+/// Among speeds the first one at or after a crossing that names lines, where the whirl of a line is
+/// that of its name: next to a range over which it keeps the frequency of the spin it has both.
+std::size_t place_of_name(const std::vector<double> &naming, const std::vector<double> &speeds,
+                          double crossing) {
+    const auto next = std::ranges::lower_bound(naming, crossing);
+    const double name = next == naming.end() ? naming.back() : *next;
+    const auto place = std::ranges::lower_bound(speeds, name) - speeds.begin();
+    return static_cast<std::size_t>(std::min(place, std::ssize(speeds) - 1));
+}
+
 /// Of an asymmetric rotor on bearings that differ between their directions: the speeds at which a
 /// free motion has the frequency of the spin, whatever its damping, and the ends of ranges over
 /// which it stays there. Nothing stands still in any axes, so that they are the crossings of the
 /// lines of the Campbell diagram with 1x, over the speeds of the case.
-std::vector<results::CriticalSpeed> crossings_of(const model::Case &scene,
-                                                 results::ModelSummary &model) {
-    model::Case bare = scene;
-    bare.campbell.multiples = {1};
-    results::CampbellResult diagram = campbell(bare);
-    model = std::move(diagram.model);
-    std::vector<results::CriticalSpeed> out;
-    for (const results::Crossing &crossing : diagram.crossings) {
-        if (crossing.damping.ratio.value_or(0) > 1 / std::numbers::sqrt2)
-            continue; // no peak
-        results::CriticalSpeed critical;
-        critical.speed = crossing.speed;
-        critical.damping = crossing.damping;
-        const double ratio = crossing.damping.ratio.value_or(0);
-        critical.real = -ratio / std::sqrt(1 - ratio * ratio) * crossing.frequency;
-        const results::CampbellMode &line = diagram.modes[static_cast<std::size_t>(crossing.mode)];
-        critical.mode = line.label;
-        const auto next = std::ranges::lower_bound(diagram.speeds, crossing.speed);
-        const auto k =
-            std::min<std::ptrdiff_t>(next - diagram.speeds.begin(), std::ssize(diagram.speeds) - 1);
-        critical.whirl = line.whirl[static_cast<std::size_t>(k)]; // of the line next to it
-        critical.error_parts.rounding = 1e-11;                    // to which crossings are found
-        out.push_back(critical);
-    }
-    return out;
-}
-
-/// Their errors are the differences to those of finer elements.
 results::CriticalResult critical_of_hill(const model::Case &scene, bool judged) {
     if (!scene.speeds || scene.speeds->count < 2)
         throw model::BadInput(fmt::format(
             "{}: speeds: expected the range in which critical speeds of an asymmetric rotor on "
             "bearings that differ between their directions are looked for, got {}",
             scene.file.string(), scene.speeds ? "one speed" : "none"));
+    model::Case bare = scene;
+    bare.campbell.multiples = {1};
+    HillCrossings found = hill_crossings(bare);
+    const std::vector<double> naming = tracking::naming_speeds(*scene.speeds);
     results::CriticalResult result;
-    result.critical_speeds = crossings_of(scene, result.model);
+    result.model = std::move(found.diagram.model);
+    bool known = true;
+    for (std::size_t i = 0; i < found.by_mesh.size(); ++i) {
+        const results::Crossing &crossing = found.diagram.crossings[i];
+        const double ratio = crossing.damping.ratio.value_or(0);
+        if (ratio > 1 / std::numbers::sqrt2)
+            continue; // no peak
+        results::CriticalSpeed critical;
+        critical.speed = crossing.speed;
+        critical.damping = crossing.damping;
+        critical.real = -ratio / std::sqrt(1 - ratio * ratio) * crossing.frequency;
+        const results::CampbellMode &line =
+            found.diagram.modes[static_cast<std::size_t>(crossing.mode)];
+        critical.mode = line.label;
+        critical.whirl = line.whirl[place_of_name(naming, found.diagram.speeds, crossing.speed)];
+        critical.error_parts.rounding = 1e-11; // to which crossings are found
+        if (!scene.rotor.shaft.rigid)
+            critical.error_parts.mesh =
+                found.by_mesh[i].value_or(std::numeric_limits<double>::infinity());
+        critical.error = critical.error_parts.sum();
+        known = known && std::isfinite(critical.error);
+        result.critical_speeds.push_back(critical);
+    }
     const auto [from, to] = std::minmax(scene.speeds->from, scene.speeds->to);
     result.complete = {std::min(from, 0.0), std::max(to, 0.0)};
     if (from > 0)
@@ -112,27 +121,11 @@ results::CriticalResult critical_of_hill(const model::Case &scene, bool judged) 
         result.doubtful.push_back({to, 0});
     if (!judged)
         return result;
-    std::vector<results::CriticalSpeed> finer = result.critical_speeds;
-    if (!scene.rotor.shaft.rigid) {
-        model::Case fine = scene;
-        fine.rotor.shaft.order_auto = false;
-        fine.rotor.shaft.order = std::min(mesh_error::finer_order(result.model.order), 30);
-        results::ModelSummary model;
-        finer = crossings_of(fine, model);
-    }
-    const bool same = finer.size() == result.critical_speeds.size();
-    for (std::size_t i = 0; i < result.critical_speeds.size(); ++i) {
-        results::CriticalSpeed &critical = result.critical_speeds[i];
-        critical.error_parts.mesh =
-            same ? mesh_error::estimate_safety * std::abs(finer[i].speed / critical.speed - 1)
-                 : std::numeric_limits<double>::infinity();
-        critical.error = critical.error_parts.sum();
-    }
-    if (!same)
+    if (!known)
         result.model.notes.emplace_back(
             model::Weight::warning,
-            "finer elements have another number of critical speeds in the range: errors are not "
-            "known; raise shaft.order");
+            "errors of some critical speeds are not known: the motion of finer elements was not "
+            "found; raise shaft.order");
     result.model.notes.emplace_back(
         model::Weight::information,
         "rotor and bearings both differ between their directions: critical speeds are those in the "

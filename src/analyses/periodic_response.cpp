@@ -182,7 +182,7 @@ std::vector<double> looked_at(const model::SpeedRange &range,
 results::CampbellResult free_motions_of(const model::Case &scene) {
     model::Case bare = without_balancers(scene);
     bare.campbell.multiples = {multiples_looked_at.begin(), multiples_looked_at.end()};
-    return campbell(bare);
+    return hill_crossings(bare).diagram;
 }
 
 /// Largest values of the quantities over the range, and their curves.

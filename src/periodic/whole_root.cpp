@@ -303,7 +303,8 @@ std::optional<WholeRotor::Driven> WholeRotor::driven(double speed, Complex expon
     const Eigen::Index n = d.size();
     constexpr double nothing = 1e-13; // of the motion: what the series is cut by
     constexpr int fewest = 3;         // harmonics to begin with, of which the last must be nothing
-    for (int N = std::max(fewest, _driven_harmonics - 1); N <= usual; N += std::max(1, N / 6)) {
+    constexpr double far_less = 1e-4; // of that: then one harmonic fewer may do at the next speed
+    for (int N = std::max(fewest, _driven_harmonics); N <= usual; N += std::max(1, N / 6)) {
         const ComplexSparse A = Series(problem, N).at(exponent);
         Eigen::VectorXcd f = Eigen::VectorXcd::Zero(A.rows());
         f.segment(N * n, n) = d.cwiseProduct(load);
@@ -325,9 +326,10 @@ std::optional<WholeRotor::Driven> WholeRotor::driven(double speed, Complex expon
         if (x.size() == 0 || !x.allFinite())
             return std::nullopt;
         const double size = x.norm();
-        if (end_of(x, n) > nothing * size)
+        const double end = end_of(x, n);
+        if (end > nothing * size)
             continue;
-        _driven_harmonics = N;
+        _driven_harmonics = end > far_less * nothing * size ? N : N - 1;
         Driven out;
         out.terms = d.asDiagonal() * x.reshaped(n, 2 * N + 1);
         // Rounding of the entries changes each row of A x by about epsilon times its size.

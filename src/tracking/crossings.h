@@ -3,13 +3,17 @@
 #include "results/campbell.h"
 #include "tracking/tracking.h"
 
+#include <optional>
 #include <vector>
 
 namespace whirl::tracking {
 
 struct Crossings {
     std::vector<results::Crossing> found; ///< ascending by speed within each multiple
-    std::vector<results::Locked> locked;  ///< ascending by their beginning within each multiple
+    /// Of the speed of each of these, by how much finer elements change it, with safety, where this
+    /// was asked for (form hill); else empty.
+    std::vector<std::optional<double>> by_mesh{};
+    std::vector<results::Locked> locked; ///< ascending by their beginning within each multiple
     /// Steps in which a frequency changed sides of a multiple of the spin speed without a root
     /// that could be verified.
     std::vector<Gap> unsettled;

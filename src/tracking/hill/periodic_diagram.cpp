@@ -65,7 +65,10 @@ std::optional<Crossings> completed(const modes::SpectrumSolver &solver,
     const double low = found.spectra.front().speed;
     const double high = found.spectra.back().speed;
     Crossings crossed = crossings(reduced, found.tracking, found.spectra, multiples);
-    rotors.improve(crossed, low, high);
+    std::optional<mesh_error::FinerModel> finer;
+    if (speeds.empty())
+        finer.emplace(solver.discretization().rotor(), solver);
+    rotors.improve(crossed, low, high, finer ? &*finer : nullptr);
     const std::vector<char> drawn_lines =
         lines_drawn(found.tracking.lines, found.spectra, modes, crossed);
     for (std::size_t k = 0; k < found.spectra.size(); ++k) {

@@ -24,7 +24,8 @@ struct PeriodicDiagram {
 /// lines are followed, crossings and bands looked for there. Results are then made those of the
 /// whole rotor. Collective; complete on process 0.
 /// @param solver  form hill
-/// @param speeds  of the diagram, ascending, rad/s
+/// @param speeds  of the diagram, ascending, rad/s; none: crossings alone are made those of the
+///                whole rotor, with what finer elements change of them
 /// @param naming  of its range, ascending, rad/s
 /// @returns nothing (on any process) where some motion of the whole rotor is not found from those
 ///          of the reduced rotor

@@ -25,8 +25,9 @@ using Modes = std::vector<std::optional<modes::WhirlMode>>;
 
 /// A speed at which a line crosses or a band ends, and the real part there.
 struct Place {
-    double speed = 0; ///< rad/s
-    double real = 0;  ///< 1/s
+    double speed = 0;                ///< rad/s
+    double real = 0;                 ///< 1/s
+    std::optional<double> by_mesh{}; ///< of the speed, change by finer elements
 };
 /// A mode next to a multiple of the spin speed.
 struct Next {
@@ -136,10 +137,22 @@ std::optional<Next> of_whole(const WholeAndReduced &rotors, double multiple, con
                 *whole};
 }
 
+/// By how much finer elements change the distance of a mode of the whole rotor, with safety, rad/s.
+std::optional<double> change_by_mesh(const mesh_error::FinerModel *finer, const Next &whole) {
+    if (finer == nullptr)
+        return std::nullopt;
+    modes::Spectrum one;
+    one.speed = whole.speed;
+    one.modes.push_back(whole.mode);
+    const std::vector<double> errors = finer->errors_by_refinement(one);
+    return errors.empty() ? std::nullopt
+                          : std::optional(errors.front() * std::abs(whole.mode.eigenvalue));
+}
+
 /// The reduced rotor's root with the distance of the whole rotor there, and its slope.
 /// @param at  where distances are taken, and so far beyond, rad/s
-std::optional<Place> crossing(const WholeAndReduced &rotors, double multiple, double speed,
-                              double at, double step) {
+std::optional<Place> crossing(const WholeAndReduced &rotors, const mesh_error::FinerModel *finer,
+                              double multiple, double speed, double at, double step) {
     const std::vector<Next> here = next_to(rotors, multiple, at);
     if (here.empty())
         return std::nullopt;
@@ -155,24 +168,28 @@ std::optional<Place> crossing(const WholeAndReduced &rotors, double multiple, do
     const double change = at - speed - whole->distance / slope;
     if (!(std::abs(change) <= farthest * std::abs(speed)))
         return std::nullopt;
-    return Place{speed + change, whole->mode.eigenvalue.real()};
+    Place out{speed + change, whole->mode.eigenvalue.real()};
+    if (const auto by_mesh = change_by_mesh(finer, *whole))
+        out.by_mesh = *by_mesh / std::abs(slope * speed);
+    return out;
 }
 
 /// The same at the speed, or just beside: a motion on the multiple itself is taken for one that
 /// stays there.
-std::optional<Place> crossing(const WholeAndReduced &rotors, double multiple, double speed) {
+std::optional<Place> crossing(const WholeAndReduced &rotors, const mesh_error::FinerModel *finer,
+                              double multiple, double speed) {
     // Of the speed: a motion that locks stays on the multiple there, one that crosses has left
     // it.
     constexpr double offset = 1e-6;
     const double step = offset * std::abs(speed);
-    std::optional<Place> out = crossing(rotors, multiple, speed, speed, step);
-    return out ? out : crossing(rotors, multiple, speed, speed + step, step);
+    std::optional<Place> out = crossing(rotors, finer, multiple, speed, speed, step);
+    return out ? out : crossing(rotors, finer, multiple, speed, speed + step, step);
 }
 
 /// Outside a band the square of the distance is smooth up to its end and beyond, and so is what
 /// both rotors differ by: the end of the whole one's is where the sum of both is zero.
-std::optional<Place> end_of_band(const WholeAndReduced &rotors, double multiple, double speed,
-                                 double outwards) {
+std::optional<Place> end_of_band(const WholeAndReduced &rotors, const mesh_error::FinerModel *finer,
+                                 double multiple, double speed, double outwards) {
     const auto reduced = leaving(rotors, multiple, speed, outwards / 4, outwards);
     if (!reduced)
         return std::nullopt;
@@ -194,7 +211,11 @@ std::optional<Place> end_of_band(const WholeAndReduced &rotors, double multiple,
         change = -(difference + bend * change * change) / slope;
     if (!(std::abs(change) <= std::min(std::abs(outwards), farthest * std::abs(speed))))
         return std::nullopt;
-    return Place{speed + change, at_end(near->mode.eigenvalue.real(), far->mode.eigenvalue.real())};
+    Place out{speed + change, at_end(near->mode.eigenvalue.real(), far->mode.eigenvalue.real())};
+    // The square of the distance next to the end, which moves with it.
+    if (const auto by_mesh = change_by_mesh(finer, *near))
+        out.by_mesh = 2 * std::abs(near->distance) * *by_mesh / std::abs(slope * speed);
+    return out;
 }
 
 } // namespace
@@ -217,7 +238,8 @@ bool WholeAndReduced::improve(modes::Spectrum &spectrum, const std::vector<int> 
     return each;
 }
 
-void WholeAndReduced::improve(Crossings &crossed, double low, double high) const {
+void WholeAndReduced::improve(Crossings &crossed, double low, double high,
+                              const mesh_error::FinerModel *finer) const {
     constexpr double least_part = 0.02; // of the way to the next end of any band
     constexpr double most = 1e-3;       // of the speed
     std::map<std::pair<double, double>, std::optional<Place>> ends; // by multiple and speed
@@ -233,8 +255,8 @@ void WholeAndReduced::improve(Crossings &crossed, double low, double high) const
         for (const auto &[speed, side] : {std::pair(band.from, -1.0), std::pair(band.to, 1.0)})
             if (speed > low && speed < high && speed != 0 &&
                 ends.count({band.multiple, speed}) == 0)
-                ends[{band.multiple, speed}] =
-                    end_of_band(*this, band.multiple, speed, side * way(band.multiple, speed));
+                ends[{band.multiple, speed}] = end_of_band(*this, finer, band.multiple, speed,
+                                                           side * way(band.multiple, speed));
     for (const auto &[end, place] : ends)
         if (!place)
             crossed.unconfirmed.push_back(end.second);
@@ -245,7 +267,10 @@ void WholeAndReduced::improve(Crossings &crossed, double low, double high) const
                 *speed = end->second->speed;
     for (results::Crossing &c : crossed.found) {
         const auto end = ends.find({c.multiple, c.speed});
-        const auto place = end != ends.end() ? end->second : crossing(*this, c.multiple, c.speed);
+        const auto place =
+            end != ends.end() ? end->second : crossing(*this, finer, c.multiple, c.speed);
+        if (finer != nullptr)
+            crossed.by_mesh.push_back(place ? place->by_mesh : std::nullopt);
         if (!place) {
             if (end == ends.end())
                 crossed.unconfirmed.push_back(c.speed);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh_error/finer_model.h"
 #include "modes/spectrum.h"
 #include "tracking/crossings.h"
 
@@ -22,7 +23,9 @@ struct WholeAndReduced {
 
     /// Crossings and ends of intervals. What is not found is said to be unconfirmed.
     /// @param low,high  ends of the range of speeds, which intervals may end at, rad/s
-    void improve(Crossings &crossed, double low, double high) const;
+    /// @param finer     of the whole rotor: gives Crossings::by_mesh
+    void improve(Crossings &crossed, double low, double high,
+                 const mesh_error::FinerModel *finer = nullptr) const;
 };
 
 } // namespace whirl::tracking
