@@ -91,7 +91,6 @@ results::CriticalResult critical_of_hill(const model::Case &scene, bool judged) 
     const std::vector<double> naming = tracking::naming_speeds(*scene.speeds);
     results::CriticalResult result;
     result.model = std::move(found.diagram.model);
-    bool known = true;
     for (std::size_t i = 0; i < found.by_mesh.size(); ++i) {
         const results::Crossing &crossing = found.diagram.crossings[i];
         const double ratio = crossing.damping.ratio.value_or(0);
@@ -110,7 +109,6 @@ results::CriticalResult critical_of_hill(const model::Case &scene, bool judged) 
             critical.error_parts.mesh =
                 found.by_mesh[i].value_or(std::numeric_limits<double>::infinity());
         critical.error = critical.error_parts.sum();
-        known = known && std::isfinite(critical.error);
         result.critical_speeds.push_back(critical);
     }
     const auto [from, to] = std::minmax(scene.speeds->from, scene.speeds->to);
@@ -121,11 +119,25 @@ results::CriticalResult critical_of_hill(const model::Case &scene, bool judged) 
         result.doubtful.push_back({to, 0});
     if (!judged)
         return result;
-    if (!known)
-        result.model.notes.emplace_back(
-            model::Weight::warning,
-            "errors of some critical speeds are not known: the motion of finer elements was not "
-            "found; raise shaft.order");
+    const auto unknown = [](const results::CriticalSpeed &c) { return !std::isfinite(c.error); };
+    if (std::ranges::any_of(result.critical_speeds, unknown)) { // by all of a finer rotor
+        model::Case fine = scene;
+        fine.rotor.shaft.order_auto = false;
+        fine.rotor.shaft.order = std::min(mesh_error::finer_order(result.model.order), 30);
+        const auto finer = critical_of_hill(fine, false).critical_speeds;
+        const bool same = finer.size() == result.critical_speeds.size();
+        for (std::size_t i = 0; i < finer.size() && same; ++i) {
+            results::CriticalSpeed &critical = result.critical_speeds[i];
+            critical.error_parts.mesh =
+                mesh_error::estimate_safety * std::abs(finer[i].speed / critical.speed - 1);
+            critical.error = critical.error_parts.sum();
+        }
+        if (!same)
+            result.model.notes.emplace_back(
+                model::Weight::warning,
+                "finer elements have another number of critical speeds in the range: errors are "
+                "not known; raise shaft.order");
+    }
     result.model.notes.emplace_back(
         model::Weight::information,
         "rotor and bearings both differ between their directions: critical speeds are those in the "

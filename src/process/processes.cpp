@@ -13,14 +13,28 @@
 
 namespace whirl::process {
 
+namespace {
+
+int alone_now = 0; ///< so many of Alone there are
+
+} // namespace
+
+Alone::Alone() { ++alone_now; }
+
+Alone::~Alone() { --alone_now; }
+
 int process_rank() {
     int rank = 0;
+    if (alone_now > 0)
+        return rank;
     linalg::check(MPI_Comm_rank(MPI_COMM_WORLD, &rank));
     return rank;
 }
 
 int process_count() {
     int count = 1;
+    if (alone_now > 0)
+        return count;
     linalg::check(MPI_Comm_size(MPI_COMM_WORLD, &count));
     return count;
 }
@@ -43,7 +57,7 @@ void broadcast_from(int root, std::vector<char> &bytes) {
     linalg::check(MPI_Bcast(bytes.data(), size, MPI_BYTE, root, MPI_COMM_WORLD));
 }
 
-std::string alone(int rank, int count) {
+std::string of_another(int rank, int count) {
     std::array<char, MPI_MAX_PROCESSOR_NAME> host{};
     int length = 0;
     linalg::check(MPI_Get_processor_name(host.data(), &length));
@@ -67,7 +81,7 @@ Ending agreed(const Ending &mine) {
         return {};
     auto kind = static_cast<int>(mine.kind);
     linalg::check(MPI_Bcast(&kind, 1, MPI_INT, first, MPI_COMM_WORLD));
-    const std::string of_me = (rank > 0 ? alone(rank, count) : "") + mine.message;
+    const std::string of_me = (rank > 0 ? of_another(rank, count) : "") + mine.message;
     std::vector<char> message(of_me.begin(), of_me.end());
     broadcast_from(first, message);
     return {static_cast<Kind>(kind), {message.begin(), message.end()}};
@@ -112,6 +126,8 @@ bool same_everywhere(const std::string &text) {
 }
 
 std::vector<std::vector<char>> gather(const std::vector<char> &bytes) {
+    if (process_count() == 1)
+        return {bytes};
     meet();
     const int count = process_count();
     const int mine = static_cast<int>(bytes.size());
@@ -130,6 +146,8 @@ std::vector<std::vector<char>> gather(const std::vector<char> &bytes) {
 }
 
 void broadcast(std::vector<char> &bytes) {
+    if (process_count() == 1)
+        return;
     meet();
     broadcast_from(0, bytes);
 }

@@ -12,6 +12,18 @@ namespace whirl::process {
 [[nodiscard]] int process_rank();
 [[nodiscard]] int process_count();
 
+/// Until its end this process counts as the only one: what it does meanwhile is shared with no
+/// other and waits for none, as for one of the rotors that are dealt out.
+class Alone {
+  public:
+    Alone();
+    ~Alone();
+    Alone(const Alone &) = delete;
+    Alone &operator=(const Alone &) = delete;
+    Alone(Alone &&) = delete;
+    Alone &operator=(Alone &&) = delete;
+};
+
 /// Does the work on every process started by mpirun, and has all of them end it alike: where it
 /// fails on one, the others give up when they next wait for one another (in the collective calls of
 /// this room, and at the end of the work), and every process throws what the first of them threw:

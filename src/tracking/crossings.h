@@ -11,7 +11,7 @@ namespace whirl::tracking {
 struct Crossings {
     std::vector<results::Crossing> found; ///< ascending by speed within each multiple
     /// Of the speed of each of these, by how much finer elements change it, with safety, where this
-    /// was asked for (form hill); else empty.
+    /// was asked for (form hill); none where it is not known from the motion there. Else empty.
     std::vector<std::optional<double>> by_mesh{};
     std::vector<results::Locked> locked; ///< ascending by their beginning within each multiple
     /// Steps in which a frequency changed sides of a multiple of the spin speed without a root

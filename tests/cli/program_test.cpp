@@ -437,6 +437,22 @@ TEST_F(Program, DealtWorkGivesTheSameOnAnyNumberOfProcesses) {
     EXPECT_EQ(alone.at(1).at(0).at("values").size(), 40U);
     for (const std::string processes : {"2", "3"})
         EXPECT_EQ(of(run_on(processes, samples), keys), alone) << processes;
+    // The response is shared among processes, but not that of one of many rotors.
+    const std::vector<std::string> operating{"samples",
+                                             cases + "uncertain_jeffcott",
+                                             "--json",
+                                             "--set",
+                                             "samples.count=5",
+                                             "--set",
+                                             "samples.of=[\"operating\"]",
+                                             "--set",
+                                             "operation={from=40, to=60}",
+                                             "--set",
+                                             "imbalance=[{z=0.5, mr=1e-4}]"};
+    const nlohmann::json one = of(run(operating), keys);
+    EXPECT_FALSE(one.at(2).empty());
+    for (const std::string processes : {"2", "3"})
+        EXPECT_EQ(of(run_on(processes, operating), keys), one) << processes;
     // An anisotropy of 0.5 kg m2 is no rotor: the reason must arrive from every process.
     const std::vector<std::string> map{
         "stability",

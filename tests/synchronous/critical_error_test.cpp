@@ -7,6 +7,7 @@
 #include "results/whirl.h"
 #include "support/random.h"
 #include "support/scenes.h"
+#include "support/written_case.h"
 
 #include <gtest/gtest.h>
 
@@ -109,6 +110,49 @@ TEST(CriticalError, IsAboveTheTrueErrorOfRandomRotors) {
     }
     EXPECT_GT(points, 400);
     EXPECT_LE(100 * above, points);
+}
+
+/// A slot in a shaft on bearings that differ: crossings, and ends of ranges over which a motion
+/// keeps the frequency of the spin.
+TEST(CriticalError, IsAboveTheTrueErrorWhereRotorAndBearingsAreBothUnsymmetric) {
+    model::Case scene = tests::written_case(R"(
+[shaft]
+segments = [{length = 5.0, outer = 0.5, asymmetry = 0.03, material = "s"}]
+[[bearing]]
+z = 0.3
+kxx = 1e9
+kyy = 2e9
+cxx = 1e4
+cyy = 2e4
+[[bearing]]
+z = 4.7
+kxx = 1e9
+kyy = 2e9
+cxx = 1e4
+cyy = 2e4
+[speeds]
+from = 200
+to = 420
+count = 15
+[campbell]
+modes = 4
+)");
+    scene.rotor.shaft.order_auto = false;
+    scene.rotor.shaft.order = 7;
+    const CriticalResult fine = analyses::critical_speeds(scene);
+    ASSERT_EQ(fine.critical_speeds.size(), 4U);
+    for (const int order : {3, 5}) { // of much and little error: from all of finer elements, or not
+        scene.rotor.shaft.order = order;
+        const CriticalResult coarse = analyses::critical_speeds(scene);
+        ASSERT_EQ(coarse.critical_speeds.size(), 4U) << order;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const CriticalSpeed &critical = coarse.critical_speeds[i];
+            const double error = std::abs(critical.speed / fine.critical_speeds[i].speed - 1);
+            EXPECT_GT(error, 1e-8) << order; // else nothing is tested
+            EXPECT_GT(critical.error, error) << order;
+            EXPECT_LT(critical.error, 2 * error) << order; // safety 1.25, and higher orders
+        }
+    }
 }
 
 TEST(BandErrors, AreAboveTheTrueOnes) {

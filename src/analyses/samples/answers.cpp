@@ -12,6 +12,7 @@
 #include "model/variants.h"
 #include "modes/formulation.h"
 #include "modes/spectrum.h"
+#include "process/processes.h"
 #include "results/critical.h"
 #include "results/damping.h"
 #include "results/simulate.h"
@@ -139,6 +140,7 @@ std::vector<Answer> answers_of(const std::vector<results::ResponsePeak> &peaks) 
 
 /// The machine at its operating speeds, which are all that is looked at.
 results::ResponseResult operating_alone(model::Case scene) {
+    const process::Alone alone; // each process has rotors of its own
     scene.limits.reset();
     scene.speeds = model::SpeedRange{scene.operation->to, scene.operation->to, 1};
     results::ResponseResult result = unbalance_response(scene);

@@ -212,8 +212,10 @@ std::optional<Place> end_of_band(const WholeAndReduced &rotors, const mesh_error
     if (!(std::abs(change) <= std::min(std::abs(outwards), farthest * std::abs(speed))))
         return std::nullopt;
     Place out{speed + change, at_end(near->mode.eigenvalue.real(), far->mode.eigenvalue.real())};
-    // The square of the distance next to the end, which moves with it.
-    if (const auto by_mesh = change_by_mesh(finer, *near))
+    // The square of the distance next to the end moves with it, if by far less than the distance.
+    constexpr double far_less = 0.1;
+    if (const auto by_mesh = change_by_mesh(finer, *near);
+        by_mesh && *by_mesh <= far_less * std::abs(near->distance))
         out.by_mesh = 2 * std::abs(near->distance) * *by_mesh / std::abs(slope * speed);
     return out;
 }
