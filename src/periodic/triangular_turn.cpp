@@ -100,6 +100,9 @@ class TriangularTurn {
             take_blocks();
             if (sweep > 0 && worst_spread() <= together)
                 return true;
+            // What is left of a direction hardly changes after two sweeps.
+            if (sweep > 1 && leaves_some_out())
+                return false;
         }
         return false;
     }
@@ -137,11 +140,15 @@ class TriangularTurn {
                 _borders.push_back(border);
     }
 
+    /// All directions that are followed matter, so that others may.
+    [[nodiscard]] bool leaves_some_out() const {
+        return _left.size() < _maps.front().rows() && _left.minCoeff() > _least;
+    }
+
     /// Within a block, of motions that matter; infinite where some are in none.
     [[nodiscard]] double worst_spread() const {
-        const bool fewer = _left.size() < _maps.front().rows();
         if ((_left.tail(_left.size() - _borders.back()).array() > _least).any() ||
-            (fewer && _left.minCoeff() > _least))
+            leaves_some_out())
             return std::numeric_limits<double>::infinity();
         double worst = 0;
         for (std::size_t b = 0; b + 1 < _borders.size(); ++b) {
