@@ -18,8 +18,8 @@ model::Rotor with_places(model::Rotor rotor,
 } // namespace
 
 ImbalanceMotions::ImbalanceMotions(const model::Rotor &rotor, int order, results::Form form,
-                                   const std::vector<Imbalances> &sets)
-    : _mesh(std::make_unique<assembly::Discretization>(with_places(rotor, sets), order)),
+                                   const std::vector<Imbalances> &sets, int parts)
+    : _mesh(std::make_unique<assembly::Discretization>(with_places(rotor, sets), order, parts)),
       _motion(*_mesh, form, {.sets = sets}) {}
 
 bool ImbalanceMotions::solve(double speed) {

@@ -19,8 +19,9 @@ class ImbalanceMotions {
     using Imbalances = std::vector<model::Imbalance>;
 
     /// @param rotor  whose own imbalances count only where they are among the sets
+    /// @param parts  of equal length for each element of the case
     ImbalanceMotions(const model::Rotor &rotor, int order, results::Form form,
-                     const std::vector<Imbalances> &sets);
+                     const std::vector<Imbalances> &sets, int parts = 1);
 
     /// False at a resonance without damping, where one of the motions has no limit.
     [[nodiscard]] bool solve(double speed);
@@ -31,6 +32,8 @@ class ImbalanceMotions {
         return _motion;
     }
     [[nodiscard]] const assembly::Discretization &discretization() const { return *_mesh; }
+    /// Relative error of the last solution by rounding, of all sets the largest.
+    [[nodiscard]] double rounding() const { return _motion.rounding(); }
 
   private:
     std::unique_ptr<assembly::Discretization> _mesh;
