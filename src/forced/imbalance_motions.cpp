@@ -23,7 +23,12 @@ ImbalanceMotions::ImbalanceMotions(const model::Rotor &rotor, int order, results
       _motion(*_mesh, form, {.sets = sets}) {}
 
 bool ImbalanceMotions::solve(double speed) {
-    return solves(_motion, speed) && _motion.rounding() <= resonance_rounding;
+    if (!solves(_motion, speed))
+        return false;
+    _rounding = _motion.rounding();
+    return _rounding <= resonance_rounding;
 }
+
+bool ImbalanceMotions::solve_unjudged(double speed) { return solves(_motion, speed); }
 
 } // namespace whirl::forced

@@ -25,6 +25,8 @@ class ImbalanceMotions {
 
     /// False at a resonance without damping, where one of the motions has no limit.
     [[nodiscard]] bool solve(double speed);
+    /// The same without asking how far rounding goes: to compare with.
+    [[nodiscard]] bool solve_unjudged(double speed);
 
     /// Under one of the sets, at the speed solved last; until another is asked for.
     [[nodiscard]] const ForcedMotion &of(std::size_t set) {
@@ -33,11 +35,12 @@ class ImbalanceMotions {
     }
     [[nodiscard]] const assembly::Discretization &discretization() const { return *_mesh; }
     /// Relative error of the last solution by rounding, of all sets the largest.
-    [[nodiscard]] double rounding() const { return _motion.rounding(); }
+    [[nodiscard]] double rounding() const { return _rounding; }
 
   private:
     std::unique_ptr<assembly::Discretization> _mesh;
     ForcedMotion _motion;
+    double _rounding = 0; ///< of the solution judged last
 };
 
 } // namespace whirl::forced

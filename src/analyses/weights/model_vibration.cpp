@@ -128,7 +128,7 @@ std::vector<model::ReadingPlace> ModelVibration::places() const {
 bool ModelVibration::solve(double speed) {
     if (!_model->motions.solve(speed))
         return false;
-    _error_known = !_finer || _finer->motions.solve(speed);
+    _error_known = !_finer || _finer->motions.solve_unjudged(speed);
     return true;
 }
 
