@@ -57,7 +57,8 @@ class Joining {
     [[nodiscard]] double apart(const Found &a, const Found &b) {
         if (a.way != b.way)
             return HUGE_VAL;
-        if (a.state.family)
+        // Two balls that just reach stand on one diameter, where one of them counts as free.
+        if (a.state.family && b.state.family)
             return 0;
         const auto x = a.x.tail(_angles);
         const auto y = _over.search(a.place).lined_up(b.x, a.x).tail(_angles).eval();

@@ -192,10 +192,9 @@ SteadyEquations::Balance SteadyEquations::balance(const Eigen::VectorXd &x, doub
         const balancers::AtRest rest = free.motion->at_rest(rows * u, speed, x.data() + first);
         out.left.head(r2) += rows.transpose() * rest.force.head<4>();
         // The pulls of masses may cancel: each of them is as large as what turning it changes.
-        out.sizes.head(r2) +=
-            rows.transpose().cwiseAbs() *
-            (rest.force.head<4>().cwiseAbs() +
-             rest.stiffness.topRightCorner(4, size).cwiseAbs().rowwise().sum());
+        out.sizes.head(r2) += rows.transpose().cwiseAbs() *
+                              (rest.force.head<4>().cwiseAbs() +
+                               rest.stiffness.topRightCorner(4, size).cwiseAbs().rowwise().sum());
         out.left.segment(first, size) += rest.force.tail(size);
         out.sizes.segment(first, size) += rest.stiffness.block(4, 0, size, 2).rowwise().norm() *
                                           std::max(deflection, (rows * u).head<2>().norm());
