@@ -1,6 +1,11 @@
 #include "analyses/rigid_limit.h"
 
+#include "analyses/stability.h"
 #include "assembly/discretization.h"
+#include "balancers/pendulum4.h"
+#include "criterion/pendulum.h"
+#include "criterion/rotor.h"
+#include "linalg/check.h"
 #include "linalg/roots.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
@@ -330,6 +335,120 @@ void stiffen(results::RigidLimitResult &result, const model::Rotor &rotor,
     result.mesh_factor = stiff == factors.end() ? factors.back() : *stiff;
 }
 
+/// What asks for free balancers: where small motions about the balanced position of balls begin or
+/// cease to grow, within the speeds of the case, and how far pendulums reduce the deflection at
+/// some of them. The closed form is the rotor without elastic unknowns, a rigid body with its balls
+/// in the equations of the papers.
+class FreeBalancers {
+  public:
+    explicit FreeBalancers(const model::Case &scene) : _scene(scene) {
+        if (!scene.speeds || scene.speeds->values().size() < 2)
+            return;
+        _pendulums = !balancers::pendulums_in(scene.rotor).empty();
+        _balls = !_pendulums && !scene.rotor.balancers.empty();
+        if (_pendulums)
+            _scene.speeds->count = std::min(_scene.speeds->count, most_speeds);
+    }
+    [[nodiscard]] bool any() const { return _pendulums || _balls; }
+
+    [[nodiscard]] std::vector<rigid::RigidTarget> targets() {
+        std::vector<rigid::RigidTarget> out;
+        const std::vector<double> rigid = numbers(model::without_elasticity(_scene.rotor));
+        for (std::size_t i = 0; i < rigid.size(); ++i) {
+            if (!(rigid[i] > 0))
+                continue;
+            rigid::RigidTarget target;
+            target.kind = rigid::RigidQuantity::permissible; // no speed that the 1 % are of
+            target.of = _pendulums ? model::Quantity::number : model::Quantity::speed;
+            target.closed_form = rigid[i];
+            target.index = static_cast<int>(i);
+            target.quantity = name_of(i);
+            out.push_back(std::move(target));
+        }
+        return out;
+    }
+
+    /// With another shaft.
+    [[nodiscard]] Values at(const model::Rotor &rotor,
+                            const std::vector<rigid::RigidTarget> &targets) {
+        constexpr double refined = 1e-8; // to which ends and motions are found
+        constexpr double same = 0.5;     // one that is farther off is another
+        const std::vector<double> found = numbers(rotor);
+        Values out;
+        for (const rigid::RigidTarget &target : targets) {
+            std::optional<double> nearest;
+            const auto index = static_cast<std::size_t>(target.index);
+            if (_pendulums && index < found.size() && found[index] > 0)
+                nearest = found[index];
+            for (const double end : found)
+                if (!_pendulums && std::abs(end - target.closed_form) <
+                                       std::abs(nearest.value_or(infinite) - target.closed_form))
+                    nearest = end;
+            const bool there =
+                nearest && std::abs(*nearest - target.closed_form) < same * target.closed_form;
+            out.push_back(there ? std::optional(rigid::ModelValue{*nearest, refined})
+                                : std::nullopt);
+        }
+        return out;
+    }
+
+  private:
+    static constexpr int most_speeds = 5;
+    model::Case _scene;
+    bool _pendulums = false, _balls = false;
+
+    /// Ends of the unstable speeds inside of the range; or over balancers and speeds the least
+    /// deflection with pendulums over that with them held, 0: there is no such motion.
+    [[nodiscard]] std::vector<double> numbers(const model::Rotor &rotor) {
+        _scene.rotor = rotor;
+        std::vector<double> out;
+        if (_balls) {
+            const std::vector<double> speeds = _scene.speeds->values();
+            for (const results::Interval &band : unstable_bands_of(_scene, false).bands)
+                for (const double end : {band.from, band.to})
+                    if (end > speeds.front() && end < speeds.back())
+                        out.push_back(end);
+            return out;
+        }
+        std::vector<Sentence> ignored;
+        for (const results::PendulumBalance &one :
+             criterion::pendulum_balance(_scene, criterion::BalanceScene(_scene), ignored))
+            for (const std::vector<results::PendulumState> &states : one.states)
+                out.push_back(states.empty() ? 0 : states.front().ratio);
+        return out;
+    }
+
+    [[nodiscard]] Sentence name_of(std::size_t i) const {
+        if (_balls)
+            return Sentence("end {} of the unstable speeds with free balls", i + 1);
+        const std::vector<double> speeds = _scene.speeds->values();
+        return Sentence("efficiency of the pendulums at {}", as::speed(speeds[i % speeds.size()]));
+    }
+};
+
+/// Rows of free balancers at whole decades of the factors.
+void add_free_balancers(results::RigidLimitResult &result, const model::Case &scene) {
+    FreeBalancers free(scene);
+    if (!free.any())
+        return;
+    try {
+        const std::vector<rigid::RigidTarget> targets = free.targets();
+        std::vector<double> factors;
+        std::vector<Values> points;
+        constexpr double last = 1.5e4;
+        for (double factor = 1; factor < last; factor *= 10) {
+            factors.push_back(factor);
+            points.push_back(free.at(model::stiffened(scene.rotor, factor), targets));
+        }
+        add_stiffness_rows(result, targets, factors, points,
+                           free.at(model::without_elasticity(scene.rotor), targets));
+    } catch (const model::AnalysisFailure &failure) {
+        result.model.notes.emplace_back("no rows of free balancers: {}", failure.sentence());
+    } catch (const linalg::SolverError &error) {
+        result.model.notes.emplace_back("no rows of free balancers: {}", error.sentence());
+    }
+}
+
 /// The model without elastic unknowns in the place of the sweep.
 void compare_rigid(results::RigidLimitResult &result, const model::Rotor &rotor,
                    const rigid::RigidForms &forms) {
@@ -370,8 +489,12 @@ results::RigidLimitResult rigid_limit(const model::Case &given) {
         compare_rigid(result, scene.rotor, forms);
     else
         stiffen(result, scene.rotor, forms);
-    stage.emplace("finer and finer meshes", 0.9, 1.0);
+    stage.emplace("finer and finer meshes", 0.9, 0.95);
     add_mesh_rows(result, scene.rotor, forms);
+    if (!scene.rotor.shaft.rigid) {
+        stage.emplace("free balancers", 0.95, 1.0);
+        add_free_balancers(result, scene);
+    }
     return result;
 }
 

@@ -417,9 +417,9 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
             answer(scene, grid, model, result);
         name_modes(result.ends, ModesBeside(scene, model.order), model.form_of_lines);
         add_level1(scene, model, result);
-        result.states = steady_states_of(scene, result.model.notes);
+        result.states = steady_states_of(scene, result.model.notes, with);
     };
-    if (scene.map) // which the other processes need not wait with
+    if (scene.map && !scene.map->y.values.empty()) // which the other processes need not wait with
         result.map = stability_map(*scene.map, with, all_but_map);
     else
         all_but_map();

@@ -1,6 +1,7 @@
 #include "analyses/stability_map.h"
 
 #include "analyses/placed_balls.h"
+#include "analyses/steady_states.h"
 #include "ends/growth.h"
 #include "model/case.h"
 #include "model/errors.h"
@@ -24,13 +25,6 @@ namespace whirl::analyses {
 namespace {
 
 using Overrides = std::vector<std::string>;
-
-/// What a rotor of the map has of its own.
-Overrides overrides(const model::SweepAxis &axis, double value, Overrides others = {}) {
-    for (const model::SweptEntry &entry : axis.entries)
-        others.push_back(fmt::format("{}={}", entry.path, axis.at(entry, value)));
-    return others;
-}
 
 using Shapes = std::shared_ptr<const Eigen::MatrixXd>;
 
@@ -77,7 +71,7 @@ class CommonShapes {
     static CommonShapes of_rows(const model::MapSettings &map, const CaseWith &with) {
         return made([&] {
             const std::vector<double> &ys = map.y.values;
-            return CommonShapes(with(overrides(map.y, ys[ys.size() / 2])), map.x.values);
+            return CommonShapes(with(overrides_at(map.y, ys[ys.size() / 2])), map.x.values);
         });
     }
 
@@ -86,7 +80,7 @@ class CommonShapes {
     static CommonShapes of_points(const model::MapSettings &map, const CaseWith &with) {
         return made([&] {
             const auto at = [&](double x, double y) {
-                return with(overrides(map.y, y, overrides(map.x, x)));
+                return with(overrides_at(map.y, y, overrides_at(map.x, x)));
             };
             const auto places = [](const model::SweepAxis &axis) {
                 const double from = axis.values.front();
@@ -214,9 +208,9 @@ results::StabilityMap stability_map(const model::MapSettings &settings, const Ca
         rows ? CommonShapes::of_rows(settings, with) : CommonShapes::of_points(settings, with);
     const auto piece = [&](std::size_t i) {
         if (rows)
-            return piece_of(overrides(map.y, map.y.values[i]), map.x.values, with, common);
-        return piece_of(overrides(map.y, map.y.values[i / columns],
-                                  overrides(map.x, map.x.values[i % columns])),
+            return piece_of(overrides_at(map.y, map.y.values[i]), map.x.values, with, common);
+        return piece_of(overrides_at(map.y, map.y.values[i / columns],
+                                     overrides_at(map.x, map.x.values[i % columns])),
                         {}, with, common);
     };
     const auto outcomes = process::deal(pieces, "map", piece, first);

@@ -56,7 +56,8 @@ struct Known {
     std::vector<ReadingPlace> places;
     Eigen::VectorXcd a; ///< without trial weights
     Eigen::MatrixXcd H;
-    Eigen::VectorXcd on; ///< trial weights that stay on
+    Eigen::MatrixXd error; ///< of the model's H, relative; NaN: not known; none: of readings
+    Eigen::VectorXcd on;   ///< trial weights that stay on
     /// Of each place: a and its row of H as combinations of its readings (of a alone where the
     /// coefficients are not measured), and the scatter of a reading.
     std::vector<Eigen::MatrixXcd> of_readings;
@@ -445,9 +446,15 @@ class Answer {
 
     void add_influence() {
         for (std::size_t i = 0; i < _known.places.size(); ++i)
-            for (std::size_t p = 0; p < _rotor.planes.size(); ++p)
-                _result.influence.push_back({_known.places[i].probe, _known.places[i].speed,
-                                             name(p), _known.H(index(i), index(p))});
+            for (std::size_t p = 0; p < _rotor.planes.size(); ++p) {
+                const double error = _known.error.size() > 0
+                                         ? _known.error(index(i), index(p))
+                                         : std::numeric_limits<double>::quiet_NaN();
+                _result.influence.push_back(
+                    {_known.places[i].probe, _known.places[i].speed, name(p),
+                     _known.H(index(i), index(p)),
+                     std::isnan(error) ? std::nullopt : std::optional(error)});
+            }
     }
 
     /// Solved again with some of the planes.
@@ -647,6 +654,7 @@ WeightsResult correction_weights(const model::Case &scene) {
         known.places = model.places();
     ModelVibration::AtPlaces at = model.at(known.places);
     known.H = std::move(at.influence);
+    known.error = std::move(at.error);
     if (!result.measured)
         known.a = std::move(at.vibration);
     const Eigen::VectorXcd w = Answer(scene, known, result).add();

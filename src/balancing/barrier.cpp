@@ -19,6 +19,10 @@ namespace {
 constexpr double end_of_path = 1e-9;
 constexpr double next_step = 10; ///< the weight of what is made small grows by that
 constexpr int most_newton_steps = 60;
+/// Square of Newton's decrement: on the way along the path a centre is near enough to go on from,
+/// at its end the bound by duality wants all digits.
+constexpr double on_the_way = 1e-2;
+constexpr double at_the_end = 1e-12;
 
 /// A function with its gradient and Hessian; infinite outside its domain.
 struct Local {
@@ -109,9 +113,10 @@ Eigen::MatrixXd real_rows(const Eigen::MatrixXcd &H) {
 /// Newton's method with steps halved until they descend; the domain is never left. Near the end,
 /// where the function is self-concordant and its value rounded to more than is left, whole steps.
 /// @param function  at a place, with its derivatives or without; none outside its domain
-template <class Function> void descend(const Function &function, Eigen::VectorXd &x) {
-    constexpr double settled = 1e-12; // square of Newton's decrement
-    constexpr double near = 0.05;     // whole steps stay inside and converge below 0.38^2
+/// @param settled  square of Newton's decrement at which it ends
+template <class Function>
+void descend(const Function &function, Eigen::VectorXd &x, double settled) {
+    constexpr double near = 0.05; // whole steps stay inside and converge below 0.38^2
     constexpr double least_share = 1e-6;
     constexpr double enough = 0.1; // of the descent that the slope promises
     double last = std::numeric_limits<double>::infinity();
@@ -233,16 +238,16 @@ Certified least_largest(const Balance &balance, const Eigen::VectorXcd &start) {
     const double cones = 2 * static_cast<double>(rows + of.H.cols());
     double weight = cones / x(n);
     Certified out;
+    const auto barrier = [&](const Eigen::VectorXd &at, bool derivatives) {
+        return largest_barrier(scaled, A, weight, at, derivatives);
+    };
     while (true) {
-        descend(
-            [&](const Eigen::VectorXd &at, bool derivatives) {
-                return largest_barrier(scaled, A, weight, at, derivatives);
-            },
-            x);
+        descend(barrier, x, on_the_way);
         if (cones / weight <= end_of_path * x(n))
             break;
         weight *= next_step;
     }
+    descend(barrier, x, at_the_end);
     const Eigen::VectorXcd w = in_complex(x.head(n));
     const Eigen::VectorXcd r = of.residual(w);
     Eigen::VectorXcd y = r;
@@ -262,21 +267,21 @@ Eigen::VectorXcd bounded_least_squares(const Balance &balance, const Eigen::Vect
     Eigen::VectorXd x = Eigen::VectorXd::Zero(A.cols());
     const double cones = 2 * static_cast<double>(of.H.cols());
     double weight = 1;
+    const auto barrier = [&](const Eigen::VectorXd &at, bool) -> std::optional<Local> {
+        const Eigen::VectorXd r = A * at + b;
+        Local f{weight * r.squaredNorm() / 2, weight * A.transpose() * r, weight * normal};
+        if (!add_bounds(of.largest, scaled.all(at), f))
+            return std::nullopt;
+        return f;
+    };
     while (true) {
-        descend(
-            [&](const Eigen::VectorXd &at, bool) -> std::optional<Local> {
-                const Eigen::VectorXd r = A * at + b;
-                Local f{weight * r.squaredNorm() / 2, weight * A.transpose() * r, weight * normal};
-                if (!add_bounds(of.largest, scaled.all(at), f))
-                    return std::nullopt;
-                return f;
-            },
-            x);
+        descend(barrier, x, on_the_way);
         const double reached = (A * x + b).squaredNorm() / 2;
         if (cones / weight <= end_of_path * std::max(reached, end_of_path * b.squaredNorm()))
             break;
         weight *= next_step;
     }
+    descend(barrier, x, at_the_end);
     return scaled.back(in_complex(x));
 }
 

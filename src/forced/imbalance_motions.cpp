@@ -18,12 +18,17 @@ model::Rotor with_places(model::Rotor rotor,
 } // namespace
 
 ImbalanceMotions::ImbalanceMotions(const model::Rotor &rotor, int order, results::Form form,
-                                   const std::vector<Imbalances> &sets)
-    : _mesh(std::make_unique<assembly::Discretization>(with_places(rotor, sets), order)),
+                                   const std::vector<Imbalances> &sets, int parts)
+    : _mesh(std::make_unique<assembly::Discretization>(with_places(rotor, sets), order, parts)),
       _motion(*_mesh, form, {.sets = sets}) {}
 
 bool ImbalanceMotions::solve(double speed) {
-    return solves(_motion, speed) && _motion.rounding() <= resonance_rounding;
+    if (!solves(_motion, speed))
+        return false;
+    _rounding = _motion.rounding();
+    return _rounding <= resonance_rounding;
 }
+
+bool ImbalanceMotions::solve_unjudged(double speed) { return solves(_motion, speed); }
 
 } // namespace whirl::forced

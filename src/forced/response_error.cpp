@@ -16,10 +16,6 @@ double share(double difference, double size) {
     return difference == 0 ? 0 : mesh_error::estimate_safety * difference / size;
 }
 
-double share(std::complex<double> a, std::complex<double> b) {
-    return share(std::abs(a - b), std::max(std::abs(a), std::abs(b)));
-}
-
 double orbit_error(const Phasor &a, const Phasor &b) {
     const double size =
         std::max(modes::ellipse_of(a.x, a.y).major, modes::ellipse_of(b.x, b.y).major);
@@ -28,13 +24,21 @@ double orbit_error(const Phasor &a, const Phasor &b) {
 
 } // namespace
 
+FinerMesh finer_mesh(int order) {
+    const int finer = mesh_error::finer_order(order);
+    return {std::min(finer, highest_order), finer > highest_order ? 2 : 1};
+}
+
+double error_share(std::complex<double> coarse, std::complex<double> fine) {
+    return share(std::abs(coarse - fine), std::max(std::abs(coarse), std::abs(fine)));
+}
+
 ResponseError::ResponseError(const assembly::Discretization &coarse, results::Form form,
                              const Drive &drive) {
     if (coarse.rigid())
         return;
-    const int order = mesh_error::finer_order(coarse.order());
-    _fine = std::make_unique<assembly::Discretization>(
-        coarse.rotor(), std::min(order, highest_order), order > highest_order ? 2 : 1);
+    const FinerMesh finer = finer_mesh(coarse.order());
+    _fine = std::make_unique<assembly::Discretization>(coarse.rotor(), finer.order, finer.parts);
     _motion.emplace(*_fine, form, drive);
 }
 
@@ -44,11 +48,11 @@ void ResponseError::solve(double speed) {
 }
 
 double ResponseError::at_rest(double z, std::complex<double> coarse) {
-    return _motion ? share(coarse, _motion->at_rest(_fine->deflection_at(z))) : 0;
+    return _motion ? error_share(coarse, _motion->at_rest(_fine->deflection_at(z))) : 0;
 }
 
 double ResponseError::force_at_rest(int bearing, std::complex<double> coarse) {
-    return _motion ? share(coarse, _motion->bearing_force_at_rest(bearing)) : 0;
+    return _motion ? error_share(coarse, _motion->bearing_force_at_rest(bearing)) : 0;
 }
 
 double ResponseError::at(double z, const Phasor &coarse) const {
@@ -67,7 +71,7 @@ std::array<double, 2> ResponseError::of_components(double z, const Phasor &coars
     if (!_motion)
         return {0, 0};
     const Phasor fine = _motion->at(z);
-    return {share(coarse.x, fine.x), share(coarse.y, fine.y)};
+    return {error_share(coarse.x, fine.x), error_share(coarse.y, fine.y)};
 }
 
 double ResponseError::of_quantity(const Quantity &quantity, const Phasor &seen) const {
@@ -75,9 +79,10 @@ double ResponseError::of_quantity(const Quantity &quantity, const Phasor &seen) 
 }
 
 double ResponseError::of_probe(const model::Probe &probe, const Phasor &coarse) const {
-    return _motion ? share(reading(coarse, probe.angle),
-                           reading(_motion->motion(stretch_of_probe(*_fine, probe)), probe.angle))
-                   : 0;
+    return _motion
+               ? error_share(reading(coarse, probe.angle),
+                             reading(_motion->motion(stretch_of_probe(*_fine, probe)), probe.angle))
+               : 0;
 }
 
 } // namespace whirl::forced

@@ -10,6 +10,15 @@
 
 namespace whirl::forced {
 
+/// The finer rotor that errors of steady motions are told by: its order, and parts of each element.
+struct FinerMesh {
+    int order;
+    int parts;
+};
+[[nodiscard]] FinerMesh finer_mesh(int order);
+/// Estimated relative error of a number, from that of the finer rotor; 0 of two that are zero.
+[[nodiscard]] double error_share(std::complex<double> coarse, std::complex<double> fine);
+
 /// How far the steady motion of a discretised rotor is from that of a finer one, solved at
 /// the same speed: elements of order p + 4 on the same mesh (order 5 for classical ones), above
 /// order 30, which is the highest, elements of half the length. A rigid shaft has no such error.

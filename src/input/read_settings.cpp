@@ -203,9 +203,22 @@ void read_map(CheckedTable &table, model::Case &scene) {
     for (const auto &[key, axis] : {std::pair("x", &map.x), std::pair("y", &map.y)}) {
         if (auto own = table.table(key))
             *axis = read_map_axis(*own);
-        else if (!table.has(key))
+        else if (!table.has(key) && (axis == &map.x || !scene.states))
             table.fail(key, "missing, expected a table {path, from, to, count}");
     }
+    // Without y the steady states are followed over x.
+    const bool alone = !table.has("y") && scene.states && !map.x.values.empty();
+    if (alone && map.x.is_speed())
+        table.fail("x", "expected an entry of the case, or a second one, y, got the speed: over "
+                        "that [states] follows the states without [map]");
+    const std::size_t speeds = !alone                            ? 1
+                               : scene.states->speeds.size() > 0 ? scene.states->speeds.size()
+                               : scene.speeds ? static_cast<std::size_t>(scene.speeds->count)
+                                              : 1;
+    if (alone && speeds != 1)
+        table.fail("y", fmt::format("missing: without it the states are followed over x at one "
+                                    "speed, expected one in states.speeds, got {}",
+                                    speeds));
     if (map.x.label == "speed" && map.y.label == "speed")
         table.fail("y", "expected another entry than x, got " + in_quotes(map.y.label) + " twice");
     refuse_twice(table, {map.x, map.y});

@@ -11,7 +11,8 @@ namespace whirl::input {
 namespace {
 
 double points_of(const model::MapSettings &map) {
-    return static_cast<double>(map.x.values.size()) * static_cast<double>(map.y.values.size());
+    return static_cast<double>(map.x.values.size()) *
+           std::max(1.0, static_cast<double>(map.y.values.size()));
 }
 
 constexpr double kilobyte = 1e3;

@@ -1,6 +1,7 @@
 #include "report/steady_states.h"
 
 #include "report/common/csv.h"
+#include "report/common/words.h"
 #include "report/sections.h"
 
 #include <fmt/format.h>
@@ -87,6 +88,20 @@ const Columns<results::SteadyBorder> border_columns{
     {"residual", ForReaders("residual", "{:.5g}"), Quantity::amplitude,
      &results::SteadyBorder::residual}};
 
+/// The columns with one of the value over which the states are followed, if it is no speed; in JSON
+/// it is null then.
+template <class Row> Columns<Row> with_value(Columns<Row> columns, const SteadyStates &states) {
+    const auto second = columns.begin() + 1;
+    if (!states.over) {
+        columns.insert(second, {"value", Quantity::number, [](const Row &) { return Json(); }});
+        return columns;
+    }
+    const std::string name = axis_name(*states.over);
+    columns.insert(second, {"value", InCsv(name), ForReaders(name, "{:.10g}"),
+                            states.over->quantity, &Row::value});
+    return columns;
+}
+
 constexpr const char *borders_heading =
     "Where branches of steady states end, and roots cross the imaginary axis";
 
@@ -99,8 +114,10 @@ std::vector<SteadyState> first_rows(const SteadyStates &states) {
 }
 
 std::string heading_of(const SteadyStates &states) {
-    return fmt::format("Steady states, {} at {} {}{}", states.states.size(), states.speeds.size(),
-                       states.speeds.size() == 1 ? "speed" : "speeds",
+    const std::size_t places = states.places().size();
+    const std::string over = states.over ? "value" : "speed";
+    return fmt::format("Steady states, {} at {} {}{}", states.states.size(), places,
+                       places == 1 ? over : over + "s",
                        states.states.size() > most_rows ? fmt::format(", the first {}", most_rows)
                                                         : std::string());
 }
@@ -108,35 +125,48 @@ std::string heading_of(const SteadyStates &states) {
 } // namespace
 
 Json states_json(const std::optional<SteadyStates> &states, const Units &units) {
-    return states ? json_rows(state_columns, states->states, units) : Json();
+    return states ? json_rows(with_value(state_columns, *states), states->states, units) : Json();
 }
 
 Json state_borders_json(const std::optional<SteadyStates> &states, const Units &units) {
-    return states ? json_rows(border_columns, states->borders, units) : Json();
+    return states ? json_rows(with_value(border_columns, *states), states->borders, units) : Json();
 }
 
 Json states_undecided_json(const std::optional<SteadyStates> &states, const Units &units) {
-    return states ? written(units, Quantity::speed, states->undecided) : Json();
+    return states ? written(units, states->over ? states->over->quantity : Quantity::speed,
+                            states->undecided)
+                  : Json();
+}
+
+Json states_over_json(const std::optional<SteadyStates> &states, const Units &units) {
+    if (!states || !states->over)
+        return {};
+    return {{"path", states->over->label},
+            {"entries", entries_of(*states->over)},
+            {"change", change_name(states->over->change)},
+            {"values", written(units, states->over->quantity, states->over->values)}};
 }
 
 std::string states_text(const SteadyStates &states, const Units &units) {
-    return text_table("\n" + heading_of(states) + ":\n", state_columns, first_rows(states), units) +
-           text_table(fmt::format("\n{}:\n", borders_heading), border_columns, states.borders,
-                      units);
+    return text_table("\n" + heading_of(states) + ":\n", with_value(state_columns, states),
+                      first_rows(states), units) +
+           text_table(fmt::format("\n{}:\n", borders_heading), with_value(border_columns, states),
+                      states.borders, units);
 }
 
 std::vector<Section> states_sections(const SteadyStates &states, const Units &units) {
     if (states.states.empty())
         return {};
     std::vector<Section> out;
-    add_table(out, heading_of(states), state_columns, first_rows(states), units);
-    add_table(out, borders_heading, border_columns, states.borders, units);
+    add_table(out, heading_of(states), with_value(state_columns, states), first_rows(states),
+              units);
+    add_table(out, borders_heading, with_value(border_columns, states), states.borders, units);
     return out;
 }
 
 TableFile states_table(const SteadyStates &states) {
     return {"steady_states", [&states](const Units &units) {
-                return csv_table(state_columns, states.states, units);
+                return csv_table(with_value(state_columns, states), states.states, units);
             }};
 }
 

@@ -19,6 +19,9 @@ namespace whirl::report {
                                       const Units &units);
 [[nodiscard]] Json states_undecided_json(const std::optional<results::SteadyStates> &states,
                                          const Units &units);
+/// What states are followed over; null: over speeds.
+[[nodiscard]] Json states_over_json(const std::optional<results::SteadyStates> &states,
+                                    const Units &units);
 [[nodiscard]] std::string states_text(const results::SteadyStates &states, const Units &units);
 [[nodiscard]] std::vector<Section> states_sections(const results::SteadyStates &states,
                                                    const Units &units);

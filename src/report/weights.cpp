@@ -86,13 +86,16 @@ const Columns<InfluenceCoefficient> influence_columns{
     {"amplitude", InCsv("influence"), OnPage("Vibration over weight"), Quantity::influence,
      [](const InfluenceCoefficient &c) { return std::abs(c.value); }},
     {"phase", InCsv("phase"), OnPage("Phase", "{:.2f}"), Quantity::angle,
-     [](const InfluenceCoefficient &c) { return phase_of(c.value); }}};
+     [](const InfluenceCoefficient &c) { return phase_of(c.value); }},
+    {"error", InCsv("error"), OnPage("Relative error", "{:.1e}"), Quantity::number,
+     &InfluenceCoefficient::error}};
 
 /// A curve at one speed.
 struct InfluenceAt {
     const InfluenceCurve *curve = nullptr;
     double speed = 0;
     std::optional<std::complex<double>> value;
+    std::optional<double> error;
 
     [[nodiscard]] bool force() const { return curve->of == "force"; }
     [[nodiscard]] std::optional<double> amplitude(bool of_force) const {
@@ -113,7 +116,8 @@ const Columns<InfluenceAt> influence_curve_columns{
     {InCsv("influence"), Quantity::influence,
      [](const InfluenceAt &at) { return at.amplitude(false); }},
     {InCsv("force"), Quantity::number, [](const InfluenceAt &at) { return at.amplitude(true); }},
-    {InCsv("phase"), Quantity::angle, [](const InfluenceAt &at) { return at.phase(); }}};
+    {InCsv("phase"), Quantity::angle, [](const InfluenceAt &at) { return at.phase(); }},
+    {InCsv("error"), Quantity::number, &InfluenceAt::error}};
 
 const Columns<DependentPlanes> dependent_columns{
     {"planes", Quantity::number, [](const DependentPlanes &d) { return Json(d.planes); }},
@@ -162,7 +166,8 @@ std::vector<InfluenceAt> influence_rows(const WeightsResult &result) {
     std::vector<InfluenceAt> rows;
     for (const InfluenceCurve &curve : result.influence_curves)
         for (std::size_t k = 0; k < result.curve_speeds.size(); ++k)
-            rows.push_back({&curve, result.curve_speeds[k], curve.values[k]});
+            rows.push_back({&curve, result.curve_speeds[k], curve.values[k],
+                            k < curve.errors.size() ? curve.errors[k] : std::nullopt});
     return rows;
 }
 
@@ -219,7 +224,8 @@ Json influence_curves_json(const WeightsResult &result, const Units &units) {
                      {"plane", curve.plane},
                      {"amplitude", force ? none : written(units, Quantity::influence, amplitudes)},
                      {"force", force ? written(units, Quantity::number, amplitudes) : none},
-                     {"phase", written(units, Quantity::angle, phases)}};
+                     {"phase", written(units, Quantity::angle, phases)},
+                     {"error", written(units, Quantity::number, curve.errors)}};
              })}};
 }
 

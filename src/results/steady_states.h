@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/sweep.h"
 #include "results/sentence.h"
 
 #include <optional>
@@ -23,6 +24,7 @@ struct SteadyState {
         out_of_round     ///< those of races out of round stand each where its own track holds it
     };
     double speed = 0; ///< rad/s
+    double value = 0; ///< of what states are followed over, where that is an entry
     Kind kind = Kind::balanced;
     std::vector<std::vector<double>> angles; ///< of each balancer, in the rotor, rad
     /// Balls can move without a force: one point of a family stands for all.
@@ -44,7 +46,7 @@ struct SteadyState {
 /// "balanced", "partly balanced", "coincident", "split", "swung" or "out of round".
 [[nodiscard]] std::string steady_kind_name(SteadyState::Kind kind);
 
-/// A speed at which a branch ends, or motions about its states begin or cease to grow.
+/// Where a branch ends, or motions about its states begin or cease to grow.
 struct SteadyBorder {
     enum class Kind {
         fold,     ///< two branches meet and end
@@ -54,10 +56,11 @@ struct SteadyBorder {
         undecided ///< just beyond it was not found again: it may go on
     };
     double speed = 0; ///< rad/s
+    double value = 0; ///< of what states are followed over, where that is an entry
     Kind kind = Kind::fold;
     int branch = 0;
     std::optional<int> other; ///< of a fold: the second branch
-    /// Roots that grow just below this speed; -1: no such state; or not_counted.
+    /// Roots that grow just below this place; -1: no such state; or not_counted.
     int growing_below = 0;
     int growing_above = 0;           ///< likewise
     std::optional<double> frequency; ///< |Im| of the pair in turning axes, rad/s
@@ -68,12 +71,18 @@ struct SteadyBorder {
 [[nodiscard]] std::string steady_border_name(SteadyBorder::Kind kind);
 
 struct SteadyStates {
-    std::vector<double> speeds;        ///< looked at, rad/s
-    std::vector<SteadyState> states;   ///< by speed
-    std::vector<SteadyBorder> borders; ///< ascending; between the speeds looked at
-    /// Speeds at which two states were too close to each other to be told apart, rad/s.
+    std::vector<double> speeds; ///< looked at, rad/s
+    /// Entries of the case over which the states are followed at one speed; none: over the speeds.
+    std::optional<model::SweepAxis> over;
+    std::vector<SteadyState> states;   ///< by speed, or by value
+    std::vector<SteadyBorder> borders; ///< ascending; between the places looked at
+    /// Places at which two states were too close to each other to be told apart, rad/s or values.
     std::vector<double> undecided;
     std::vector<Sentence> notes;
+
+    /// Along what they are followed. @param at  a state or a border
+    [[nodiscard]] double place(const auto &at) const { return over ? at.value : at.speed; }
+    [[nodiscard]] const std::vector<double> &places() const { return over ? over->values : speeds; }
 };
 
 } // namespace whirl::results

@@ -41,6 +41,8 @@ struct InfluenceCoefficient {
     std::optional<double> speed; ///< rad/s
     std::string plane;
     std::complex<double> value; ///< m/(kg m)
+    /// Of the model: relative, by the shaft elements and rounding; none: not known.
+    std::optional<double> error{};
 };
 
 /// What one place does for a unit weight in one plane, over the speeds of the case. Of a bearing
@@ -53,6 +55,8 @@ struct InfluenceCurve {
     std::string plane;
     /// m/(kg m), of a force a number; none: a resonance without damping, of a force also at rest.
     std::vector<std::optional<std::complex<double>>> values;
+    /// Relative, by the shaft elements and rounding; none: not known, or there is no motion.
+    std::vector<std::optional<double>> errors{};
 };
 
 /// How a rotor with flexible behaviour is balanced, and in how many planes.

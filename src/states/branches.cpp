@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace whirl::states {
 
@@ -18,13 +20,15 @@ using std::numbers::pi;
 
 /// Next to a fold angles differ by the root of this, and two are told apart to 1e-6.
 constexpr double known = known_to;
-/// Angles that differ by more between neighbouring speeds are not taken for the same state, rad.
+/// Angles that differ by more between neighbouring places are not taken for the same state, rad.
 constexpr double farthest = 1.5;
 
 class Joining {
   public:
-    Joining(const StateSearch &search, std::vector<AtSpeed> &all, results::SteadyStates &out)
-        : _search(search), _all(all), _out(out) {}
+    Joining(Followed &over, std::vector<AtPlace> &all, results::SteadyStates &out)
+        : _over(over), _all(all), _out(out),
+          _angles(_over.search(all.front().place).equations().parts().free_angles()),
+          _range(std::max(std::abs(all.front().place), std::abs(all.back().place))) {}
 
     void run() {
         for (Found &found : _all.front().states)
@@ -35,31 +39,38 @@ class Joining {
     }
 
   private:
-    const StateSearch &_search;
-    std::vector<AtSpeed> &_all;
+    Followed &_over;
+    std::vector<AtPlace> &_all;
     results::SteadyStates &_out;
+    Eigen::Index _angles;
+    double _range; ///< the largest place, in size
+    /// States of a way at a place, without what follows from them: two branches that meet are
+    /// looked for at the same places.
+    struct Looked {
+        std::vector<Found> states;
+        bool undecided = false;
+    };
+    std::map<std::pair<int, double>, Looked> _looked;
     int _next = 1;
 
-    [[nodiscard]] Eigen::Index angles() const { return _search.equations().parts().free_angles(); }
-
     /// Largest difference of two angles, rad; of a family and of other ways to stand none counts.
-    [[nodiscard]] double apart(const Found &a, const Found &b) const {
+    [[nodiscard]] double apart(const Found &a, const Found &b) {
         if (a.way != b.way)
             return HUGE_VAL;
-        if (a.state.family)
+        // Two balls that just reach stand on one diameter, where one of them counts as free.
+        if (a.state.family && b.state.family)
             return 0;
-        const Eigen::VectorXd x = _search.lined_up(b.x, a.x);
+        const auto x = a.x.tail(_angles);
+        const auto y = _over.search(a.place).lined_up(b.x, a.x).tail(_angles).eval();
         double most = 0;
-        for (Eigen::Index k = 0; k < angles(); ++k) {
-            const Eigen::Index at = a.x.size() - angles() + k;
-            most = std::max(most, std::abs(std::remainder(a.x(at) - x(at), 2 * pi)));
-        }
+        for (Eigen::Index k = 0; k < _angles; ++k)
+            most = std::max(most, std::abs(std::remainder(x(k) - y(k), 2 * pi)));
         return most;
     }
 
-    /// Pairs of states at two speeds, nearest first.
+    /// Pairs of states at two places, nearest first.
     [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>>
-    pairs_of(const std::vector<Found> &low, const std::vector<Found> &high) const {
+    pairs_of(const std::vector<Found> &low, const std::vector<Found> &high) {
         struct Pair {
             double apart;
             std::size_t low, high;
@@ -82,18 +93,18 @@ class Joining {
         return out;
     }
 
-    void between(const AtSpeed &low, AtSpeed &high) {
+    void between(const AtPlace &low, AtPlace &high) {
         for (Found &found : high.states)
             found.state.branch = 0;
         std::vector<bool> goes_on(low.states.size(), false);
         for (const auto &[i, k] : pairs_of(low.states, high.states)) {
             goes_on[i] = true;
             high.states[k].state.branch = low.states[i].state.branch;
-            _search.line_up(high.states[k], low.states[i]);
+            _over.search(low.place).line_up(high.states[k], low.states[i]);
             find_crossings(
                 low.states[i], high.states[k],
-                [this](const Found &a, const Found &b, double speed) {
-                    return at_middle(a, b, speed);
+                [this](const Found &a, const Found &b, double place) {
+                    return at_middle(a, b, place);
                 },
                 _out.borders);
         }
@@ -107,20 +118,21 @@ class Joining {
                 found.state.branch = _next++;
                 beginning.push_back(&found);
             }
-        find_ends(ending, low.speed, high.speed);
-        find_ends(beginning, high.speed, low.speed);
+        find_ends(ending, low.place, high.place);
+        find_ends(beginning, high.place, low.place);
     }
 
-    /// Where states that are there at one speed and not at the other end.
+    /// Where states that are there at one place and not at the other end.
     void find_ends(std::vector<const Found *> states, double there, double gone) {
+        _looked.clear();
         while (!states.empty()) {
             const Found first = *states.front();
             states.erase(states.begin());
             SteadyBorder border;
             border.branch = first.state.branch;
             // The partner with which it ends in a fold: the nearest of its way just before.
-            const auto [speed, last, lost] = last_of(first, there, gone);
-            border.speed = speed;
+            const auto [place, last, lost] = last_of(first, there, gone);
+            border.speed = place;
             border.residual = last.state.residual;
             int &growing_before = there < gone ? border.growing_below : border.growing_above;
             int &growing_after = there < gone ? border.growing_above : border.growing_below;
@@ -132,14 +144,14 @@ class Joining {
                 border.kind = BorderKind::limit;
             else if (lost)
                 border.kind = BorderKind::undecided;
-            else // of a branch that begins and ends between two speeds none is seen but this end
+            else // of a branch that begins and ends between two places none is seen but this end
                 border.kind = alone ? BorderKind::fold : BorderKind::limit;
             for (auto other = states.begin(); other != states.end(); ++other) {
                 if ((*other)->way != first.way)
                     continue;
-                const auto [same_speed, partner, partner_lost] = last_of(**other, there, gone);
+                const auto [same_place, partner, partner_lost] = last_of(**other, there, gone);
                 // Next to a fold two states are as near as the root of what is left to it.
-                if (std::abs(same_speed - speed) > 1e-6 * std::abs(speed) ||
+                if (std::abs(same_place - place) > 1e-6 * std::abs(place) ||
                     apart(partner, last) > 0.05)
                     continue;
                 border.kind = SteadyBorder::Kind::fold;
@@ -154,31 +166,37 @@ class Joining {
     /// Whether two balls stand at one angle but for what is left next to where they meet.
     [[nodiscard]] bool meet(const Found &found) const {
         constexpr double near = 0.05; // rad, as for two states next to a fold
-        for (Eigen::Index i = 1; i <= angles(); ++i)
-            for (Eigen::Index k = i + 1; k <= angles(); ++k)
+        for (Eigen::Index i = 1; i <= _angles; ++i)
+            for (Eigen::Index k = i + 1; k <= _angles; ++k)
                 if (std::abs(std::remainder(
                         found.x(found.x.size() - i) - found.x(found.x.size() - k), 2 * pi)) < near)
                     return true;
         return false;
     }
 
+    [[nodiscard]] const Looked &looked_at(int way, double place) {
+        const auto [entry, added] = _looked.try_emplace({way, place});
+        Looked &out = entry->second;
+        if (added)
+            out.states = _over.of_way(way, place, out.undecided, StateSearch::Wanted::places);
+        return out;
+    }
+
     struct Last {
-        double speed;
+        double place;
         Found found;
         bool lost; ///< just beyond Newton's method leads nowhere: it may go on
     };
-    /// The last speed at which a state is found, and the state there. Of its way several may end in
+    /// The last place at which a state is found, and the state there. Of its way several may end in
     /// one step (races out of round): it is there as long as it has a partner when all of them are
-    /// paired with those before, as between two speeds of the list.
-    [[nodiscard]] Last last_of(const Found &first, double there, double gone) const {
+    /// paired with those before, as between two places of the list.
+    [[nodiscard]] Last last_of(const Found &first, double there, double gone) {
         Found last = first;
-        bool ignored = false;
         bool lost = false;
-        std::vector<Found> before = _search.of_way(first.way, there, ignored);
-        while (std::abs(gone - there) > known * std::abs(there)) {
+        std::vector<Found> before = looked_at(first.way, there).states;
+        while (std::abs(gone - there) > known * std::max(std::abs(there), least_place())) {
             const double middle = (there + gone) / 2;
-            bool undecided = false;
-            std::vector<Found> states = _search.of_way(first.way, middle, undecided);
+            const auto &[states, undecided] = looked_at(first.way, middle);
             const auto own = std::ranges::min_element(
                 before, {}, [&](const Found &state) { return apart(state, last); });
             const auto pairs = pairs_of(before, states);
@@ -187,32 +205,46 @@ class Joining {
             });
             if (partner != pairs.end()) {
                 Found next = states[partner->second];
-                _search.line_up(next, last);
+                _over.search(middle).line_up(next, last);
                 last = std::move(next);
                 there = middle;
-                before = std::move(states);
+                before = states;
             } else {
                 gone = middle;
                 lost = undecided;
             }
         }
+        bool ignored = false;
+        if (there != first.place)
+            for (Found &same : _over.of_way(first.way, there, ignored, StateSearch::Wanted::all))
+                if (apart(same, last) == 0) {
+                    _over.search(there).line_up(same, last);
+                    last = std::move(same);
+                    break;
+                }
         return {there, last, lost};
+    }
+    /// Next to zero places are known to a share of this.
+    [[nodiscard]] double least_place() const {
+        constexpr double share = 1e-6; // of the range
+        return share * _range;
     }
 
     /// The state between two of one branch; none: it could not be followed.
     [[nodiscard]] std::optional<Found> at_middle(const Found &low, const Found &high,
-                                                 double speed) const {
+                                                 double place) {
         if (low.state.family) {
             bool undecided = false;
-            std::vector<Found> states = _search.of_way(low.way, speed, undecided);
+            std::vector<Found> states =
+                _over.of_way(low.way, place, undecided, StateSearch::Wanted::all);
             if (states.empty())
                 return std::nullopt;
             return std::move(states.front());
         }
-        Eigen::VectorXd guess = low.x;
-        for (Eigen::Index k = guess.size() - angles(); k < guess.size(); ++k)
-            guess(k) += std::remainder(high.x(k) - low.x(k), 2 * pi) / 2;
-        std::optional<Found> out = _search.followed(low, guess, speed);
+        Eigen::VectorXd guess = low.x.tail(_angles);
+        for (Eigen::Index k = 0; k < _angles; ++k)
+            guess(k) += std::remainder(high.x.tail(_angles)(k) - guess(k), 2 * pi) / 2;
+        std::optional<Found> out = _over.followed(low, guess, place);
         if (out && (apart(*out, low) > farthest || apart(*out, high) > farthest))
             out.reset();
         return out;
@@ -225,11 +257,11 @@ void halve(const Found &low, const Found &high, const Between &between, int dept
     if (low.state.growing == high.state.growing || low.state.growing < 0 ||
         high.state.growing < 0) // the eigensolver failed
         return;
-    const double from = low.state.speed;
-    const double to = high.state.speed;
+    const double from = low.place;
+    const double to = high.place;
     if (to - from > known_to * std::max(std::abs(from), std::abs(to)) && depth < 60) {
-        const double speed = (from + to) / 2;
-        if (const std::optional<Found> middle = between(low, high, speed)) {
+        const double place = (from + to) / 2;
+        if (const std::optional<Found> middle = between(low, high, place)) {
             halve(low, *middle, between, depth + 1, out);
             halve(*middle, high, between, depth + 1, out);
             return;
@@ -244,7 +276,7 @@ void halve(const Found &low, const Found &high, const Between &between, int dept
     const Found &more = low.state.growing > high.state.growing ? low : high;
     const double swing = std::abs(more.least_growing.imag());
     // Of a real root nothing is left but rounding.
-    const bool pair = swing > 1e-7 * std::abs(border.speed);
+    const bool pair = swing > 1e-7 * std::abs(more.state.speed);
     border.kind = pair ? SteadyBorder::Kind::pair : SteadyBorder::Kind::zero;
     if (pair)
         border.frequency = swing;
@@ -258,10 +290,32 @@ void find_crossings(const Found &low, const Found &high, const Between &between,
     halve(low, high, between, 0, out);
 }
 
-void join_branches(const StateSearch &search, std::vector<AtSpeed> &all,
-                   results::SteadyStates &out) {
+std::vector<Found> Followed::at(double place, bool &undecided) {
+    std::vector<Found> out = search(place).at(speed(place), undecided);
+    for (Found &found : out)
+        found.place = place;
+    return out;
+}
+
+std::vector<Found> Followed::of_way(int way, double place, bool &undecided,
+                                    StateSearch::Wanted wanted) {
+    std::vector<Found> out = search(place).of_way(way, speed(place), undecided, wanted);
+    for (Found &found : out)
+        found.place = place;
+    return out;
+}
+
+std::optional<Found> Followed::followed(const Found &from, const Eigen::VectorXd &guess,
+                                        double place) {
+    std::optional<Found> out = search(place).followed(from, guess, speed(place));
+    if (out)
+        out->place = place;
+    return out;
+}
+
+void join_branches(Followed &over, std::vector<AtPlace> &all, results::SteadyStates &out) {
     if (!all.empty())
-        Joining(search, all, out).run();
+        Joining(over, all, out).run();
 }
 
 } // namespace whirl::states

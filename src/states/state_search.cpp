@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -568,7 +570,10 @@ SteadyState::Kind StateSearch::kind_of(const Way &way) const {
 }
 
 Eigen::VectorXd StateSearch::lined_up(Eigen::VectorXd x, const Eigen::VectorXd &with) const {
-    const Index first = _equations.rotor_unknowns();
+    // From the ends: rotors that differ in an entry may have other numbers of shapes.
+    const Index angles = _equations.parts().free_angles();
+    const Index first = x.size() - angles;
+    const Index first_with = with.size() - angles;
     const auto apart = [](double one, double other) {
         return std::abs(std::remainder(one - other, 2 * pi));
     };
@@ -580,8 +585,10 @@ Eigen::VectorXd StateSearch::lined_up(Eigen::VectorXd x, const Eigen::VectorXd &
                 for (const Mass &b : plane.masses) {
                     const Index i = first + a.coordinate;
                     const Index k = first + b.coordinate;
-                    const double gain = apart(x(i), with(i)) + apart(x(k), with(k)) -
-                                        apart(x(k), with(i)) - apart(x(i), with(k));
+                    const double to_a = with(first_with + a.coordinate);
+                    const double to_b = with(first_with + b.coordinate);
+                    const double gain = apart(x(i), to_a) + apart(x(k), to_b) - apart(x(k), to_a) -
+                                        apart(x(i), to_b);
                     if (a.alike != b.alike || gain <= same_at_fold)
                         continue;
                     std::swap(x(i), x(k));
@@ -610,7 +617,7 @@ void StateSearch::write_angles(Found &found) const {
 
 void StateSearch::describe(Found &found, double speed) const {
     SteadyState &state = found.state;
-    state.speed = speed;
+    state.speed = found.place = speed;
     write_angles(found);
     state.amplitudes.clear();
     state.residual = 0;
@@ -662,8 +669,8 @@ void StateSearch::judge(Found &found, int zeros) const {
         state.stable = growing == 0;
 }
 
-void StateSearch::add_states(int index, double speed, double deflection, std::vector<Found> &out,
-                             bool &undecided) const {
+void StateSearch::add_states(int index, double speed, double deflection, Wanted wanted,
+                             std::vector<Found> &out, bool &undecided) const {
     const Way &way = _ways[static_cast<std::size_t>(index)];
     const Lines lines(*this, way, speed);
     TrigRoots roots;
@@ -700,7 +707,8 @@ void StateSearch::add_states(int index, double speed, double deflection, std::ve
                 undecided = true;
                 continue;
             }
-            describe(found, speed);
+            if (wanted == Wanted::all)
+                describe(found, speed);
             if (!family) {
                 if (std::ranges::none_of(out, [&](const Found &other) {
                         return same(other.x.tail(angles.size()), found.x.tail(angles.size()));
@@ -743,14 +751,21 @@ std::vector<StateSearch::Found> StateSearch::at(double speed, bool &undecided) c
     std::vector<Found> out;
     const double deflection = size_of_deflections(speed);
     for (int way = 0; way < std::ssize(_ways); ++way)
-        add_states(way, speed, deflection, out, undecided);
+        add_states(way, speed, deflection, Wanted::all, out, undecided);
     return out;
 }
 
-std::vector<StateSearch::Found> StateSearch::of_way(int way, double speed, bool &undecided) const {
+std::vector<StateSearch::Found> StateSearch::of_way(int way, double speed, bool &undecided,
+                                                    Wanted wanted) const {
     std::vector<Found> out;
-    add_states(way, speed, size_of_deflections(speed), out, undecided);
+    add_states(way, speed, size_of_deflections(speed), wanted, out, undecided);
     return out;
+}
+
+bool StateSearch::same_ways(const StateSearch &other) const {
+    const auto sides = [](const Way &way) { return way.sides; };
+    return _equations.parts().free_angles() == other._equations.parts().free_angles() &&
+           std::ranges::equal(_ways, other._ways, {}, sides, sides);
 }
 
 bool StateSearch::can_balance() const {
@@ -820,6 +835,80 @@ SpeedExtremes extremes_of(const std::vector<double> &speeds) {
     return {slowest, fastest};
 }
 
+namespace {
+
+/// One rotor at many speeds.
+class OverSpeeds : public Followed {
+  public:
+    OverSpeeds(const model::Case &scene, double slowest, double fastest)
+        : _search(scene, slowest, fastest) {}
+    [[nodiscard]] const StateSearch &search(double /*place*/) override { return _search; }
+    [[nodiscard]] double speed(double place) const override { return place; }
+
+  private:
+    StateSearch _search;
+};
+
+/// A rotor for each value of an entry, at one speed.
+class OverEntry : public Followed {
+  public:
+    OverEntry(double speed, std::function<model::Case(double)> with)
+        : _speed(speed), _with(std::move(with)) {}
+
+    [[nodiscard]] const StateSearch &search(double place) override {
+        constexpr std::size_t most = 64; // two branches that meet ask for the same values
+        const auto known = _searches.find(place);
+        if (known != _searches.end())
+            return *known->second;
+        if (_searches.size() >= most)
+            _searches.clear();
+        auto made = std::make_shared<const StateSearch>(_with(place), _speed, _speed);
+        if (!_first)
+            _first = made;
+        if (!made->same_ways(*_first))
+            throw model::AnalysisFailure(
+                "steady states are followed over entries that leave it as it is how many balls "
+                "there are, which of them are alike and in one plane, and whether an imbalance "
+                "drives the rotor; over this one it changes");
+        return *_searches.emplace(place, std::move(made)).first->second;
+    }
+    [[nodiscard]] double speed(double /*place*/) const override { return _speed; }
+
+  private:
+    double _speed;
+    std::function<model::Case(double)> _with;
+    std::shared_ptr<const StateSearch> _first;
+    std::map<double, std::shared_ptr<const StateSearch>> _searches;
+};
+
+/// All states at the places, joined. @param out  with the places; gets states and borders, whose
+/// places are told as speeds
+void follow(Followed &over, results::SteadyStates &out) {
+    const std::vector<double> &places = out.places();
+    std::vector<AtPlace> all(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        bool undecided = false;
+        all[i] = {places[i], over.at(places[i], undecided)};
+        if (undecided)
+            out.undecided.push_back(places[i]);
+        process::report_progress(0.8 * static_cast<double>(i + 1) /
+                                 static_cast<double>(places.size()));
+    }
+    join_branches(over, all, out);
+    for (AtPlace &at : all)
+        for (StateSearch::Found &found : at.states) {
+            found.state.speed = found.place;
+            out.states.push_back(std::move(found.state));
+        }
+}
+
+model::AnalysisFailure not_found(const linalg::SolverError &error) {
+    return model::AnalysisFailure(
+        results::Sentence("steady states were not found: {}", error.sentence()));
+}
+
+} // namespace
+
 results::SteadyStates steady_states(const model::Case &scene, const std::vector<double> &speeds) {
     results::SteadyStates out;
     for (const double speed : speeds)
@@ -834,24 +923,29 @@ results::SteadyStates steady_states(const model::Case &scene, const std::vector<
         return out;
     const auto [slowest, fastest] = extremes_of(out.speeds);
     try {
-        const StateSearch search(scene, slowest, fastest);
-        std::vector<AtSpeed> all(out.speeds.size());
-        for (std::size_t i = 0; i < out.speeds.size(); ++i) {
-            bool undecided = false;
-            all[i] = {out.speeds[i], search.at(out.speeds[i], undecided)};
-            if (undecided)
-                out.undecided.push_back(out.speeds[i]);
-            process::report_progress(0.8 * static_cast<double>(i + 1) /
-                                     static_cast<double>(out.speeds.size()));
-        }
-        join_branches(search, all, out);
-        for (AtSpeed &at : all)
-            for (StateSearch::Found &found : at.states)
-                out.states.push_back(std::move(found.state));
+        OverSpeeds over(scene, slowest, fastest);
+        follow(over, out);
     } catch (const linalg::SolverError &error) {
-        throw model::AnalysisFailure(
-            results::Sentence("steady states were not found: {}", error.sentence()));
+        throw not_found(error);
     }
+    return out;
+}
+
+results::SteadyStates steady_states_over(const model::SweepAxis &over, double speed,
+                                         const std::function<model::Case(double)> &with) {
+    results::SteadyStates out;
+    out.speeds = {speed};
+    out.over = over;
+    try {
+        OverEntry entry(speed, with);
+        follow(entry, out);
+    } catch (const linalg::SolverError &error) {
+        throw not_found(error);
+    }
+    for (SteadyState &state : out.states)
+        state.value = std::exchange(state.speed, speed);
+    for (results::SteadyBorder &border : out.borders)
+        border.value = std::exchange(border.speed, speed);
     return out;
 }
 

@@ -5,6 +5,7 @@
 #include "states/steady_equations.h"
 
 #include <complex>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -28,8 +29,9 @@ class StateSearch {
     struct Found {
         results::SteadyState state;
         Eigen::VectorXd x;
-        int along = 0; ///< motions along the family, which neither grow nor die out
-        int way = 0;   ///< in which the masses stand
+        double place = 0; ///< along what is followed: the speed, or the value of an entry
+        int along = 0;    ///< motions along the family, which neither grow nor die out
+        int way = 0;      ///< in which the masses stand
         /// The root of the motion that grows least of those that grow, 1/s; 0 where none does.
         /// Next to the end of a band in which one more grows it is that one's: without damping all
         /// others stay on the imaginary axis.
@@ -42,8 +44,13 @@ class StateSearch {
     /// @throws linalg::SolverError
     [[nodiscard]] std::vector<Found> at(double speed, bool &undecided) const;
 
+    /// What is wanted of states: their places alone, or all that follows from them.
+    enum class Wanted { places, all };
     /// Those of one way to stand.
-    [[nodiscard]] std::vector<Found> of_way(int way, double speed, bool &undecided) const;
+    [[nodiscard]] std::vector<Found> of_way(int way, double speed, bool &undecided,
+                                            Wanted wanted = Wanted::all) const;
+    /// Another rotor whose masses can stand in the same ways, in the same order.
+    [[nodiscard]] bool same_ways(const StateSearch &other) const;
 
     /// There can be states in which no plane with balancers is deflected (no race's centre, where
     /// that lies off the axis): balls or rings alone, two or more in each plane.
@@ -116,8 +123,8 @@ class StateSearch {
     [[nodiscard]] std::vector<Sides> ways_of(const Plane &plane) const;
     [[nodiscard]] std::vector<Way> all_ways() const;
     [[nodiscard]] double size_of_deflections(double speed) const;
-    void add_states(int index, double speed, double deflection, std::vector<Found> &out,
-                    bool &undecided) const;
+    void add_states(int index, double speed, double deflection, Wanted wanted,
+                    std::vector<Found> &out, bool &undecided) const;
     /// Angles of the masses of a plane from the imbalance that they balance, kg m.
     [[nodiscard]] std::vector<double> balanced_angles(const Plane &plane, double imbalance,
                                                       int member) const;
@@ -139,5 +146,12 @@ struct SpeedExtremes {
 /// @throws model::AnalysisFailure
 [[nodiscard]] results::SteadyStates steady_states(const model::Case &scene,
                                                   const std::vector<double> &speeds);
+/// The same at one speed over entries of the case.
+/// @param with  the case with these entries at a value
+/// @throws model::AnalysisFailure, also where the balls of one value are not those of another;
+///         model::BadInput where there is no such rotor
+[[nodiscard]] results::SteadyStates
+steady_states_over(const model::SweepAxis &over, double speed,
+                   const std::function<model::Case(double value)> &with);
 
 } // namespace whirl::states

@@ -157,19 +157,27 @@ std::vector<std::complex<double>> SteadyEquations::deflections(const Eigen::Vect
 }
 
 SteadyEquations::Balance SteadyEquations::balance(const Eigen::VectorXd &x, double speed,
-                                                  double deflection) const {
+                                                  double deflection, Motions wanted) const {
     const reduction::ReducedRotor &rotor = _parts.rotor;
     const Index r2 = rotor_unknowns();
     const Index n = unknowns();
     const Index r = rotor.size();
     Balance out;
     modes::DenseQuadratic<double> &m = out.motions;
-    m.M = m.D = m.K = Eigen::MatrixXd::Zero(n, n);
-    m.M.topLeftCorner(r2, r2).setIdentity();
-    Eigen::MatrixXd C = rotor.supports_at(speed).damping;
-    add_complex(rotor.internal, speed * (2 * Eigen::MatrixXd::Identity(r, r) - rotor.gyroscopic),
-                C);
-    m.D.topLeftCorner(r2, r2) = C;
+    m.K = Eigen::MatrixXd::Zero(n, n);
+    const bool all = wanted == Motions::all;
+    if (all) {
+        m.M = m.D = m.K;
+        m.M.topLeftCorner(r2, r2).setIdentity();
+        Eigen::MatrixXd C = rotor.supports_at(speed).damping;
+        add_complex(rotor.internal,
+                    speed * (2 * Eigen::MatrixXd::Identity(r, r) - rotor.gyroscopic), C);
+        m.D.topLeftCorner(r2, r2) = C;
+        for_tilting_masses(speed, [&](const Eigen::MatrixXd &rows, const balancers::AtRest &rest) {
+            m.M.topLeftCorner(r2, r2) += rows.transpose() * rest.inertia * rows;
+            m.D.topLeftCorner(r2, r2) += rows.transpose() * rest.gyroscopic * rows;
+        });
+    }
     const Eigen::MatrixXd K = stiffness(speed);
     m.K.topLeftCorner(r2, r2) = K;
     const Eigen::VectorXd fixed = load(speed);
@@ -178,16 +186,15 @@ SteadyEquations::Balance SteadyEquations::balance(const Eigen::VectorXd &x, doub
     out.left.head(r2) = fixed - K * u;
     out.sizes = Eigen::VectorXd::Zero(n);
     out.sizes.head(r2) = fixed.cwiseAbs() + K.cwiseAbs() * u.cwiseAbs();
-    for_tilting_masses(speed, [&](const Eigen::MatrixXd &rows, const balancers::AtRest &rest) {
-        m.M.topLeftCorner(r2, r2) += rows.transpose() * rest.inertia * rows;
-        m.D.topLeftCorner(r2, r2) += rows.transpose() * rest.gyroscopic * rows;
-    });
     for (Index first = r2; const simulation::FreeParts &free : _parts.free) {
         const Eigen::MatrixXd rows = _rows.middleRows<4>(4 * free.plane);
         const Eigen::Index size = free.motion->size();
         const balancers::AtRest rest = free.motion->at_rest(rows * u, speed, x.data() + first);
         out.left.head(r2) += rows.transpose() * rest.force.head<4>();
-        out.sizes.head(r2) += rows.transpose().cwiseAbs() * rest.force.head<4>().cwiseAbs();
+        // The pulls of masses may cancel: each of them is as large as what turning it changes.
+        out.sizes.head(r2) += rows.transpose().cwiseAbs() *
+                              (rest.force.head<4>().cwiseAbs() +
+                               rest.stiffness.topRightCorner(4, size).cwiseAbs().rowwise().sum());
         out.left.segment(first, size) += rest.force.tail(size);
         out.sizes.segment(first, size) += rest.stiffness.block(4, 0, size, 2).rowwise().norm() *
                                           std::max(deflection, (rows * u).head<2>().norm());
@@ -197,9 +204,11 @@ SteadyEquations::Balance SteadyEquations::balance(const Eigen::VectorXd &x, doub
             whole.block(first, 0, size, r2) += part.bottomLeftCorner(size, 4) * rows;
             whole.block(first, first, size, size) += part.bottomRightCorner(size, size);
         };
-        add(rest.inertia, m.M);
-        add(rest.gyroscopic + rest.damping, m.D);
         add(rest.stiffness, m.K);
+        if (all) {
+            add(rest.inertia, m.M);
+            add(rest.gyroscopic + rest.damping, m.D);
+        }
         first += size;
     }
     return out;
@@ -209,7 +218,7 @@ Eigen::VectorXd SteadyEquations::with_angles(const Eigen::VectorXd &angles, doub
     const Index r2 = rotor_unknowns();
     Eigen::VectorXd x = Eigen::VectorXd::Zero(unknowns());
     x.tail(angles.size()) = angles;
-    const Balance at = balance(x, speed, 0); // linear in u at constant angles
+    const Balance at = balance(x, speed, 0, Motions::stiffness); // linear in u at constant angles
     x.head(r2) =
         linalg::solved(at.motions.K.topLeftCorner(r2, r2).eval().partialPivLu(), at.left.head(r2));
     return x;
@@ -225,7 +234,7 @@ double SteadyEquations::refine(Eigen::VectorXd &x, double speed, double deflecti
             most = std::max(most, std::abs(at.left(i)) / std::max(at.sizes(i), 1e-12 * largest));
         return most;
     };
-    Balance at = balance(x, speed, deflection);
+    Balance at = balance(x, speed, deflection, Motions::stiffness);
     double left = left_of(at);
     for (int i = 0; i < most_steps && left > 0; ++i) {
         // Each equation over its size, or directions of small forces would not count.
@@ -243,7 +252,7 @@ double SteadyEquations::refine(Eigen::VectorXd &x, double speed, double deflecti
         constexpr double shortest = 1e-2; // of the step: then it leads nowhere
         for (double part = 1; part > shortest && !better; part /= 2) {
             const Eigen::VectorXd next = x + part * step;
-            Balance then = balance(next, speed, deflection);
+            Balance then = balance(next, speed, deflection, Motions::stiffness);
             if (const double less = left_of(then); less < left) {
                 better = true;
                 x = next;
@@ -258,7 +267,7 @@ double SteadyEquations::refine(Eigen::VectorXd &x, double speed, double deflecti
 }
 
 modes::DenseQuadratic<double> SteadyEquations::about(const Eigen::VectorXd &x, double speed) const {
-    return balance(x, speed, 0).motions;
+    return balance(x, speed, 0, Motions::all).motions;
 }
 
 } // namespace whirl::states

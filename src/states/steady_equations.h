@@ -70,7 +70,10 @@ class SteadyEquations {
         Eigen::VectorXd sizes; ///< of the terms of each
         modes::DenseQuadratic<double> motions;
     };
-    [[nodiscard]] Balance balance(const Eigen::VectorXd &x, double speed, double deflection) const;
+    /// What is wanted of small motions: their stiffness, which Newton's method takes, or all.
+    enum class Motions { stiffness, all };
+    [[nodiscard]] Balance balance(const Eigen::VectorXd &x, double speed, double deflection,
+                                  Motions motions) const;
     /// Calls `add` for each fixed mass that tilts with its plane, with the rows of that plane, 4 x
     /// 2r, and what the mass adds there.
     void for_tilting_masses(double speed,

@@ -166,6 +166,42 @@ TEST(Influence, OfAUniformShaftIsTheSumOfItsShapes) {
             }
 }
 
+// Coarse elements: the error that is stated covers what they leave of the sum of the shapes, and is
+// no more than ten times that; of a rigid shaft it is rounding.
+TEST(Influence, ErrorsCoverWhatCoarseElementsLeave) {
+    const PinnedShaft of;
+    for (const int order : {1, 2, 3}) {
+        model::Case scene = of.scene();
+        scene.rotor.shaft.order = order;
+        scene.rotor.planes = {{"a", 0.3}, {"b", 0.8}};
+        scene = with_weights(scene, 200);
+        scene.weights->stations = {0.3, 0.55, 0.8};
+        scene.speeds = model::SpeedRange{0.5 * of.critical(1), 1.4 * of.critical(1), 4};
+        const WeightsResult result = analyses::correction_weights(scene);
+        for (std::size_t k = 0; k < 4; ++k)
+            for (const auto &[plane, p] : {std::pair("a", 0.3), {"b", 0.8}})
+                for (const double z : scene.weights->stations) {
+                    const InfluenceCurve &curve = curve_of(result, "station", z, plane);
+                    const double found = curve.values[k]->real();
+                    const double left =
+                        std::abs(found - of.influence(z, p, result.curve_speeds[k]));
+                    ASSERT_TRUE(curve.errors[k]);
+                    const double stated = *curve.errors[k] * std::abs(found);
+                    const double series = 1e-7 * std::abs(found); // pins, and where it ends
+                    EXPECT_LE(left, stated + series) << order << ' ' << z << ' ' << plane;
+                    EXPECT_LE(stated, 10 * left + 10 * series) << order << ' ' << z << ' ' << plane;
+                }
+        for (const results::InfluenceCoefficient &one : result.influence)
+            EXPECT_TRUE(one.error && *one.error > 0 && *one.error < 0.2);
+    }
+    model::Case rigid = RigidJeffcott().scene();
+    rigid.rotor.planes = {{"disc", 0.5}};
+    rigid = with_weights(rigid, 200);
+    rigid.speeds = model::SpeedRange{100, 200, 2};
+    const WeightsResult result = analyses::correction_weights(rigid);
+    EXPECT_LT(*curve_of(result, "bearing", 0, "disc").errors[0], 1e-10);
+}
+
 // Maxwell and Betti: what a weight here does there, one there does here; with discs, gyroscopic
 // effect and damping too, as long as all directions are alike.
 TEST(Influence, IsTheSameThereAndBack) {

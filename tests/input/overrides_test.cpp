@@ -65,6 +65,25 @@ TEST(Overrides, TakeEntriesAndItemsOut) {
     EXPECT_NE(nothing.find("there is no such entry"), std::string::npos) << nothing;
 }
 
+// Without y the steady states are followed over x: at one speed, and over an entry.
+TEST(EntryPaths, OfAMapAloneAreForStates) {
+    const auto with = [](const std::string &states, const std::string &path) {
+        return two_bearings + "[[balancer]]\nz = 0.3\nmass = 0.1\nradius = 0.1\n" + states +
+               "[map]\nx = {path = \"" + path + "\", from = 0.1, to = 9, count = 3}\n";
+    };
+    const std::string one = "[states]\nspeeds = [300]\n";
+    const model::Case scene = load_text(with(one, "balancer[0].mass"));
+    ASSERT_TRUE(scene.map);
+    EXPECT_TRUE(scene.map->y.values.empty());
+    EXPECT_NE(refusal(with("", "balancer[0].mass")).find("map.y: missing"), std::string::npos);
+    EXPECT_NE(refusal(with("[states]\nspeeds = [300, 400]\n", "balancer[0].mass"))
+                  .find("map.y: missing: without it the states are followed over x at one speed, "
+                        "expected one in states.speeds, got 2"),
+              std::string::npos);
+    EXPECT_NE(refusal(with(one, "speed")).find("map.x: expected an entry of the case"),
+              std::string::npos);
+}
+
 /// [map] and [samples] name entries in the words of --set: what one override sets, they may vary.
 TEST(EntryPaths, OfMapsAndSamplesAreThoseOfOverrides) {
     const std::string balancers = two_bearings +

@@ -82,6 +82,9 @@ INSTANTIATE_TEST_SUITE_P(
         "--set map.x.from=1 --set map.x.to=50 --set map.x.count=2 "
         "--set map.y.path=anisotropy[0].dI --set map.y.from=0 --set map.y.to=0.01 "
         "--set map.y.count=2",
+        "stability cases/jeffcott_two_balls --set speeds.from=500 --set speeds.to= "
+        "--set speeds.count=1 --set states.max_balls=2 --set map.x.path=balancer[0].mass "
+        "--set map.x.from=0.03 --set map.x.to=0.06 --set map.x.count=3",
         "response cases/compressor_margins --set standard.unbalance=api617 --set speeds.count=5",
         "stability cases/api617_clearances --set speeds.count=5",
         "samples cases/uncertain_jeffcott --set samples.count=5", "sweep cases/uncertain_jeffcott",

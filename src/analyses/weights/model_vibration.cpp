@@ -1,6 +1,7 @@
 #include "analyses/weights/model_vibration.h"
 
 #include "balancing/weights.h"
+#include "forced/response_error.h"
 #include "forced/response_places.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -65,24 +67,31 @@ ModelVibration::ModelVibration(const model::Case &scene, results::ModelSummary &
         sets.push_back({{"", plane.z, 1.0, 0.0}});
     for (const double z : _settings.stations)
         _rotor.stations.push_back({z});
-    _motions.emplace(_rotor, summary.order, summary.formulation.form, sets);
-    summary.elements = static_cast<int>(_motions->discretization().shaft_mesh().spans.size());
-    summary.unknowns = _motions->of(0).unknowns();
-    add_reads(summary.formulation.form == results::Form::planar);
+    const bool circles = summary.formulation.form == results::Form::planar;
+    const auto readable = [&](std::optional<Readable> &out, forced::FinerMesh mesh) {
+        out.emplace(Readable{{_rotor, mesh.order, summary.formulation.form, sets, mesh.parts}, {}});
+        out->reads = reads_of(out->motions.discretization(), circles);
+    };
+    readable(_model, {summary.order, 1});
+    if (!_model->motions.discretization().rigid())
+        readable(_finer, forced::finer_mesh(summary.order));
+    summary.elements = static_cast<int>(_model->motions.discretization().shaft_mesh().spans.size());
+    summary.unknowns = _model->motions.of(0).unknowns();
 }
 
 /// @param circles  all orbits are: y is x a quarter turn later
-void ModelVibration::add_reads(bool circles) {
-    const assembly::Discretization &d = _motions->discretization();
+std::vector<ModelVibration::Read> ModelVibration::reads_of(const assembly::Discretization &d,
+                                                           bool circles) const {
+    std::vector<Read> reads;
     for (std::size_t i = 0; i < _rotor.probes.size(); ++i)
-        _reads.push_back({"probe", _rotor.probe_name(i), forced::quantity_of(d, _rotor.probes[i]),
-                          _rotor.probes[i].angle});
+        reads.push_back({"probe", _rotor.probe_name(i), forced::quantity_of(d, _rotor.probes[i]),
+                         _rotor.probes[i].angle});
     const auto add = [&](const char *of, const std::string &name, forced::Quantity quantity,
                          double z) {
         quantity.z = z;
         for (const double angle : {0.0, std::numbers::pi / 2})
             if (angle == 0 || !circles)
-                _reads.push_back({of, name, quantity, angle});
+                reads.push_back({of, name, quantity, angle});
     };
     for (std::size_t i = 0; i < _rotor.supports().size(); ++i) {
         const model::Bearing &bearing = _rotor.bearings[i];
@@ -94,6 +103,7 @@ void ModelVibration::add_reads(bool circles) {
     }
     for (const double z : _settings.stations)
         add("station", "", {d.deflection_at(z)}, z);
+    return reads;
 }
 
 std::vector<model::ReadingPlace> ModelVibration::places() const {
@@ -115,16 +125,35 @@ std::vector<model::ReadingPlace> ModelVibration::places() const {
     return places;
 }
 
-std::complex<double> ModelVibration::value(std::size_t set, const Read &read) {
-    const forced::Phasor motion = _motions->of(set).of(read.quantity);
-    return turned(read.of == "probe" ? motion.x : forced::reading(motion, read.angle));
+bool ModelVibration::solve(double speed) {
+    if (!_model->motions.solve(speed))
+        return false;
+    _error_known = !_finer || _finer->motions.solve_unjudged(speed);
+    return true;
+}
+
+std::complex<double> ModelVibration::value(Readable &model, std::size_t set,
+                                           std::size_t read) const {
+    const Read &of = model.reads[read];
+    const forced::Phasor motion = model.motions.of(set).of(of.quantity);
+    return turned(of.of == "probe" ? motion.x : forced::reading(motion, of.angle));
+}
+
+std::optional<double> ModelVibration::error(std::size_t set, std::size_t read,
+                                            std::complex<double> own) {
+    if (!_error_known || own == 0.0)
+        return std::nullopt;
+    const double by_elements = _finer ? forced::error_share(own, value(*_finer, set, read)) : 0;
+    return by_elements + _model->motions.rounding();
 }
 
 ModelVibration::AtPlaces ModelVibration::at(const std::vector<model::ReadingPlace> &places) {
     const std::size_t planes = _rotor.planes.size();
     const auto rows = static_cast<Eigen::Index>(places.size());
     AtPlaces out{Eigen::VectorXcd::Zero(rows),
-                 Eigen::MatrixXcd::Zero(rows, static_cast<Eigen::Index>(planes))};
+                 Eigen::MatrixXcd::Zero(rows, static_cast<Eigen::Index>(planes)),
+                 Eigen::MatrixXd::Constant(rows, static_cast<Eigen::Index>(planes),
+                                           std::numeric_limits<double>::quiet_NaN())};
     std::optional<double> speed;
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!places[i].speed)
@@ -132,16 +161,21 @@ ModelVibration::AtPlaces ModelVibration::at(const std::vector<model::ReadingPlac
                                   "which their table does not say");
         if (speed != places[i].speed) {
             speed = places[i].speed;
-            if (!_motions->solve(*speed))
+            if (!solve(*speed))
                 refuse_resonance(*speed);
         }
         const auto row = static_cast<Eigen::Index>(i);
         for (std::size_t k = 0; k < _rotor.probes.size(); ++k) {
-            if (_reads[k].name != places[i].probe)
+            if (_model->reads[k].name != places[i].probe)
                 continue;
-            out.vibration(row) = value(0, _reads[k]);
-            for (std::size_t p = 0; p < planes; ++p)
-                out.influence(row, static_cast<Eigen::Index>(p)) = value(1 + p, _reads[k]);
+            out.vibration(row) = value(*_model, 0, k);
+            for (std::size_t p = 0; p < planes; ++p) {
+                const auto column = static_cast<Eigen::Index>(p);
+                const std::complex<double> own = value(*_model, 1 + p, k);
+                out.influence(row, column) = own;
+                if (const auto share = error(1 + p, k, own))
+                    out.error(row, column) = *share;
+            }
         }
     }
     return out;
@@ -150,41 +184,46 @@ ModelVibration::AtPlaces ModelVibration::at(const std::vector<model::ReadingPlac
 void ModelVibration::add_curves(const Eigen::VectorXcd &weights, results::WeightsResult &result) {
     result.curve_speeds = _scene.speeds->values();
     const std::size_t planes = _rotor.planes.size();
+    const std::vector<Read> &reads = _model->reads;
     for (std::size_t p = 0; p < planes; ++p)
-        for (const Read &read : _reads)
+        for (const Read &read : reads)
             result.influence_curves.push_back(
                 {read.of,
                  read.name,
                  read.quantity.probe ? read.quantity.probe->z : read.quantity.z,
                  read.angle,
                  _rotor.plane_name(p),
+                 {},
                  {}});
     if (!result.measured)
         for (std::size_t k = 0; k < _rotor.probes.size(); ++k)
             result.curves.push_back({_rotor.probe_name(k), {}, {}});
     for (const double speed : result.curve_speeds) {
-        const bool known = _motions->solve(speed);
-        std::vector<std::complex<double>> before(_reads.size());
+        const bool known = solve(speed);
+        std::vector<std::complex<double>> before(reads.size());
         for (std::size_t k = 0; known && k < result.curves.size(); ++k)
-            before[k] = value(0, _reads[k]);
+            before[k] = value(*_model, 0, k);
         std::vector<std::complex<double>> after = before;
         for (std::size_t p = 0; p < planes; ++p) {
-            std::vector<std::complex<double>> values(_reads.size());
+            std::vector<std::complex<double>> values(reads.size());
             std::map<std::string, double> largest; // of a kind of place
-            for (std::size_t k = 0; known && k < _reads.size(); ++k) {
-                values[k] = value(1 + p, _reads[k]);
+            for (std::size_t k = 0; known && k < reads.size(); ++k) {
+                values[k] = value(*_model, 1 + p, k);
                 after[k] += weights(static_cast<Eigen::Index>(p)) * values[k];
-                double &most = largest[_reads[k].of];
+                double &most = largest[reads[k].of];
                 most = std::max(most, std::abs(values[k]));
             }
-            for (std::size_t k = 0; k < _reads.size(); ++k) {
-                const bool force = _reads[k].of == "force";
-                auto &curve = result.influence_curves[p * _reads.size() + k].values;
-                curve.push_back(known && !(force && speed == 0)
-                                    ? std::optional(balancing::without_rounding(
-                                                        values[k], largest[_reads[k].of]) /
-                                                    (force ? speed * speed : 1))
-                                    : std::nullopt);
+            for (std::size_t k = 0; k < reads.size(); ++k) {
+                const bool force = reads[k].of == "force";
+                results::InfluenceCurve &curve = result.influence_curves[p * reads.size() + k];
+                curve.values.emplace_back();
+                curve.errors.emplace_back();
+                if (!known || (force && speed == 0))
+                    continue;
+                const std::complex<double> own =
+                    balancing::without_rounding(values[k], largest[reads[k].of]);
+                curve.values.back() = own / (force ? speed * speed : 1);
+                curve.errors.back() = error(1 + p, k, own);
             }
         }
         for (std::size_t k = 0; k < result.curves.size(); ++k) {

@@ -38,6 +38,7 @@ class ModelVibration {
         /// set, m.
         Eigen::VectorXcd vibration;
         Eigen::MatrixXcd influence; ///< under a unit imbalance in each plane, m/(kg m)
+        Eigen::MatrixXd error;      ///< of that, relative; NaN: not known
     };
     [[nodiscard]] AtPlaces at(const std::vector<model::ReadingPlace> &places);
 
@@ -56,12 +57,25 @@ class ModelVibration {
     const model::Case &_scene;
     const model::WeightsSettings &_settings;
     model::Rotor _rotor; ///< with the imbalances that are already there
-    std::optional<forced::ImbalanceMotions> _motions; ///< those, then a unit in each plane
-    std::vector<Read> _reads;                         ///< probes first
+    /// A rotor under those, then under a unit in each plane, and what is read of it, probes first.
+    struct Readable {
+        forced::ImbalanceMotions motions;
+        std::vector<Read> reads;
+    };
+    std::optional<Readable> _model;
+    /// Of more unknowns, to tell errors by; none of a rigid shaft, which has no elements.
+    std::optional<Readable> _finer;
+    bool _error_known = true;
 
-    void add_reads(bool circles);
+    [[nodiscard]] std::vector<Read> reads_of(const assembly::Discretization &d, bool circles) const;
+    /// False at a resonance without damping.
+    [[nodiscard]] bool solve(double speed);
     /// Under a set of imbalances, at the speed solved last.
-    [[nodiscard]] std::complex<double> value(std::size_t set, const Read &read);
+    [[nodiscard]] std::complex<double> value(Readable &model, std::size_t set,
+                                             std::size_t read) const;
+    /// Relative error of a value of the model; none: not known, or it is zero.
+    [[nodiscard]] std::optional<double> error(std::size_t set, std::size_t read,
+                                              std::complex<double> value);
     /// A number with the phase of [weights] as one that leads, and back.
     [[nodiscard]] std::complex<double> turned(std::complex<double> value) const {
         return _settings.lag ? std::conj(value) : value;

@@ -172,13 +172,7 @@ std::vector<ChartLevel> levels_of(const Units &units, const results::StabilityMa
 
 ChartPanel map_panel(const model::Case &scene, const Units &units,
                      const results::StabilityMap &map) {
-    const auto along = [&units](const model::SweepAxis &of) {
-        return of.is_speed() ? along_speeds(units, of.values)
-                             : ChartAxis{.title = axis_name(of),
-                                         .low = of.values.front(),
-                                         .high = of.values.back()};
-    };
-    ChartPanel panel{410, along(map.x), along(map.y)};
+    ChartPanel panel{410, along_axis(units, map.x), along_axis(units, map.y)};
     const auto places = [&units](const model::SweepAxis &of) {
         return scaled(of.values, of.is_speed() ? units.factor(Quantity::speed) : 1);
     };
@@ -193,6 +187,13 @@ ChartPanel map_panel(const model::Case &scene, const Units &units,
 }
 
 } // namespace
+
+ChartAxis along_axis(const Units &units, const model::SweepAxis &of) {
+    return of.is_speed() ? along_speeds(units, of.values)
+                         : ChartAxis{.title = axis_name(of),
+                                     .low = of.values.front(),
+                                     .high = of.values.back()};
+}
 
 Chart stability_chart(const model::Case &scene, const StabilityResult &result, const Units &units) {
     Chart chart{

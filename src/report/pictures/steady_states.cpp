@@ -32,8 +32,10 @@ PlotPoint drawn_at(const Units &units, double speed, double amplitude) {
 }
 
 /// @param at  a state or a border
-PlotPoint drawn(const Units &units, const auto &at) {
-    return drawn_at(units, at.speed, at.residual);
+PlotPoint drawn(const Units &units, const SteadyStates &states, const auto &at) {
+    if (!states.over)
+        return drawn_at(units, at.speed, at.residual);
+    return {at.value, units(Quantity::amplitude, at.residual)};
 }
 
 /// Lines from one state of a branch to the next, with the change of stability between them if there
@@ -42,33 +44,35 @@ ByLook drawn_branches(const Units &units, const SteadyStates &states) {
     std::map<int, std::vector<const SteadyState *>> branches;
     for (const SteadyState &state : states.states)
         branches[state.branch].push_back(&state);
-    std::vector<double> speeds = states.speeds;
-    std::ranges::sort(speeds);
-    const auto place = [&speeds](const SteadyState &state) {
-        return std::ranges::lower_bound(speeds, state.speed) - speeds.begin();
+    std::vector<double> places = states.places();
+    std::ranges::sort(places);
+    const auto at = [&states](const auto &of) { return states.place(of); };
+    const auto place = [&](const SteadyState &state) {
+        return std::ranges::lower_bound(places, at(state)) - places.begin();
     };
     ByLook out;
     // Never through standstill: the states of the other sense of rotation are others.
     const auto piece = [&](const SteadyState &of, const auto &from, const auto &to) {
         if ((from.speed < 0) != (to.speed < 0))
             return;
-        add_piece(out[{of.kind, of.stable}].line, drawn(units, from), drawn(units, to));
+        add_piece(out[{of.kind, of.stable}].line, drawn(units, states, from),
+                  drawn(units, states, to));
     };
     for (const auto &[number, branch] : branches) {
         const SteadyState &first = *branch.front();
         const SteadyState &last = *branch.back();
         for (const SteadyState *state : branch)
-            out[{state->kind, state->stable}].points.push_back(drawn(units, *state));
+            out[{state->kind, state->stable}].points.push_back(drawn(units, states, *state));
         for (const SteadyBorder &border : states.borders)
-            if ((border.branch == number || border.other == number) && border.speed < first.speed)
+            if ((border.branch == number || border.other == number) && at(border) < at(first))
                 piece(first, border, first);
         for (std::size_t i = 1; i < branch.size(); ++i) {
             const SteadyState &from = *branch[i - 1];
             const SteadyState &to = *branch[i];
             if (place(to) != place(from) + 1)
                 continue;
-            const auto border = std::ranges::find_if(states.borders, [&](const auto &at) {
-                return at.branch == from.branch && at.speed > from.speed && at.speed < to.speed;
+            const auto border = std::ranges::find_if(states.borders, [&](const auto &one) {
+                return one.branch == from.branch && at(one) > at(from) && at(one) < at(to);
             });
             if (border == states.borders.end() || from.stable == to.stable) {
                 piece(from, from, to);
@@ -78,7 +82,7 @@ ByLook drawn_branches(const Units &units, const SteadyStates &states) {
             }
         }
         for (const SteadyBorder &border : states.borders)
-            if ((border.branch == number || border.other == number) && border.speed > last.speed)
+            if ((border.branch == number || border.other == number) && at(border) > at(last))
                 piece(last, last, border);
     }
     return out;
@@ -108,8 +112,9 @@ double top_of(const Units &units, const SteadyStates &states, std::vector<double
 Chart chart_with(const model::Case &scene, const SteadyStates &states, const Units &units,
                  const std::string &title, const std::vector<ChartCurve> &motions) {
     constexpr std::size_t apart = 40; // more points would run into each other
-    ChartPanel panel{490, along_speeds(units, states.speeds),
-                     chart_axis(units, "Largest amplitude of a plane", Quantity::amplitude)};
+    ChartPanel panel{
+        490, states.over ? along_axis(units, *states.over) : along_speeds(units, states.speeds),
+        chart_axis(units, "Largest amplitude of a plane", Quantity::amplitude)};
     const ByLook branches = drawn_branches(units, states);
     for (std::size_t kind = 0; kind < kind_colours.size(); ++kind)
         for (const std::optional<bool> stable : stabilities) {
@@ -118,11 +123,12 @@ Chart chart_with(const model::Case &scene, const SteadyStates &states, const Uni
                 continue;
             ChartCurve curve = branch_curve(results::steady_kind_name(found->first.first), stable,
                                             kind_colours.at(kind));
-            if (states.speeds.size() > 1) {
+            const std::size_t places = states.places().size();
+            if (places > 1) {
                 curve.points = found->second.line;
                 panel.curves.push_back(curve);
             }
-            if (states.speeds.size() > apart)
+            if (places > apart)
                 continue;
             curve.points = found->second.points;
             curve.width = 0;
@@ -138,7 +144,7 @@ Chart chart_with(const model::Case &scene, const SteadyStates &states, const Uni
         std::vector<PlotPoint> at;
         for (const SteadyBorder &border : states.borders)
             if (border.kind == kind)
-                at.push_back(drawn(units, border));
+                at.push_back(drawn(units, states, border));
         add_marks(panel, name, point, std::move(at));
     }
     std::vector<double> amplitudes;

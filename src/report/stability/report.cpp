@@ -302,7 +302,8 @@ Json json_of(const StabilityResult &result, const Units &units) {
                                      })},
             {"states", states_json(result.states, units)},
             {"state_borders", state_borders_json(result.states, units)},
-            {"states_undecided", states_undecided_json(result.states, units)}};
+            {"states_undecided", states_undecided_json(result.states, units)},
+            {"states_over", states_over_json(result.states, units)}};
 }
 
 std::string csv_of(const StabilityResult &result, const Units &units) {
