@@ -49,6 +49,8 @@ class Joining {
         if (a.state.family)
             return 0;
         const Eigen::VectorXd x = _search.lined_up(b.x, a.x);
+        if (!_search.between_same_walls(a.x, x))
+            return HUGE_VAL;
         double most = 0;
         for (Eigen::Index k = 0; k < angles(); ++k) {
             const Eigen::Index at = a.x.size() - angles() + k;
@@ -107,12 +109,15 @@ class Joining {
                 found.state.branch = _next++;
                 beginning.push_back(&found);
             }
-        find_ends(ending, low.speed, high.speed);
-        find_ends(beginning, high.speed, low.speed);
+        find_ends(ending, beginning, low.speed, high.speed);
+        find_ends(beginning, ending, high.speed, low.speed);
     }
 
-    /// Where states that are there at one speed and not at the other end.
-    void find_ends(std::vector<const Found *> states, double there, double gone) {
+    /// Where states that are there at one speed and not at the other end. At a wall two end
+    /// together, or one goes on as another.
+    /// @param others  there at the other speed alone
+    void find_ends(std::vector<const Found *> &states, std::vector<const Found *> &others,
+                   double there, double gone) {
         while (!states.empty()) {
             const Found first = *states.front();
             states.erase(states.begin());
@@ -126,6 +131,17 @@ class Joining {
             int &growing_after = there < gone ? border.growing_above : border.growing_below;
             growing_before = last.state.growing;
             growing_after = -1;
+            if (_search.ends_at_wall(last)) {
+                border.kind = SteadyBorder::Kind::wall;
+                if (const auto second = take_partner(last, states, there, gone)) {
+                    border.other = second->state.branch;
+                } else if (const auto next = take_partner(last, others, gone, there)) {
+                    border.other = next->state.branch;
+                    growing_after = next->state.growing;
+                }
+                _out.borders.push_back(border);
+                continue;
+            }
             using BorderKind = SteadyBorder::Kind;
             const bool alone = first.state.kind == Kind::out_of_round;
             if (alone && meet(last))
@@ -149,6 +165,26 @@ class Joining {
             }
             _out.borders.push_back(border);
         }
+    }
+
+    /// Of states that end at the same speed the one that stands there as this one does; its state
+    /// there. None: there is none.
+    [[nodiscard]] std::optional<Found> take_partner(const Found &last,
+                                                    std::vector<const Found *> &states,
+                                                    double there, double gone) const {
+        for (auto other = states.begin(); other != states.end(); ++other) {
+            if ((*other)->way == last.way)
+                continue;
+            Last end = last_of(**other, there, gone);
+            constexpr double same_speed = 1e-6; // of it, as next to a fold
+            if (std::abs(end.speed - last.state.speed) > same_speed * std::abs(end.speed) ||
+                !_search.stand_alike(end.found, last))
+                continue;
+            end.found.state.branch = (*other)->state.branch;
+            states.erase(other);
+            return std::move(end.found);
+        }
+        return std::nullopt;
     }
 
     /// Whether two balls stand at one angle but for what is left next to where they meet.

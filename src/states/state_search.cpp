@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -39,6 +40,8 @@ constexpr std::size_t most_ways = 20000;
 constexpr std::size_t most_alone = 4;
 /// A root found by Newton's method: some digits more than are shown.
 constexpr double refined = 1e-9;
+/// Rad, and of the size of a push: what rounding leaves of them.
+constexpr double beside = 1e-11;
 /// What second order terms in the slopes may leave of the equations of a family, which they break.
 constexpr double second_order = 1e-3;
 
@@ -100,35 +103,50 @@ class StateSearch::Lines {
         const double squared = speed * speed;
         const Eigen::MatrixXd &rows = equations.plane_rows();
         Eigen::MatrixXd K = equations.stiffness(speed);
+        Eigen::VectorXd fixed = equations.load(speed);
         add_free_parts(search, speed, K);
         for (std::size_t i = 0; i < way.sides.size(); ++i) {
             const Plane &plane = search._planes[i];
-            if (plane.out_of_round != 0.0) {
-                for (const Mass &mass : plane.masses)
+            add_at_stops(plane, way.stops[i], speed, rows, K, fixed);
+            Line line{plane.index, 0, 0, i, 0, plane.centre, {}, plane.slope}; // of free masses
+            double tilt = 0;
+            bool free = false;
+            for (std::size_t k = 0; k < plane.masses.size(); ++k) {
+                const Mass &mass = plane.masses[k];
+                if (way.stops[i][k] >= 0)
+                    continue;
+                free = true;
+                tilt += mass.tilt;
+                if (plane.out_of_round != 0.0)
                     _lines.push_back({plane.index,
                                       mass.moment,
                                       0,
                                       i,
+                                      k,
                                       plane.centre,
-                                      {mass.radius, plane.out_of_round}});
-            } else if (!way.sides[i].empty()) {
-                double moment = 0;
-                for (std::size_t k = 0; k < plane.masses.size(); ++k)
-                    moment += way.sides[i][k] * plane.masses[k].moment;
-                _lines.push_back({plane.index, moment, plane.tilt, i, plane.centre, {}});
-                continue;
-            } else {
+                                      {mass.radius, plane.out_of_round},
+                                      plane.slope});
+                else if (!way.sides[i].empty())
+                    line.moment += way.sides[i][k] * mass.moment;
+            }
+            if (way.sides[i].empty()) {
                 _balanced.push_back({plane.index, plane.centre});
+            } else if (plane.out_of_round == 0.0) {
+                line.tilt = tilt;
+                if (free)
+                    _lines.push_back(line);
+                continue;
             }
             // Of these masses the mean over all arrangements.
             const Eigen::MatrixXd slopes = rows.middleRows<2>(4 * plane.index + 2);
-            K += squared * plane.tilt / 2 * slopes.transpose() * slopes;
+            K += squared * tilt / 2 * slopes.transpose() * slopes;
+            fixed -= squared * tilt / 2 * slopes.transpose() * plane.slope;
         }
         _swung = search._swung;
         const Index y_size = rows.rows();
         const auto factors = K.partialPivLu();
         Eigen::MatrixXd right(K.rows(), y_size + 1);
-        right << squared * rows.transpose(), equations.load(speed);
+        right << squared * rows.transpose(), fixed;
         const Eigen::MatrixXd all = rows * linalg::solved(factors, right);
         _per_load = all.leftCols(y_size);
         _alone = all.col(y_size);
@@ -149,8 +167,10 @@ class StateSearch::Lines {
     /// Of the line of a plane, or on tracks out of round of each mass.
     [[nodiscard]] double direction(std::size_t plane, std::size_t mass,
                                    const Eigen::VectorXd &x) const {
-        const auto line = std::ranges::find(_lines, plane, &Line::which);
-        return x((line - _lines.begin()) + (line->track.radius > 0 ? static_cast<Index>(mass) : 0));
+        const auto line = std::ranges::find_if(_lines, [&](const Line &one) {
+            return one.which == plane && (one.track.radius == 0 || one.mass == mass);
+        });
+        return x(line - _lines.begin());
     }
 
     [[nodiscard]] TrigRoots roots() const {
@@ -172,8 +192,10 @@ class StateSearch::Lines {
         double moment; ///< kg m
         double tilt;   ///< kg m2
         std::size_t which;
+        std::size_t mass;       ///< that one of the plane, out of round
         Eigen::Vector2d centre; ///< of the circles, from the axis, m
         balancers::Track track; ///< of one mass out of round; radius 0: of several on a line
+        Eigen::Vector2d slope;  ///< of the circles, rad
     };
     struct Balanced {
         Index plane;
@@ -201,6 +223,25 @@ class StateSearch::Lines {
         for (const Plane &plane : search._planes) {
             const Eigen::VectorXd row = equations.plane_rows().row(4 * plane.index + 2);
             K -= speed * speed * plane.tilt * row * row.transpose();
+        }
+    }
+
+    /// Masses that rest against walls are those of the rotor.
+    static void add_at_stops(const Plane &plane, const Stops &stops, double speed,
+                             const Eigen::MatrixXd &rows, Eigen::MatrixXd &K,
+                             Eigen::VectorXd &load) {
+        for (std::size_t k = 0; k < stops.size(); ++k) {
+            if (stops[k] < 0)
+                continue;
+            const Mass &mass = plane.masses[k];
+            const double angle = mass.stops[static_cast<std::size_t>(stops[k])].angle;
+            const Eigen::Vector2d e(std::cos(angle), std::sin(angle));
+            const balancers::Track track{1, plane.out_of_round};
+            load += speed * speed * mass.moment * track.at(angle).value *
+                    rows.middleRows<2>(4 * plane.index).transpose() * e;
+            const Eigen::VectorXd along = rows.middleRows<2>(4 * plane.index + 2).transpose() * e;
+            K += speed * speed * mass.tilt * along * along.transpose();
+            load -= speed * speed * mass.tilt * e.dot(plane.slope) * along;
         }
     }
 
@@ -256,11 +297,15 @@ class StateSearch::Lines {
         out.y = _alone + _per_load * out.load;
         if (!_tilts)
             return out;
-        // Each line is pulled by -mu e t, t = e.Phi: (1 + E^T H E mu) t = E^T y.
+        // Each line is pulled by -mu e t, t = e.(Phi + slope): (1 + E^T H E mu) t = E^T y +
+        // e.slope.
         Eigen::MatrixXd pulls = Eigen::MatrixXd::Zero(_per_load.cols(), lines);
+        Eigen::VectorXd own(lines);
         for (Index i = 0; i < lines; ++i) {
             const Line &line = _lines[static_cast<std::size_t>(i)];
-            pulls.col(i).segment<2>(4 * line.plane + 2) << std::cos(x(i)), std::sin(x(i));
+            const Eigen::Vector2d e(std::cos(x(i)), std::sin(x(i)));
+            pulls.col(i).segment<2>(4 * line.plane + 2) = e;
+            own(i) = e.dot(line.slope);
         }
         const Eigen::MatrixXd answers = _per_load * pulls;
         Eigen::MatrixXd A = pulls.transpose() * answers;
@@ -268,7 +313,7 @@ class StateSearch::Lines {
             A.col(i) *= _lines[static_cast<std::size_t>(i)].tilt;
         A.diagonal().array() += 1;
         const auto factors = A.partialPivLu();
-        Eigen::VectorXd t = factors.solve(pulls.transpose() * out.y);
+        Eigen::VectorXd t = factors.solve(pulls.transpose() * out.y + own);
         for (Index i = 0; i < lines; ++i)
             t(i) *= _lines[static_cast<std::size_t>(i)].tilt;
         out.y -= answers * t;
@@ -320,7 +365,7 @@ class StateSearch::Lines {
             Eigen::VectorXd tilting = Eigen::VectorXd::Zero(y.size());
             for (const Line &line : _lines)
                 tilting.segment<2>(4 * line.plane + 2) +=
-                    line.tilt * y.segment<2>(4 * line.plane + 2);
+                    line.tilt * (y.segment<2>(4 * line.plane + 2) + line.slope.cwiseAbs());
             y += _per_load.cwiseAbs() * tilting;
         }
         Eigen::VectorXd out(unknowns());
@@ -369,7 +414,7 @@ void StateSearch::collect(const model::Case &scene) {
         for (Plane &plane : _planes)
             if (plane.index == index)
                 return plane;
-        _planes.push_back({index, {}, 0, Eigen::Vector2d::Zero(), 0, {}});
+        _planes.push_back({index, {}, 0, Eigen::Vector2d::Zero(), 0, Eigen::Vector2d::Zero(), {}});
         return _planes.back();
     };
     _balancers = scene.rotor.balancers;
@@ -386,11 +431,16 @@ void StateSearch::collect(const model::Case &scene) {
             Plane &plane = plane_at(free.plane);
             const std::complex<double> centre = kind->race_centre();
             const Eigen::Vector2d own(centre.real(), centre.imag());
+            const std::complex<double> inclination = kind->inclination();
+            const Eigen::Vector2d slope(inclination.real(), inclination.imag());
             if (!plane.balancers.empty() &&
-                (plane.centre != own || plane.out_of_round != kind->out_of_round()))
+                (plane.centre != own || plane.out_of_round != kind->out_of_round() ||
+                 plane.slope != slope))
                 throw model::AnalysisFailure(
-                    "steady states are found for races in one plane with one centre and one form: "
-                    "those of the balancers here differ in eccentricity or ellipticity");
+                    "steady states are found for races in one plane with one centre, form and "
+                    "tilt: those of the balancers here differ in eccentricity, ellipticity or "
+                    "tilt");
+            plane.slope = slope;
             plane.centre = own;
             plane.out_of_round = kind->out_of_round();
             plane.balancers.push_back(i);
@@ -398,7 +448,15 @@ void StateSearch::collect(const model::Case &scene) {
         for (Index at = first; const balancers::CircledMass &mass : kind->circled()) {
             Plane &plane = plane_at(free.plane);
             const double tilt = b.tilt_inertia ? mass.inertia : 0;
-            plane.masses.push_back({at++, mass.moment, mass.radius(), tilt, alike + mass.alike});
+            plane.masses.push_back({at, mass.moment, mass.radius(), tilt, alike + mass.alike, {}});
+            for (const balancers::TouchingRow &row : free.motion->touching())
+                if (at - first >= row.first && at - first < row.first + row.count)
+                    for (const balancers::Wall &wall : row.walls) {
+                        plane.masses.back().stops.push_back({wall.before, 1, wall.arm_before});
+                        plane.masses.back().stops.push_back({wall.behind, -1, wall.arm_behind});
+                        _walls = true;
+                    }
+            ++at;
             plane.tilt += tilt;
             kinds = std::max(kinds, mass.alike + 1);
         }
@@ -409,36 +467,65 @@ void StateSearch::collect(const model::Case &scene) {
     }
 }
 
-std::vector<StateSearch::Sides> StateSearch::ways_of(const Plane &plane) const {
-    std::vector<Sides> out;
-    if (plane.out_of_round != 0.0)
-        return {Sides(plane.masses.size(), 0)};
-    if (plane.masses.size() > 1)
-        out.emplace_back(); // balanced: one mass alone is so on its line
+std::vector<StateSearch::PlaneWay> StateSearch::ways_of(const Plane &plane) {
+    std::vector<PlaneWay> out;
     const std::size_t n = plane.masses.size();
+    // A mass that rests against a wall is pushed there: its plane is not balanced.
+    if (n > 1 && plane.out_of_round == 0.0) // one mass alone is so on its line
+        out.push_back({{}, Stops(n, -1)});
+    // Who rests where: of masses that could be exchanged the later one never at an earlier stop.
+    Stops stops(n, -1);
+    const std::function<void(std::size_t)> choose = [&](std::size_t k) {
+        if (k == n) {
+            add_sides(plane, stops, out);
+            return;
+        }
+        int least = -1;
+        for (std::size_t l = 0; l < k; ++l)
+            if (plane.masses[l].alike == plane.masses[k].alike)
+                least = std::max(least, stops[l]);
+        for (int stop = least; stop < std::ssize(plane.masses[k].stops); ++stop) {
+            stops[k] = stop;
+            choose(k + 1);
+        }
+    };
+    choose(0);
+    return out;
+}
+
+void StateSearch::add_sides(const Plane &plane, const Stops &stops, std::vector<PlaneWay> &out) {
+    const std::size_t n = plane.masses.size();
+    std::vector<std::size_t> free;
+    Sides sides(n, at_stop);
     double all = 0;
-    for (const Mass &mass : plane.masses)
-        all += mass.moment;
-    for (std::size_t pattern = 0; pattern < (std::size_t{1} << n); ++pattern) {
-        Sides sides(n);
+    for (std::size_t k = 0; k < n; ++k)
+        if (stops[k] < 0) {
+            free.push_back(k);
+            sides[k] = 0;
+            all += plane.masses[k].moment;
+        }
+    if (free.empty() || plane.out_of_round != 0.0) {
+        out.push_back({sides, stops});
+        return;
+    }
+    for (std::size_t pattern = 0; pattern < (std::size_t{1} << free.size()); ++pattern) {
         double sum = 0;
-        for (std::size_t k = 0; k < n; ++k) {
-            sides[k] = (pattern >> k & 1) != 0 ? -1 : 1;
-            sum += sides[k] * plane.masses[k].moment;
+        for (std::size_t f = 0; f < free.size(); ++f) {
+            sides[free[f]] = (pattern >> f & 1) != 0 ? -1 : 1;
+            sum += sides[free[f]] * plane.masses[free[f]].moment;
         }
         // Turned by half a turn the others are the same.
-        if (sum < -equal_moments * all || (sum <= equal_moments * all && sides[0] < 0))
+        if (sum < -equal_moments * all || (sum <= equal_moments * all && sides[free[0]] < 0))
             continue;
         // Of masses that could be exchanged those that stand opposite come last.
         bool ordered = true;
-        for (std::size_t k = 1; k < n; ++k)
-            for (std::size_t l = 0; l < k; ++l)
-                ordered = ordered &&
-                          !(plane.masses[l].alike == plane.masses[k].alike && sides[l] < sides[k]);
+        for (const std::size_t k : free)
+            for (const std::size_t l : free)
+                ordered = ordered && !(l < k && sides[l] < sides[k] &&
+                                       plane.masses[l].alike == plane.masses[k].alike);
         if (ordered)
-            out.push_back(std::move(sides));
+            out.push_back({sides, stops});
     }
-    return out;
 }
 
 std::vector<StateSearch::Way> StateSearch::all_ways() const {
@@ -447,19 +534,30 @@ std::vector<StateSearch::Way> StateSearch::all_ways() const {
     for (const Plane &plane : _planes) {
         std::vector<Way> longer;
         for (const Way &way : out)
-            for (const Sides &sides : ways_of(plane)) {
-                // Without an imbalance balls that deflect a damped rotor lag behind: nothing but
-                // their own pull along the circle would make up for the loss.
-                if (only_balanced && !sides.empty())
+            for (const PlaneWay &own : ways_of(plane)) {
+                if (only_balanced && !_walls && !own.sides.empty())
                     continue;
                 longer.push_back(way);
-                longer.back().sides.push_back(sides);
+                Way &next = longer.back();
+                next.sides.push_back(own.sides);
+                next.stops.push_back(own.stops);
+                for (std::size_t k = 0; k < own.stops.size(); ++k)
+                    if (own.stops[k] >= 0)
+                        next.held.push_back(plane.masses[k].coordinate);
             }
         out = std::move(longer);
         if (out.size() > most_ways)
             throw model::AnalysisFailure("there are too many ways in which the balls of this rotor "
                                          "can stand to search all of them for steady states");
     }
+    // Without an imbalance balls that deflect a damped rotor lag behind: nothing but their own pull
+    // along the circle, or a wall, would make up for the loss.
+    std::erase_if(out, [only_balanced](const Way &way) {
+        return only_balanced && way.held.empty() &&
+               std::ranges::any_of(way.sides, [](const Sides &sides) { return !sides.empty(); });
+    });
+    for (Way &way : out)
+        std::ranges::sort(way.held);
     return out;
 }
 
@@ -491,9 +589,12 @@ bool StateSearch::place(const Way &way, const Lines &lines, const Eigen::VectorX
     for (std::size_t i = 0, balanced = 0; i < _planes.size(); ++i) {
         const Plane &plane = _planes[i];
         if (!way.sides[i].empty()) {
-            for (std::size_t k = 0; k < plane.masses.size(); ++k)
+            for (std::size_t k = 0; k < plane.masses.size(); ++k) {
+                const int stop = way.stops[i][k];
                 angles(plane.masses[k].coordinate) =
-                    lines.direction(i, k, root) + (way.sides[i][k] < 0 ? pi : 0);
+                    stop >= 0 ? plane.masses[k].stops[static_cast<std::size_t>(stop)].angle
+                              : lines.direction(i, k, root) + (way.sides[i][k] < 0 ? pi : 0);
+            }
             continue;
         }
         const std::complex<double> needed = lines.needed(balanced++, root);
@@ -553,6 +654,8 @@ bool StateSearch::same(const Eigen::VectorXd &a, const Eigen::VectorXd &b) const
 SteadyState::Kind StateSearch::kind_of(const Way &way) const {
     if (_planes.empty())
         return SteadyState::Kind::swung;
+    if (!way.held.empty())
+        return SteadyState::Kind::at_wall;
     std::size_t balanced = 0;
     bool split = false;
     for (const Sides &sides : way.sides) {
@@ -612,6 +715,7 @@ void StateSearch::describe(Found &found, double speed) const {
     SteadyState &state = found.state;
     state.speed = speed;
     write_angles(found);
+    write_wall_forces(found);
     state.amplitudes.clear();
     state.residual = 0;
     const std::vector<std::complex<double>> w = _equations.deflections(found.x);
@@ -636,8 +740,9 @@ void StateSearch::describe(Found &found, double speed) const {
 
 void StateSearch::judge(Found &found, int zeros) const {
     SteadyState &state = found.state;
-    const std::vector<modes::Root> roots =
-        judged_roots(_equations.about(found.x, state.speed), state.speed, zeros);
+    const std::vector<modes::Root> roots = judged_roots(
+        _equations.about(found.x, state.speed, _ways[static_cast<std::size_t>(found.way)].held),
+        state.speed, zeros);
     const auto grows_most = [](const modes::Root &root) {
         return std::pair(root.sign() > 0, root.value.real());
     };
@@ -684,6 +789,7 @@ void StateSearch::add_states(int index, double speed, double deflection, std::ve
     }
     for (const Eigen::VectorXd &root : roots.roots) {
         std::optional<Found> whole;
+        bool between = false; // a member of a family would stand in a wall
         for (int member = 0; member < (family ? members : mirrored); ++member) {
             Eigen::VectorXd angles;
             if (!place(way, lines, root, member, angles))
@@ -691,13 +797,19 @@ void StateSearch::add_states(int index, double speed, double deflection, std::ve
             Found found;
             found.way = index;
             found.x = _equations.with_angles(angles, speed);
-            found.state.defect = _equations.refine(found.x, speed, deflection);
+            found.state.defect = _equations.refine(found.x, speed, deflection, way.held);
             found.along = along_family(way, found.x.tail(angles.size()));
             found.state.family = found.along > 0;
             found.state.kind = kind_of(way);
             if (found.state.defect > (found.state.family ? second_order : refined)) {
                 // Terms of second order in large slopes moved it away, or undid it.
                 undecided = true;
+                continue;
+            }
+            const Fit fit = at_walls(way, found.x, speed, deflection, beside);
+            undecided = undecided || fit == Fit::undecided;
+            if (fit == Fit::no) {
+                between = between || family;
                 continue;
             }
             describe(found, speed);
@@ -716,7 +828,104 @@ void StateSearch::add_states(int index, double speed, double deflection, std::ve
         }
         if (whole)
             out.push_back(std::move(*whole));
+        else if (between) // others may stand beside them
+            undecided = true;
     }
+}
+
+StateSearch::Fit StateSearch::at_walls(const Way &way, const Eigen::VectorXd &x, double speed,
+                                       double deflection, double nothing) const {
+    if (!_walls)
+        return Fit::yes;
+    Fit fit = Fit::yes;
+    const std::vector<SteadyEquations::Push> pushes = _equations.pushes(x, speed, deflection);
+    const auto turned = [](double angle) { return angle - 2 * pi * std::floor(angle / (2 * pi)); };
+    for (std::size_t i = 0; i < _planes.size(); ++i)
+        for (std::size_t k = 0; k < _planes[i].masses.size(); ++k) {
+            const Mass &mass = _planes[i].masses[k];
+            const int stop = way.stops[i][k];
+            const double angle = x(_equations.rotor_unknowns() + mass.coordinate);
+            // How far it stands in a wall, or beside.
+            for (std::size_t s = 0; s < mass.stops.size(); s += 2) {
+                if (stop >= 0 && static_cast<std::size_t>(stop) / 2 == s / 2)
+                    continue;
+                const double width = mass.stops[s + 1].angle - mass.stops[s].angle;
+                const double into = turned(angle - mass.stops[s].angle);
+                const double inside = std::min(into, width - into);
+                if (inside > nothing)
+                    return Fit::no;
+                if (inside > -nothing || 2 * pi - into < nothing)
+                    fit = Fit::undecided;
+            }
+            if (stop < 0)
+                continue;
+            const SteadyEquations::Push &push = pushes[static_cast<std::size_t>(mass.coordinate)];
+            const double towards = push.torque * mass.stops[static_cast<std::size_t>(stop)].sense;
+            if (towards < -nothing * push.size)
+                return Fit::no;
+            if (towards < nothing * push.size)
+                fit = Fit::undecided;
+        }
+    return fit;
+}
+
+bool StateSearch::ends_at_wall(const Found &found) const {
+    constexpr double near = 1e-6; // far more than an angle changes over what an end is known to
+    return at_walls(_ways[static_cast<std::size_t>(found.way)], found.x, found.state.speed,
+                    size_of_deflections(found.state.speed), near) != Fit::yes;
+}
+
+bool StateSearch::stand_alike(const Found &a, const Found &b) const {
+    const Index angles = _equations.parts().free_angles();
+    return same(a.x.tail(angles), b.x.tail(angles));
+}
+
+bool StateSearch::between_same_walls(const Eigen::VectorXd &a, const Eigen::VectorXd &b) const {
+    const Index first = _equations.rotor_unknowns();
+    for (const Plane &plane : _planes)
+        for (const Mass &mass : plane.masses) {
+            double nearest[2] = {2 * pi, 2 * pi};
+            std::size_t before[2] = {0, 0}; // the wall before it
+            for (std::size_t s = 0; s < mass.stops.size(); s += 2)
+                for (const int which : {0, 1}) {
+                    const double middle = (mass.stops[s].angle + mass.stops[s + 1].angle) / 2;
+                    const double to = middle - (which == 0 ? a : b)(first + mass.coordinate);
+                    const double gap = to - 2 * pi * std::floor(to / (2 * pi));
+                    if (gap < nearest[which]) {
+                        nearest[which] = gap;
+                        before[which] = s;
+                    }
+                }
+            if (before[0] != before[1])
+                return false;
+            // Between the same one wall: on the way from one to the other it is not passed.
+            if (mass.stops.size() == 2 && std::abs(nearest[0] - nearest[1]) > pi)
+                return false;
+        }
+    return true;
+}
+
+void StateSearch::write_wall_forces(Found &found) const {
+    SteadyState &state = found.state;
+    state.wall_forces.assign(_first_of.size(), {});
+    if (!_walls)
+        return;
+    const std::vector<SteadyEquations::Push> pushes = _equations.pushes(found.x, state.speed, 0);
+    const Way &way = _ways[static_cast<std::size_t>(found.way)];
+    for (std::size_t i = 0; i < _planes.size(); ++i)
+        for (std::size_t k = 0; k < _planes[i].masses.size(); ++k) {
+            const Mass &mass = _planes[i].masses[k];
+            if (mass.stops.empty())
+                continue;
+            const auto balancer = static_cast<std::size_t>(
+                std::ranges::upper_bound(_first_of, mass.coordinate) - _first_of.begin() - 1);
+            std::vector<double> &forces = state.wall_forces[balancer];
+            forces.resize(_angles_of[balancer], 0.0);
+            if (const int stop = way.stops[i][k]; stop >= 0)
+                forces[static_cast<std::size_t>(mass.coordinate - _first_of[balancer])] =
+                    std::abs(pushes[static_cast<std::size_t>(mass.coordinate)].torque) /
+                    mass.stops[static_cast<std::size_t>(stop)].arm;
+        }
 }
 
 double StateSearch::size_of_deflections(double speed) const {
@@ -802,8 +1011,10 @@ std::optional<StateSearch::Found>
 StateSearch::followed(const Found &from, const Eigen::VectorXd &guess, double speed) const {
     Found out = from;
     out.x = _equations.with_angles(guess.tail(_equations.parts().free_angles()), speed);
-    out.state.defect = _equations.refine(out.x, speed, size_of_deflections(speed));
-    if (out.state.defect > refined)
+    const double deflection = size_of_deflections(speed);
+    const Way &way = _ways[static_cast<std::size_t>(from.way)];
+    out.state.defect = _equations.refine(out.x, speed, deflection, way.held);
+    if (out.state.defect > refined || at_walls(way, out.x, speed, deflection, beside) == Fit::no)
         return std::nullopt;
     describe(out, speed);
     return out;
