@@ -143,7 +143,8 @@ class Joining {
                 continue;
             }
             using BorderKind = SteadyBorder::Kind;
-            const bool alone = first.state.kind == Kind::out_of_round;
+            const bool alone =
+                first.state.kind == Kind::out_of_round || first.state.kind == Kind::at_wall;
             if (alone && meet(last))
                 border.kind = BorderKind::limit;
             else if (lost)

@@ -58,6 +58,9 @@ void add_member(const SteadyState &member, SteadyState &family) {
     family.growing = std::max(family.growing, member.growing);
 }
 
+/// The masses of a plane stand each by itself: their tracks are no circles seen along the shaft.
+bool each_alone(const auto &plane) { return plane.out_of_round != 0.0 || !plane.slope.isZero(0); }
+
 /// All roots of small motions but those that are zero, one of each conjugate pair, with their
 /// rounding errors where that could be the sign of their growth, and of the one of the largest real
 /// part.
@@ -108,7 +111,7 @@ class StateSearch::Lines {
         for (std::size_t i = 0; i < way.sides.size(); ++i) {
             const Plane &plane = search._planes[i];
             add_at_stops(plane, way.stops[i], speed, rows, K, fixed);
-            Line line{plane.index, 0, 0, i, 0, plane.centre, {}, plane.slope}; // of free masses
+            Line line{plane.index, 0, 0, i, 0, plane.centre, {}, plane.slope, 0}; // of free masses
             double tilt = 0;
             bool free = false;
             for (std::size_t k = 0; k < plane.masses.size(); ++k) {
@@ -117,7 +120,7 @@ class StateSearch::Lines {
                     continue;
                 free = true;
                 tilt += mass.tilt;
-                if (plane.out_of_round != 0.0)
+                if (each_alone(plane))
                     _lines.push_back({plane.index,
                                       mass.moment,
                                       0,
@@ -125,13 +128,14 @@ class StateSearch::Lines {
                                       k,
                                       plane.centre,
                                       {mass.radius, plane.out_of_round},
-                                      plane.slope});
+                                      plane.slope,
+                                      plane.slope.isZero(0) ? 0 : mass.tilt});
                 else if (!way.sides[i].empty())
                     line.moment += way.sides[i][k] * mass.moment;
             }
             if (way.sides[i].empty()) {
                 _balanced.push_back({plane.index, plane.centre});
-            } else if (plane.out_of_round == 0.0) {
+            } else if (!each_alone(plane)) {
                 line.tilt = tilt;
                 if (free)
                     _lines.push_back(line);
@@ -140,7 +144,6 @@ class StateSearch::Lines {
             // Of these masses the mean over all arrangements.
             const Eigen::MatrixXd slopes = rows.middleRows<2>(4 * plane.index + 2);
             K += squared * tilt / 2 * slopes.transpose() * slopes;
-            fixed -= squared * tilt / 2 * slopes.transpose() * plane.slope;
         }
         _swung = search._swung;
         const Index y_size = rows.rows();
@@ -196,6 +199,7 @@ class StateSearch::Lines {
         Eigen::Vector2d centre; ///< of the circles, from the axis, m
         balancers::Track track; ///< of one mass out of round; radius 0: of several on a line
         Eigen::Vector2d slope;  ///< of the circles, rad
+        double swash;           ///< kg m2: of one mass by itself its pull on them
     };
     struct Balanced {
         Index plane;
@@ -287,6 +291,10 @@ class StateSearch::Lines {
             if (line.track.radius > 0)
                 moment *= line.track.at(x(i)).value / line.track.radius;
             out.load.segment<2>(4 * line.plane) += moment;
+            if (line.swash > 0) { // the couple of a mass that the race takes along the shaft
+                const Eigen::Vector2d e(std::cos(x(i)), std::sin(x(i)));
+                out.load.segment<2>(4 * line.plane + 2) -= line.swash * e.dot(line.slope) * e;
+            }
         }
         for (std::size_t i = 0; i < _swung.size(); ++i) {
             const Swung &one = _swung[i];
@@ -297,15 +305,11 @@ class StateSearch::Lines {
         out.y = _alone + _per_load * out.load;
         if (!_tilts)
             return out;
-        // Each line is pulled by -mu e t, t = e.(Phi + slope): (1 + E^T H E mu) t = E^T y +
-        // e.slope.
+        // Each line is pulled by -mu e t, t = e.Phi: (1 + E^T H E mu) t = E^T y.
         Eigen::MatrixXd pulls = Eigen::MatrixXd::Zero(_per_load.cols(), lines);
-        Eigen::VectorXd own(lines);
         for (Index i = 0; i < lines; ++i) {
             const Line &line = _lines[static_cast<std::size_t>(i)];
-            const Eigen::Vector2d e(std::cos(x(i)), std::sin(x(i)));
-            pulls.col(i).segment<2>(4 * line.plane + 2) = e;
-            own(i) = e.dot(line.slope);
+            pulls.col(i).segment<2>(4 * line.plane + 2) << std::cos(x(i)), std::sin(x(i));
         }
         const Eigen::MatrixXd answers = _per_load * pulls;
         Eigen::MatrixXd A = pulls.transpose() * answers;
@@ -313,7 +317,7 @@ class StateSearch::Lines {
             A.col(i) *= _lines[static_cast<std::size_t>(i)].tilt;
         A.diagonal().array() += 1;
         const auto factors = A.partialPivLu();
-        Eigen::VectorXd t = factors.solve(pulls.transpose() * out.y + own);
+        Eigen::VectorXd t = factors.solve(pulls.transpose() * out.y);
         for (Index i = 0; i < lines; ++i)
             t(i) *= _lines[static_cast<std::size_t>(i)].tilt;
         out.y -= answers * t;
@@ -337,6 +341,13 @@ class StateSearch::Lines {
                 out(i) = (r.value * out(i) +
                           r.slope * (w(0) * std::cos(x(i)) + w(1) * std::sin(x(i)) + r.value)) /
                          line.track.radius;
+                if (line.swash > 0) { // - mu (C S - c s) over m R, C + i S of both slopes
+                    const Eigen::Vector2d e(std::cos(x(i)), std::sin(x(i)));
+                    const Eigen::Vector2d n(-e(1), e(0));
+                    const Eigen::Vector2d shaft = at.y.segment<2>(4 * line.plane + 2);
+                    out(i) -= line.track.radius * (e.dot(line.slope) * n.dot(shaft + line.slope) +
+                                                   e.dot(shaft) * n.dot(line.slope));
+                }
             }
         }
         for (std::size_t k = 0; k < _swung.size(); ++k) {
@@ -355,6 +366,7 @@ class StateSearch::Lines {
         double determinant = 1;
         for (const Line &line : _lines) {
             load.segment<2>(4 * line.plane).array() += std::abs(line.moment);
+            load.segment<2>(4 * line.plane + 2).array() += line.swash * line.slope.norm();
             const Index slope = 4 * line.plane + 2;
             determinant *= 1 + line.tilt * _per_load.block<2, 2>(slope, slope).norm();
         }
@@ -365,7 +377,7 @@ class StateSearch::Lines {
             Eigen::VectorXd tilting = Eigen::VectorXd::Zero(y.size());
             for (const Line &line : _lines)
                 tilting.segment<2>(4 * line.plane + 2) +=
-                    line.tilt * (y.segment<2>(4 * line.plane + 2) + line.slope.cwiseAbs());
+                    line.tilt * y.segment<2>(4 * line.plane + 2);
             y += _per_load.cwiseAbs() * tilting;
         }
         Eigen::VectorXd out(unknowns());
@@ -373,7 +385,9 @@ class StateSearch::Lines {
         for (const Line &line : _lines)
             out(i++) =
                 determinant * ((y.segment<2>(4 * line.plane) + line.centre.cwiseAbs()).sum() +
-                               2 * std::abs(line.track.out_of_round) * line.track.radius);
+                               2 * std::abs(line.track.out_of_round) * line.track.radius +
+                               line.track.radius * line.slope.norm() *
+                                   (y.segment<2>(4 * line.plane + 2).sum() + line.slope.norm()));
         for (const Swung &one : _swung)
             out(i++) = determinant * (y.segment<2>(4 * one.plane).sum() + one.pivot);
         return out;
@@ -390,18 +404,18 @@ StateSearch::StateSearch(const model::Case &scene, double slowest, double fastes
                 "steady states are searched for up to {} balls in a plane (states.max_balls); one "
                 "here has {}",
                 most, static_cast<int>(plane.masses.size())));
-    std::size_t alone = 0;    // in races out of round
+    std::size_t single = 0;   // in races out of round or tilted
     std::size_t together = 0; // most of a plane with round ones
     for (const Plane &plane : _planes)
-        if (plane.out_of_round != 0.0)
-            alone += plane.masses.size();
+        if (each_alone(plane))
+            single += plane.masses.size();
         else
             together = std::max(together, plane.masses.size());
-    if (alone > most_alone || (alone > 0 && together > 2))
+    if (single > most_alone || (single > 0 && together > 2))
         throw model::AnalysisFailure(results::Sentence(
-            "steady states are searched for up to {} balls in races out of round (ellipticity), "
-            "and up to 2 in each plane with round ones beside them; here are {} and {}",
-            static_cast<int>(most_alone), static_cast<int>(alone), static_cast<int>(together)));
+            "steady states are searched for up to {} balls in races out of round (ellipticity) or "
+            "tilted, and up to 2 in each plane with round ones beside them; here are {} and {}",
+            static_cast<int>(most_alone), static_cast<int>(single), static_cast<int>(together)));
     if (!_equations.driven() && _equations.round() && !_equations.damped() && !_planes.empty())
         throw model::AnalysisFailure("steady states are not isolated: nothing in this rotor marks "
                                      "a direction, and no damping keeps balls from deflecting it "
@@ -471,7 +485,7 @@ std::vector<StateSearch::PlaneWay> StateSearch::ways_of(const Plane &plane) {
     std::vector<PlaneWay> out;
     const std::size_t n = plane.masses.size();
     // A mass that rests against a wall is pushed there: its plane is not balanced.
-    if (n > 1 && plane.out_of_round == 0.0) // one mass alone is so on its line
+    if (n > 1 && !each_alone(plane)) // one mass alone is so on its line
         out.push_back({{}, Stops(n, -1)});
     // Who rests where: of masses that could be exchanged the later one never at an earlier stop.
     Stops stops(n, -1);
@@ -504,7 +518,7 @@ void StateSearch::add_sides(const Plane &plane, const Stops &stops, std::vector<
             sides[k] = 0;
             all += plane.masses[k].moment;
         }
-    if (free.empty() || plane.out_of_round != 0.0) {
+    if (free.empty() || each_alone(plane)) {
         out.push_back({sides, stops});
         return;
     }
@@ -676,7 +690,7 @@ Eigen::VectorXd StateSearch::lined_up(Eigen::VectorXd x, const Eigen::VectorXd &
         return std::abs(std::remainder(one - other, 2 * pi));
     };
     for (const Plane &plane : _planes) {
-        bool nearer = plane.out_of_round != 0.0;
+        bool nearer = each_alone(plane);
         while (nearer) { // each exchange brings two, taken together, nearer
             nearer = false;
             for (const Mass &a : plane.masses)
@@ -861,10 +875,8 @@ StateSearch::Fit StateSearch::at_walls(const Way &way, const Eigen::VectorXd &x,
                 continue;
             const SteadyEquations::Push &push = pushes[static_cast<std::size_t>(mass.coordinate)];
             const double towards = push.torque * mass.stops[static_cast<std::size_t>(stop)].sense;
-            if (towards < -nothing * push.size)
+            if (towards < nothing * push.size) // nor one that nothing pushes: it is free
                 return Fit::no;
-            if (towards < nothing * push.size)
-                fit = Fit::undecided;
         }
     return fit;
 }
@@ -941,10 +953,12 @@ double StateSearch::size_of_deflections(double speed) const {
     double deflection = 0;
     for (Index i = 0; i < _equations.planes(); ++i)
         deflection = std::max(deflection, y.segment<2>(4 * i).norm());
-    // Tracks out of round push as much as a deflection of that size does.
+    // Tracks out of round and tilted ones push as much as a deflection of that size does.
     for (const Plane &plane : _planes)
         for (const Mass &mass : plane.masses)
-            deflection = std::max(deflection, 2 * std::abs(plane.out_of_round) * mass.radius);
+            deflection = std::max(
+                deflection,
+                (2 * std::abs(plane.out_of_round) + plane.slope.squaredNorm() / 2) * mass.radius);
     return deflection;
 }
 
@@ -965,7 +979,7 @@ std::vector<StateSearch::Found> StateSearch::of_way(int way, double speed, bool 
 bool StateSearch::can_balance() const {
     return _swung.empty() && !_planes.empty() &&
            std::ranges::all_of(_planes, [](const Plane &plane) {
-               return plane.masses.size() > 1 && plane.out_of_round == 0.0;
+               return plane.masses.size() > 1 && !each_alone(plane);
            });
 }
 
