@@ -11,7 +11,7 @@ namespace whirl::oracles {
 
 namespace {
 
-constexpr Real pi = std::numbers::pi_v<Real>;
+constexpr Real half_turn = std::numbers::pi_v<Real>;
 
 Real bisected(const std::function<Real(Real)> &f, Real low, Real high) {
     const bool above = f(low) > 0;
@@ -98,7 +98,7 @@ std::vector<WalledPair> walled_pairs(const CaseRotor &rotor, Real speed) {
                                        return std::abs(race.distance(wall + side * beside, wall)) -
                                               race.half;
                                    },
-                                   0, pi / 2),
+                                   0, half_turn / 2),
                  wall, side});
     const auto pushed = [&](const Stop &stop, Real other) {
         return stop.side * race.torque(stop.angle, other) < 0;
@@ -108,16 +108,16 @@ std::vector<WalledPair> walled_pairs(const CaseRotor &rotor, Real speed) {
         const Real at = stops[i].angle;
         const auto add = [&](std::vector<WalledPair> &to, Real other, int resting) {
             const Real arm = std::imag(race.along(at) * std::polar<Real>(1, -stops[i].wall));
-            to.push_back({std::remainder(at, 2 * pi), std::remainder(other, 2 * pi), resting,
-                          std::abs(race.deflection(at, other)),
+            to.push_back({std::remainder(at, 2 * half_turn), std::remainder(other, 2 * half_turn),
+                          resting, std::abs(race.deflection(at, other)),
                           std::abs(race.torque(at, other) / arm)});
         };
         const std::size_t known = one.size();
         constexpr int parts = 20000;
         for (int part = 0; part < parts; ++part) {
             const auto torque = [&](Real a) { return race.torque(a, at); };
-            const Real low = 2 * pi * part / parts;
-            const Real high = 2 * pi * (part + 1) / parts;
+            const Real low = 2 * half_turn * part / parts;
+            const Real high = 2 * half_turn * (part + 1) / parts;
             if ((torque(low) > 0) == (torque(high) > 0))
                 continue;
             const Real free = bisected(torque, low, high);
@@ -141,8 +141,8 @@ int free_pairs(const CaseRotor &rotor, Real speed) {
     std::vector<std::array<Real, 2>> found;
     constexpr int starts = 24;
     for (int start = 0; start < starts * starts; ++start) {
-        std::array<Real, 2> a{2 * pi * (start % starts) / starts,
-                              2 * pi * (start / starts) / starts + 0.1L};
+        std::array<Real, 2> a{2 * half_turn * (start % starts) / starts,
+                              2 * half_turn * (start / starts) / starts + 0.1L};
         const auto left = [&](Real x, Real y) {
             return std::array{race.torque(x, y) / size, race.torque(y, x) / size};
         };
@@ -164,7 +164,7 @@ int free_pairs(const CaseRotor &rotor, Real speed) {
             !race.is_free(a[1]))
             continue;
         const auto close = [](Real x, Real y) {
-            return std::abs(std::remainder(x - y, 2 * pi)) < 1e-6L;
+            return std::abs(std::remainder(x - y, 2 * half_turn)) < 1e-6L;
         };
         if (std::none_of(found.begin(), found.end(), [&](const auto &b) {
                 return (close(a[0], b[0]) && close(a[1], b[1])) ||
