@@ -7,6 +7,7 @@
 #include "model/errors.h"
 #include "results/simulate.h"
 #include "simulation/equations.h"
+#include "simulation/restart.h"
 #include "states/state_search.h"
 #include "support/balancer_scenes.h"
 #include "support/rigid_jeffcott.h"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -202,6 +204,28 @@ TEST(Walls, WhatTheyMakeImpossibleIsRefused) {
     expect(usual, "simulate.ball_angles: missing");
     scene.simulate.ball_angles = {{1 + 1.001 * beside, 2}};
     EXPECT_NO_THROW((void)analyses::simulate_alone(scene));
+}
+
+// A motion goes on with the same balls alone.
+TEST(Walls, BelongToTheRotorOfARestart) {
+    model::Case scene = planar({}, 0.5, 3e-3);
+    balls_of(scene.rotor.balancers[0]).walls = {1};
+    scene.speeds = model::SpeedRange{700, 700, 1};
+    scene.simulate.time = 1;
+    const simulation::MotionScene prepared = simulation::motion_scene(scene);
+    const simulation::RotorMotion motion(prepared.parts);
+    const Eigen::VectorXd state = Eigen::VectorXd::Zero(motion.size());
+    const auto signature = [&](const std::function<void(model::Balls &)> &change) {
+        model::Rotor other = scene.rotor;
+        change(balls_of(other.balancers[0]));
+        return simulation::restart_of(other, motion, state.data(), {}).signature;
+    };
+    const auto own = signature([](model::Balls &) {});
+    EXPECT_EQ(own, signature([](model::Balls &) {}));
+    EXPECT_NE(own, signature([](model::Balls &balls) { balls.restitution = 0.3; }));
+    EXPECT_NE(own, signature([](model::Balls &balls) { balls.rows[0].diameter = 0.021; }));
+    EXPECT_NE(own, signature([](model::Balls &balls) { balls.walls[0] = 1.1; }));
+    EXPECT_NE(own, signature([](model::Balls &balls) { balls.tilt = 0.01; }));
 }
 
 TEST(Walls, MistakesAreNamed) {
