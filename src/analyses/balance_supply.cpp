@@ -783,9 +783,9 @@ class SupplyFinder {
                                "and what they supply is not answered");
         if (!all_open())
             notes.emplace_back(
-                "balls in races out of round (ellipticity) or with walls stand where "
-                "these hold them: what they supply and leave is not answered; "
-                "`simulate` and, without walls, [states] find where they stand");
+                "balls in races that are out of round (ellipticity), tilted or have walls stand "
+                "where these hold them: what they supply and leave is not answered; "
+                "`simulate` and [states] find where they stand");
         if (holds(Supply::unknown) && !any_pendulum() && !several_centres() && all_open())
             notes.emplace_back(
                 "at some speeds where balancers need more than their capacity, where "

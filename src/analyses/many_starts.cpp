@@ -91,7 +91,8 @@ std::vector<double> given_angles(const model::Rotor &rotor,
 /// No balls that cannot pass each other overlap.
 bool possible(const simulation::MotionScene &motion) {
     try {
-        static_cast<void>(simulation::dry_state(motion.parts, motion.start_angles, motion.fastest));
+        static_cast<void>(
+            simulation::dry_state(motion.parts, motion.start_angles, motion.fastest, true));
         return true;
     } catch (const model::BadInput &) {
         return false;
@@ -262,7 +263,8 @@ results::Interval probability_interval(int count, int of) {
 results::ManyStarts many_starts(const model::Case &scene, simulation::MotionScene &motion,
                                 const std::function<bool()> &first, std::vector<Sentence> &notes) {
     refuse_changing_speed(scene, motion);
-    static_cast<void>(simulation::dry_state(motion.parts, motion.start_angles, motion.fastest));
+    static_cast<void>(simulation::dry_state(motion.parts, motion.start_angles, motion.fastest,
+                                            !scene.simulate.ball_angles.empty()));
     const Starts starts(scene, motion);
     const TimeWindow window = last_window(scene.simulate);
     bool stopped = false;

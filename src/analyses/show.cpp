@@ -98,6 +98,10 @@ void note_races(const model::Rotor &rotor, std::vector<results::Sentence> &notes
                                "{}: the race is out of round by {} of its radius, farthest from "
                                "its centre at {} and opposite",
                                name, as::number(std::abs(h)), as::angle(std::arg(h) / 2));
+        if (const auto slope = -kind->inclination(); slope != 0.0)
+            notes.emplace_back(model::Weight::information,
+                               "{}: the race is tilted by {}, farthest along z at {}", name,
+                               as::angle(std::abs(slope)), as::angle(std::arg(slope)));
     }
 }
 

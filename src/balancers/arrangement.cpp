@@ -9,6 +9,15 @@ namespace whirl::balancers {
 
 namespace {
 
+/// Before anything is asked of balanced positions that there are not.
+void refuse_obstructed(const model::Rotor &rotor) {
+    if (has_obstructed_race(rotor.balancers))
+        throw model::AnalysisFailure(
+            "small motions about the balanced position are those of balls in round races across "
+            "the shaft without walls; others stand elsewhere: `simulate` and `balance` with "
+            "[states] find where");
+}
+
 bool has_positions(const model::Balancer &balancer) {
     return !kind_of(balancer)->circled().empty();
 }
@@ -36,6 +45,7 @@ BalancerElement balancer_element(const model::Balancer &balancer,
 } // namespace
 
 Arrangement arrangement_at_balance(const model::Rotor &rotor) {
+    refuse_obstructed(rotor);
     Arrangement out;
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i)
         out.push_back(has_positions(rotor.balancers[i])
@@ -47,11 +57,7 @@ Arrangement arrangement_at_balance(const model::Rotor &rotor) {
 
 std::vector<BalancerElement> balancer_elements(const model::Rotor &rotor,
                                                const Arrangement &arrangement) {
-    if (has_obstructed_race(rotor.balancers))
-        throw model::AnalysisFailure(
-            "small motions about the balanced position are those of balls in round races without "
-            "walls; others stand elsewhere: `simulate` finds where, and for races out of round "
-            "(ellipticity) `balance` with [states]");
+    refuse_obstructed(rotor);
     std::vector<BalancerElement> out;
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i)
         out.push_back(balancer_element(rotor.balancers[i], arrangement[i]));

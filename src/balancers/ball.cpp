@@ -65,18 +65,21 @@ Eigen::MatrixXd means_and_differences(const std::vector<Group> &groups) {
 class BallMotion final : public PartsMotion {
   public:
     struct Ball {
-        CircleMass mass;    ///< on circles about the axis; on other tracks its tilting alone
+        CircleMass mass;    ///< on circles about the axis; on other tracks its tilting alone, and
+                            ///< not that in a tilted race
         double drag = 0;    ///< h_A R^2, N m s/rad
         double mass_kg = 0; ///< m
         double gravity = 0; ///< m/s2
         double lever = 0;   ///< of the resistance to rolling at the axis, per normal force, m
         std::optional<Track> track; ///< where it is no circle about the axis
+        double tilting = 0;         ///< mu in a tilted race, kg m2
     };
     /// @param centre  of the races, from the axis in the rotor, m
+    /// @param slope   of their planes (kind.h), rad
     BallMotion(std::vector<Ball> balls, std::vector<TouchingRow> touching,
-               std::complex<double> centre)
+               std::complex<double> centre, std::complex<double> slope)
         : _balls(std::move(balls)), _touching(std::move(touching)),
-          _centre(centre.real(), centre.imag()) {}
+          _centre(centre.real(), centre.imag()), _slope(slope.real(), slope.imag()) {}
 
     [[nodiscard]] std::vector<TouchingRow> touching() const override { return _touching; }
     [[nodiscard]] bool resists(int ball) const override {
@@ -96,13 +99,16 @@ class BallMotion final : public PartsMotion {
             if (ball.track) {
                 add_track(ball, seen(ball, angles[j]), spin, rates[j],
                           {towards.cosines[j], towards.sines[j]}, e);
-                continue;
+            } else {
+                e.friction = ball.drag * rates[j];
+                e.b += e.friction;
+                e.torque << -e.friction, 0;
+                e.by_spin = 0;
+                if (ball.lever > 0)
+                    press(ball, spin.angle + angles[j], spin.speed + rates[j], e);
             }
-            e.friction = ball.drag * rates[j];
-            e.b += e.friction;
-            e.torque(0) = -e.friction;
-            if (ball.lever > 0)
-                press(ball, spin.angle + angles[j], spin.speed + rates[j], e);
+            if (ball.tilting > 0)
+                add_inclined(ball.tilting, inclined(plane, spin, angles[j], rates[j]), e);
         }
     }
 
@@ -117,6 +123,13 @@ class BallMotion final : public PartsMotion {
                 add_track_at_rest(ball, place.head<2>() + _centre, speed, angles[j], index, out);
             else
                 out.damping(index, index) += ball.drag;
+            if (ball.tilting > 0) {
+                // As the plane would do with their slope; the mean in the mass matrix has it not.
+                PlaneVector with = place;
+                with.tail<2>() += _slope;
+                CircleMass{0, 0, ball.tilting, 0}.add_at_rest(with, speed, angles[j], index, out);
+                out.force.segment<2>(2) += speed * speed * ball.tilting / 2 * _slope;
+            }
         }
         return out;
     }
@@ -130,6 +143,9 @@ class BallMotion final : public PartsMotion {
             if (ball.track)
                 sum += on_track(ball, seen(ball, angles[j]), plane.velocity, spin, angles[j],
                                 rates[j]);
+            if (ball.tilting > 0)
+                sum += on_inclined(ball.tilting, inclined(plane, spin, angles[j], rates[j]),
+                                   plane.velocity);
         }
         return sum;
     }
@@ -138,6 +154,7 @@ class BallMotion final : public PartsMotion {
     std::vector<Ball> _balls;
     std::vector<TouchingRow> _touching;
     Eigen::Vector2d _centre; ///< of the races, in the rotor, m
+    Eigen::Vector2d _slope;  ///< of the planes of the races, in the rotor, rad
 
     /// Radius of the track and the centre of the race, along the radius of a ball and across it.
     struct Seen {
@@ -153,6 +170,60 @@ class BallMotion final : public PartsMotion {
     /// The drag along the path over that along the circle.
     [[nodiscard]] static double path_squared(const Ball &ball, const Track::Radius &r) {
         return (r.value * r.value + r.slope * r.slope) / (ball.track->radius * ball.track->radius);
+    }
+
+    /// A ball in a tilted race: C + i S = (phi + slope exp(i th)) exp(-i g), and what of it is the
+    /// race's alone.
+    struct Inclined {
+        Eigen::Vector2d out, around; ///< exp(i g) and i exp(i g)
+        double C, S, race_c, race_s;
+        double along;     ///< rate of C, 1/s
+        double across;    ///< Im(phi' exp(-i g)), 1/s
+        double rate, own; ///< g' and a', rad/s
+    };
+    [[nodiscard]] Inclined inclined(const PlaneMotion &plane, const SpinState &spin, double angle,
+                                    double own) const {
+        const auto direction = [](double a) { return Eigen::Vector2d(std::cos(a), std::sin(a)); };
+        Inclined at;
+        const Eigen::Vector2d in_rotor = direction(angle);
+        at.out = direction(spin.angle + angle);
+        at.around << -at.out(1), at.out(0);
+        at.race_c = _slope.dot(in_rotor);
+        at.race_s = _slope(1) * in_rotor(0) - _slope(0) * in_rotor(1);
+        at.C = plane.place.tail<2>().dot(at.out) + at.race_c;
+        at.S = plane.place.tail<2>().dot(at.around) + at.race_s;
+        at.own = own;
+        at.rate = spin.speed + own;
+        at.along = plane.velocity.tail<2>().dot(at.out) + at.rate * at.S - spin.speed * at.race_s;
+        at.across = plane.velocity.tail<2>().dot(at.around);
+        return at;
+    }
+
+    // The energy of circle_mass.h, mu (C'^2 - g'^2 C^2)/2, with the slope of the race in the fixed
+    // frame added to that of the plane.
+    static void add_inclined(double mu, const Inclined &at, MassEquation &e) {
+        // C'' = e . phi'' + S g'' - race_s th'' + rest
+        const double rest = 2 * at.rate * at.across - at.rate * at.rate * (at.C - at.race_c) -
+                            at.own * at.own * at.race_c;
+        const double pull = rest + at.rate * at.rate * at.C;
+        e.u.tail<2>() += mu * at.S * at.out;
+        e.a += mu * (at.S * at.S - at.C * at.C);
+        e.b += mu * (at.S * pull - 2 * at.rate * at.C * at.along);
+        e.by_spin -= mu * at.S * at.race_s;
+        e.force.tail<2>() -= mu * pull * at.out;
+        e.per_spin.tail<2>() = mu * at.race_s * at.out;
+        e.tilt += mu * (at.out * at.out.transpose() - Eigen::Matrix2d::Identity() / 2);
+        e.torque += mu * at.race_s * Eigen::Vector2d(-pull, at.race_s);
+        e.swash = -mu * at.race_s * at.out;
+    }
+
+    static MassMomenta on_inclined(double mu, const Inclined &at, const PlaneVector &velocity) {
+        MassMomenta sum;
+        sum.kinetic = mu * (at.along * at.along - at.rate * at.rate * at.C * at.C) / 2 -
+                      mu * velocity.tail<2>().squaredNorm() / 4;
+        sum.spin = mu * (at.along * (at.S - at.race_s) - at.rate * at.C * at.C);
+        sum.plane.tail<2>() = mu * (at.along * at.out - velocity.tail<2>() / 2);
+        return sum;
     }
 
     // A ball at c + rho(a) exp(i a) in the rotor (c = along + i across seen from it), g = th + a:
@@ -295,8 +366,12 @@ class BallKind final : public Kind {
         return std::polar(_balls.ellipticity, 2 * _balls.ellipticity_angle);
     }
 
+    [[nodiscard]] std::complex<double> inclination() const override {
+        return -std::polar(_balls.tilt, _balls.tilt_angle);
+    }
+
     [[nodiscard]] bool obstructed() const override {
-        return _balls.ellipticity > 0 || !_balls.walls.empty();
+        return _balls.ellipticity > 0 || _balls.tilt > 0 || !_balls.walls.empty();
     }
 
     /// Every row balances its share of the imbalance, symmetrically.
@@ -353,7 +428,8 @@ class BallKind final : public Kind {
                 touching.push_back({static_cast<int>(balls.size()), row.n, row.touching_angle(),
                                     _balls.restitution, !_balls.contact, walls_of(row)});
             const double inertia = row.mass * row.radius * row.radius;
-            const double tilting = tilt ? inertia : 0;
+            const double inclined = tilt && _balls.tilt > 0 ? inertia : 0;
+            const double tilting = tilt && !(_balls.tilt > 0) ? inertia : 0;
             std::optional<Track> track;
             if (race_centre() != 0.0 || out_of_round() != 0.0)
                 track = Track{row.radius, out_of_round()};
@@ -363,11 +439,12 @@ class BallKind final : public Kind {
             // The moment on the ball, rolling * N, is a force 2 rolling / diameter * N along the
             // race.
             const double lever = row.rolling > 0 ? 2 * row.rolling / row.diameter * row.radius : 0;
-            balls.insert(
-                balls.end(), static_cast<std::size_t>(row.n),
-                {mass, row.damping * row.radius * row.radius, row.mass, gravity, lever, track});
+            balls.insert(balls.end(), static_cast<std::size_t>(row.n),
+                         {mass, row.damping * row.radius * row.radius, row.mass, gravity, lever,
+                          track, inclined});
         }
-        return std::make_shared<BallMotion>(std::move(balls), std::move(touching), race_centre());
+        return std::make_shared<BallMotion>(std::move(balls), std::move(touching), race_centre(),
+                                            inclination());
     }
 
     [[nodiscard]] std::vector<std::string> coordinates() const override {
@@ -388,8 +465,7 @@ class BallKind final : public Kind {
   private:
     const model::Balls &_balls;
 
-    /// Where a ball of the row touches each wall: its centre half a diameter
-    /// beside it.
+    /// Where a ball of the row touches each wall: its centre half a diameter beside it.
     [[nodiscard]] std::vector<Wall> walls_of(const model::BallRow &row) const {
         const Track track{row.radius, out_of_round()};
         const auto beside = [&](double wall, int side) {
@@ -398,9 +474,17 @@ class BallKind final : public Kind {
                 angle = wall + side * std::asin(row.diameter / (2 * track.at(angle).value));
             return angle;
         };
+        // How the distance from the wall, r sin(a - wall), changes.
+        const auto arm = [&](double wall, double angle) {
+            const Track::Radius r = track.at(angle);
+            return r.value * std::cos(angle - wall) + r.slope * std::sin(angle - wall);
+        };
         std::vector<Wall> out;
-        for (const double wall : _balls.walls)
-            out.push_back({beside(wall, -1), beside(wall, 1)});
+        for (const double wall : _balls.walls) {
+            const double before = beside(wall, -1);
+            const double behind = beside(wall, 1);
+            out.push_back({before, behind, arm(wall, before), arm(wall, behind)});
+        }
         return out;
     }
 };

@@ -122,7 +122,11 @@ class Kind {
     [[nodiscard]] virtual std::complex<double> race_centre() const { return 0; }
     /// h of the tracks of circled() that are no circles (track.h).
     [[nodiscard]] virtual std::complex<double> out_of_round() const { return 0; }
-    /// circled() do not stand anywhere on circles: their tracks are none, or have walls.
+    /// Slope of the planes of the circles of circled() against the shaft, turning with the rotor,
+    /// rad: what lies at x stands Re(conj(slope) x) less far along z.
+    [[nodiscard]] virtual std::complex<double> inclination() const { return 0; }
+    /// circled() do not stand anywhere on circles across the shaft: their tracks are none or
+    /// tilted, or have walls.
     [[nodiscard]] virtual bool obstructed() const { return false; }
     /// What swings about its place at rest, in the order of coordinates(); none for balls.
     [[nodiscard]] virtual std::vector<SwungMass> swung() const { return {}; }
@@ -162,7 +166,7 @@ class Kind {
 
 /// The centre of some race lies off the axis.
 [[nodiscard]] bool has_eccentric_race(const std::vector<model::Balancer> &balancers);
-/// Some race is no circle, or has walls.
+/// Some race is no circle across the shaft, or has walls.
 [[nodiscard]] bool has_obstructed_race(const std::vector<model::Balancer> &balancers);
 
 } // namespace whirl::balancers

@@ -48,6 +48,7 @@ struct MassEquation {
     /// Torque on the rotor that the part asks for: alone, and per unit of spin acceleration.
     Eigen::Vector2d torque = Eigen::Vector2d::Zero();
     Eigen::Vector2d offset = Eigen::Vector2d::Zero(); ///< S: and Im(conj(S) w'') besides, kg m
+    Eigen::Vector2d swash = Eigen::Vector2d::Zero();  ///< and times the slope's acceleration, kg m2
     double weight = 0;                                ///< torque of gravity about the axis, N m
 
     /// Resistance to rolling: at most `lever` times the normal force of the race, which is
@@ -95,10 +96,11 @@ struct AtRest {
                          const Eigen::Vector2d &column);
 };
 
-/// Where the centre of a part is that touches a wall across its race, before
-/// and behind it, rad.
+/// Where the centre of a part is that touches a wall across its race, before and behind it, rad;
+/// and the torque along its angle there over the force across the wall, m.
 struct Wall {
     double before = 0, behind = 0;
+    double arm_before = 0, arm_behind = 0;
 };
 
 /// Parts in one race that cannot pass each other, or walls there.

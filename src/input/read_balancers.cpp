@@ -53,7 +53,10 @@ void read_row(CheckedTable &table, model::BallRow &row) {
 void read_walls(CheckedTable &table, model::Balls &balls) {
     if (!table.has("walls"))
         return;
+    const std::size_t mistakes = table.context().problems.count();
     balls.walls = table.numbers("walls", Quantity::angle);
+    if (table.context().problems.count() > mistakes)
+        return;
     if (balls.walls.empty())
         table.fail("walls", "expected a list of at least one angle, got none");
     if (std::ranges::any_of(balls.walls,
@@ -171,6 +174,24 @@ void read_ellipticity(CheckedTable &table, model::Balls &balls) {
                                    2 * widest * least * row.radius, row.diameter));
 }
 
+/// Races that do not lie across the shaft.
+void read_tilt(CheckedTable &table, model::Balls &balls) {
+    constexpr double largest = 0.1; // rad: terms of the third order are a percent
+    balls.tilt = table.number_or("tilt", 0, Quantity::angle, Range{0, largest});
+    balls.tilt_angle = table.number_or("tilt_angle", 0, Quantity::angle);
+    if (table.has("tilt_angle") && !table.has("tilt"))
+        table.fail("tilt_angle", "expected only with tilt, got it alone");
+    if (balls.tilt == 0)
+        return;
+    if (balls.resists())
+        table.fail("tilt", "expected a race across the shaft, tilt 0, for balls that resist "
+                           "rolling, got a tilted one");
+    for (const char *key : {"held", "tilt_inertia"})
+        if (table.has(key) && table.flag_or(key, false) == (std::string(key) == "held"))
+            table.fail(key, "expected free balls that resist tilting (held = false, tilt_inertia = "
+                            "true) in a tilted race, got others");
+}
+
 void read_release(CheckedTable &table, model::Balls &balls) {
     balls.release_speed =
         table.optional_number("release_speed", Quantity::speed, Range::positive());
@@ -206,6 +227,7 @@ void read_ball(CheckedTable &table, model::Balancer &balancer) {
     read_contact(table, balls);
     read_eccentricity(table, balls);
     read_ellipticity(table, balls);
+    read_tilt(table, balls);
     if (table.has("radii"))
         check_tracks(table, balls);
     read_release(table, balls);
@@ -279,7 +301,7 @@ const std::array kinds{
     KindOfTable{"ball",
                 {"n", "radius", "position", "rows", "contact", "restitution", "ball_diameter",
                  "rolling_resistance", "radii", "eccentricity", "eccentricity_angle", "ellipticity",
-                 "ellipticity_angle", "walls", "release_speed"},
+                 "ellipticity_angle", "tilt", "tilt_angle", "walls", "release_speed"},
                 read_ball},
     KindOfTable{"pendulum4", {"arm", "pivot"}, read_pendulum},
     KindOfTable{"ring",

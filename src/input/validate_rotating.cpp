@@ -154,7 +154,7 @@ void check_ball_positions(const model::Case &scene, const Check &check) {
         }
         const auto kind = balancers::kind_of(balancer);
         const std::vector<balancers::CircledMass> masses = kind->circled();
-        if (masses.empty())
+        if (masses.empty() || kind->obstructed()) // no command asks for their balanced position
             continue;
         const double inverse = balancer.imbalance / kind->reach().imbalance; // 1/E
         const std::string count = fmt::format("balancer[{}].n", i);

@@ -33,6 +33,9 @@ struct Balls {
     /// Radius of a race at the angle a in the rotor over its mean: 1 + ellipticity cos 2(a -
     /// angle).
     double ellipticity = 0, ellipticity_angle = 0;
+    /// The plane of all races is tilted against the cross-section of the shaft: at the angle a in
+    /// the rotor a ball stands R tilt cos(a - angle) further along z.
+    double tilt = 0, tilt_angle = 0;
     /// Angles in the rotor of thin walls across all races, which no ball passes, rad.
     std::vector<double> walls;
     /// Up to this speed the balls are held in the rotor, from then on they are free, rad/s.

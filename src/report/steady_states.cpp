@@ -55,6 +55,7 @@ const Columns<SteadyState> state_columns{
     {"angles", Quantity::angle, &SteadyState::angles},
     {ForReaders("angles"), Quantity::angle, angles_text},
     {InCsv("angles"), Quantity::angle, whole_angles},
+    {"wall_forces", Quantity::force, &SteadyState::wall_forces},
     {"family", InCsv("family"), &SteadyState::family},
     {"stable", InCsv("stable"), Quantity::number, stable_json},
     {ForReaders("stability"), stable_text},

@@ -114,12 +114,12 @@ std::string outcome_name(Outcome outcome) {
 }
 
 std::string steady_kind_name(SteadyState::Kind kind) {
-    return name_of(kind,
-                   {"balanced", "partly balanced", "coincident", "split", "swung", "out of round"});
+    return name_of(kind, {"balanced", "partly balanced", "coincident", "split", "swung",
+                          "out of round", "at wall"});
 }
 
 std::string steady_border_name(SteadyBorder::Kind kind) {
-    return name_of(kind, {"fold", "limit", "zero", "pair", "undecided"});
+    return name_of(kind, {"fold", "limit", "zero", "pair", "undecided", "wall"});
 }
 
 } // namespace whirl::results

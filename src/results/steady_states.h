@@ -21,7 +21,8 @@ struct SteadyState {
         coincident,      ///< the balls of every plane stand at one angle
         split,           ///< some stand opposite to others of their plane
         swung,           ///< pendulums alone
-        out_of_round     ///< those of races out of round stand each where its own track holds it
+        out_of_round,    ///< those of races out of round stand each where its own track holds it
+        at_wall          ///< some ball rests against a wall across its race
     };
     double speed = 0; ///< rad/s
     double value = 0; ///< of what states are followed over, where that is an entry
@@ -32,34 +33,40 @@ struct SteadyState {
     std::optional<bool> stable; ///< none: it is neither, or members of the family differ
     /// Largest real part of small motions about it, 1/s, of a family over those looked at; without
     /// the motions along the family.
-    double growth = 0;              ///< NaN: not known
-    double growth_error = 0;        ///< how far rounding can move it, 1/s
-    double least_growth = 0;        ///< of a family, over those looked at
-    int growing = 0;                ///< roots with a positive real part, or not_counted
-    std::string why;                ///< stability is not known (of all members); empty: it is
+    double growth = 0;       ///< NaN: not known
+    double growth_error = 0; ///< how far rounding can move it, 1/s
+    double least_growth = 0; ///< of a family, over those looked at
+    int growing = 0;         ///< roots with a positive real part, or not_counted
+    std::string why;         ///< stability is not known (of all members); empty: it is
+    /// Of each balancer the forces of its balls on walls, N, 0 of one that rests at none; none of
+    /// a balancer without walls.
+    std::vector<std::vector<double>> wall_forces;
     std::vector<double> amplitudes; ///< of the planes of the balancers, m
     double residual = 0;            ///< the largest of them, m
     double defect = 0;              ///< what is left of the equations over the sizes of their terms
     int branch = 0;                 ///< states of one number follow each other over speed
 };
 
-/// "balanced", "partly balanced", "coincident", "split", "swung" or "out of round".
+/// "balanced", "partly balanced", "coincident", "split", "swung", "out of round" or "at wall".
 [[nodiscard]] std::string steady_kind_name(SteadyState::Kind kind);
 
 /// Where a branch ends, or motions about its states begin or cease to grow.
 struct SteadyBorder {
     enum class Kind {
-        fold,     ///< two branches meet and end
-        limit,    ///< the masses just reach: they stand at one angle, as those of another branch do
-        zero,     ///< a real root passes zero: another branch passes through, as a rule
-        pair,     ///< a complex pair crosses the imaginary axis (Hopf): a limit cycle begins
-        undecided ///< just beyond it was not found again: it may go on
+        fold,  ///< two branches meet and end
+        limit, ///< the masses just reach: they stand at one angle, as those of another branch do
+        zero,  ///< a real root passes zero: another branch passes through, as a rule
+        pair,  ///< a complex pair crosses the imaginary axis (Hopf): a limit cycle begins
+        undecided, ///< just beyond it was not found again: it may go on
+        wall       ///< a ball meets a wall or ceases to press on it: the branch ends, or goes on as
+                   ///< another
     };
     double speed = 0; ///< rad/s
     double value = 0; ///< of what states are followed over, where that is an entry
     Kind kind = Kind::fold;
     int branch = 0;
-    std::optional<int> other; ///< of a fold: the second branch
+    /// Of a fold the second branch, of a wall the one that has the ball there or has it free.
+    std::optional<int> other;
     /// Roots that grow just below this place; -1: no such state; or not_counted.
     int growing_below = 0;
     int growing_above = 0;           ///< likewise
@@ -67,7 +74,7 @@ struct SteadyBorder {
     double residual = 0;             ///< of the state there, m
 };
 
-/// "fold", "limit", "zero", "pair" or "undecided".
+/// "fold", "limit", "zero", "pair", "undecided" or "wall".
 [[nodiscard]] std::string steady_border_name(SteadyBorder::Kind kind);
 
 struct SteadyStates {

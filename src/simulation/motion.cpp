@@ -363,7 +363,8 @@ Eigen::Vector2d RotorMotion::free_torque(int columns) const {
             own(0) -= lever * (e.normal + e.normal_y.head<2>().dot(_base));
         for (Index column = 0; column < columns; ++column) {
             const double *y = _planes.col(column).data() + 4 * _plane_of[i];
-            own(column) += y[1] * e.offset(0) - y[0] * e.offset(1);
+            own(column) +=
+                y[1] * e.offset(0) - y[0] * e.offset(1) + y[2] * e.swash(0) + y[3] * e.swash(1);
             if (e.by_spin != 0)
                 own(column) += e.by_spin * coupled_acceleration(i, column);
             if (held)

@@ -56,6 +56,13 @@ void add_balancer(std::vector<double> &sizes, const model::Balancer &b) {
     if (const auto *balls = std::get_if<model::Balls>(&b.parts)) {
         sizes.push_back(balls->release_speed.value_or(0));
         sizes.insert(sizes.end(), balls->walls.begin(), balls->walls.end());
+        if (balls->contact || !balls->walls.empty()) {
+            sizes.insert(sizes.end(), {balls->contact ? 1.0 : 0, balls->restitution});
+            for (const model::BallRow &row : balls->rows)
+                sizes.push_back(row.diameter);
+        }
+        if (balls->tilt > 0)
+            sizes.insert(sizes.end(), {balls->tilt, balls->tilt_angle});
     }
     for (const balancers::CircledMass &mass : circled)
         sizes.insert(sizes.end(), {mass.moment, mass.inertia});

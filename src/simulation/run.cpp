@@ -82,16 +82,17 @@ std::vector<reduction::Row> recorded_rows(const MotionScene &scene) {
     return rows;
 }
 
-RotorMotion moving(const MotionScene &scene) {
+RotorMotion moving(const MotionScene &scene, bool given) {
     RotorMotion motion(scene.parts);
-    motion.set_dry(dry_state(motion.parts(), scene.start_angles, scene.fastest));
+    motion.set_dry(dry_state(motion.parts(), scene.start_angles, scene.fastest, given));
     return motion;
 }
 
 } // namespace
 
 Run::Run(const model::Case &scene, const MotionScene &motion)
-    : _scene(scene), _prepared(motion), _motion(moving(motion)),
+    : _scene(scene), _prepared(motion),
+      _motion(moving(motion, !scene.simulate.ball_angles.empty())),
       _recorder(_motion, recorded_rows(motion), scene.simulate.time, scene.simulate.output_points),
       _scales(scales_of(motion)),
       _method(fastest_decay(motion.parts.rotor, motion.fastest) > stiff_from * motion.fastest

@@ -60,8 +60,11 @@ class Joining {
         // Two balls that just reach stand on one diameter, where one of them counts as free.
         if (a.state.family && b.state.family)
             return 0;
+        const Eigen::VectorXd lined = _over.search(a.place).lined_up(b.x, a.x);
+        if (!_over.search(a.place).between_same_walls(a.x, lined))
+            return HUGE_VAL;
         const auto x = a.x.tail(_angles);
-        const auto y = _over.search(a.place).lined_up(b.x, a.x).tail(_angles).eval();
+        const auto y = lined.tail(_angles);
         double most = 0;
         for (Eigen::Index k = 0; k < _angles; ++k)
             most = std::max(most, std::abs(std::remainder(x(k) - y(k), 2 * pi)));
@@ -118,12 +121,15 @@ class Joining {
                 found.state.branch = _next++;
                 beginning.push_back(&found);
             }
-        find_ends(ending, low.place, high.place);
-        find_ends(beginning, high.place, low.place);
+        find_ends(ending, beginning, low.place, high.place);
+        find_ends(beginning, ending, high.place, low.place);
     }
 
-    /// Where states that are there at one place and not at the other end.
-    void find_ends(std::vector<const Found *> states, double there, double gone) {
+    /// Where states that are there at one place and not at the other end. At a wall two end
+    /// together, or one goes on as another.
+    /// @param others  there at the other place alone
+    void find_ends(std::vector<const Found *> &states, std::vector<const Found *> &others,
+                   double there, double gone) {
         _looked.clear();
         while (!states.empty()) {
             const Found first = *states.front();
@@ -138,8 +144,20 @@ class Joining {
             int &growing_after = there < gone ? border.growing_above : border.growing_below;
             growing_before = last.state.growing;
             growing_after = -1;
+            if (_over.search(place).ends_at_wall(last)) {
+                border.kind = SteadyBorder::Kind::wall;
+                if (const auto second = take_partner(last, states, there, gone)) {
+                    border.other = second->state.branch;
+                } else if (const auto next = take_partner(last, others, gone, there)) {
+                    border.other = next->state.branch;
+                    growing_after = next->state.growing;
+                }
+                _out.borders.push_back(border);
+                continue;
+            }
             using BorderKind = SteadyBorder::Kind;
-            const bool alone = first.state.kind == Kind::out_of_round;
+            const bool alone =
+                first.state.kind == Kind::out_of_round || first.state.kind == Kind::at_wall;
             if (alone && meet(last))
                 border.kind = BorderKind::limit;
             else if (lost)
@@ -161,6 +179,25 @@ class Joining {
             }
             _out.borders.push_back(border);
         }
+    }
+
+    /// Of states that end at the same place the one that stands there as this one does; its state
+    /// there. None: there is none.
+    [[nodiscard]] std::optional<Found>
+    take_partner(const Found &last, std::vector<const Found *> &states, double there, double gone) {
+        for (auto other = states.begin(); other != states.end(); ++other) {
+            if ((*other)->way == last.way)
+                continue;
+            Last end = last_of(**other, there, gone);
+            constexpr double same_place = 1e-6; // of it, as next to a fold
+            if (std::abs(end.place - last.place) > same_place * std::abs(end.place) ||
+                !_over.search(end.place).stand_alike(end.found, last))
+                continue;
+            end.found.state.branch = (*other)->state.branch;
+            states.erase(other);
+            return std::move(end.found);
+        }
+        return std::nullopt;
     }
 
     /// Whether two balls stand at one angle but for what is left next to where they meet.

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -41,6 +42,8 @@ constexpr std::size_t most_ways = 20000;
 constexpr std::size_t most_alone = 4;
 /// A root found by Newton's method: some digits more than are shown.
 constexpr double refined = 1e-9;
+/// Rad, and of the size of a push: what rounding leaves of them.
+constexpr double beside = 1e-11;
 /// What second order terms in the slopes may leave of the equations of a family, which they break.
 constexpr double second_order = 1e-3;
 
@@ -56,6 +59,9 @@ void add_member(const SteadyState &member, SteadyState &family) {
     family.least_growth = std::fmin(family.least_growth, member.growth);
     family.growing = std::max(family.growing, member.growing);
 }
+
+/// The masses of a plane stand each by itself: their tracks are no circles seen along the shaft.
+bool each_alone(const auto &plane) { return plane.out_of_round != 0.0 || !plane.slope.isZero(0); }
 
 /// All roots of small motions but those that are zero, one of each conjugate pair, with their
 /// rounding errors where that could be the sign of their growth, and of the one of the largest real
@@ -102,35 +108,50 @@ class StateSearch::Lines {
         const double squared = speed * speed;
         const Eigen::MatrixXd &rows = equations.plane_rows();
         Eigen::MatrixXd K = equations.stiffness(speed);
+        Eigen::VectorXd fixed = equations.load(speed);
         add_free_parts(search, speed, K);
         for (std::size_t i = 0; i < way.sides.size(); ++i) {
             const Plane &plane = search._planes[i];
-            if (plane.out_of_round != 0.0) {
-                for (const Mass &mass : plane.masses)
+            add_at_stops(plane, way.stops[i], speed, rows, K, fixed);
+            Line line{plane.index, 0, 0, i, 0, plane.centre, {}, plane.slope, 0}; // of free masses
+            double tilt = 0;
+            bool free = false;
+            for (std::size_t k = 0; k < plane.masses.size(); ++k) {
+                const Mass &mass = plane.masses[k];
+                if (way.stops[i][k] >= 0)
+                    continue;
+                free = true;
+                tilt += mass.tilt;
+                if (each_alone(plane))
                     _lines.push_back({plane.index,
                                       mass.moment,
                                       0,
                                       i,
+                                      k,
                                       plane.centre,
-                                      {mass.radius, plane.out_of_round}});
-            } else if (!way.sides[i].empty()) {
-                double moment = 0;
-                for (std::size_t k = 0; k < plane.masses.size(); ++k)
-                    moment += way.sides[i][k] * plane.masses[k].moment;
-                _lines.push_back({plane.index, moment, plane.tilt, i, plane.centre, {}});
-                continue;
-            } else {
+                                      {mass.radius, plane.out_of_round},
+                                      plane.slope,
+                                      plane.slope.isZero(0) ? 0 : mass.tilt});
+                else if (!way.sides[i].empty())
+                    line.moment += way.sides[i][k] * mass.moment;
+            }
+            if (way.sides[i].empty()) {
                 _balanced.push_back({plane.index, plane.centre});
+            } else if (!each_alone(plane)) {
+                line.tilt = tilt;
+                if (free)
+                    _lines.push_back(line);
+                continue;
             }
             // Of these masses the mean over all arrangements.
             const Eigen::MatrixXd slopes = rows.middleRows<2>(4 * plane.index + 2);
-            K += squared * plane.tilt / 2 * slopes.transpose() * slopes;
+            K += squared * tilt / 2 * slopes.transpose() * slopes;
         }
         _swung = search._swung;
         const Index y_size = rows.rows();
         const auto factors = K.partialPivLu();
         Eigen::MatrixXd right(K.rows(), y_size + 1);
-        right << squared * rows.transpose(), equations.load(speed);
+        right << squared * rows.transpose(), fixed;
         const Eigen::MatrixXd all = rows * linalg::solved(factors, right);
         _per_load = all.leftCols(y_size);
         _alone = all.col(y_size);
@@ -151,8 +172,10 @@ class StateSearch::Lines {
     /// Of the line of a plane, or on tracks out of round of each mass.
     [[nodiscard]] double direction(std::size_t plane, std::size_t mass,
                                    const Eigen::VectorXd &x) const {
-        const auto line = std::ranges::find(_lines, plane, &Line::which);
-        return x((line - _lines.begin()) + (line->track.radius > 0 ? static_cast<Index>(mass) : 0));
+        const auto line = std::ranges::find_if(_lines, [&](const Line &one) {
+            return one.which == plane && (one.track.radius == 0 || one.mass == mass);
+        });
+        return x(line - _lines.begin());
     }
 
     [[nodiscard]] TrigRoots roots() const {
@@ -174,8 +197,11 @@ class StateSearch::Lines {
         double moment; ///< kg m
         double tilt;   ///< kg m2
         std::size_t which;
+        std::size_t mass;       ///< that one of the plane, out of round
         Eigen::Vector2d centre; ///< of the circles, from the axis, m
         balancers::Track track; ///< of one mass out of round; radius 0: of several on a line
+        Eigen::Vector2d slope;  ///< of the circles, rad
+        double swash;           ///< kg m2: of one mass by itself its pull on them
     };
     struct Balanced {
         Index plane;
@@ -203,6 +229,25 @@ class StateSearch::Lines {
         for (const Plane &plane : search._planes) {
             const Eigen::VectorXd row = equations.plane_rows().row(4 * plane.index + 2);
             K -= speed * speed * plane.tilt * row * row.transpose();
+        }
+    }
+
+    /// Masses that rest against walls are those of the rotor.
+    static void add_at_stops(const Plane &plane, const Stops &stops, double speed,
+                             const Eigen::MatrixXd &rows, Eigen::MatrixXd &K,
+                             Eigen::VectorXd &load) {
+        for (std::size_t k = 0; k < stops.size(); ++k) {
+            if (stops[k] < 0)
+                continue;
+            const Mass &mass = plane.masses[k];
+            const double angle = mass.stops[static_cast<std::size_t>(stops[k])].angle;
+            const Eigen::Vector2d e(std::cos(angle), std::sin(angle));
+            const balancers::Track track{1, plane.out_of_round};
+            load += speed * speed * mass.moment * track.at(angle).value *
+                    rows.middleRows<2>(4 * plane.index).transpose() * e;
+            const Eigen::VectorXd along = rows.middleRows<2>(4 * plane.index + 2).transpose() * e;
+            K += speed * speed * mass.tilt * along * along.transpose();
+            load -= speed * speed * mass.tilt * e.dot(plane.slope) * along;
         }
     }
 
@@ -248,6 +293,10 @@ class StateSearch::Lines {
             if (line.track.radius > 0)
                 moment *= line.track.at(x(i)).value / line.track.radius;
             out.load.segment<2>(4 * line.plane) += moment;
+            if (line.swash > 0) { // the couple of a mass that the race takes along the shaft
+                const Eigen::Vector2d e(std::cos(x(i)), std::sin(x(i)));
+                out.load.segment<2>(4 * line.plane + 2) -= line.swash * e.dot(line.slope) * e;
+            }
         }
         for (std::size_t i = 0; i < _swung.size(); ++i) {
             const Swung &one = _swung[i];
@@ -294,6 +343,13 @@ class StateSearch::Lines {
                 out(i) = (r.value * out(i) +
                           r.slope * (w(0) * std::cos(x(i)) + w(1) * std::sin(x(i)) + r.value)) /
                          line.track.radius;
+                if (line.swash > 0) { // - mu (C S - c s) over m R, C + i S of both slopes
+                    const Eigen::Vector2d e(std::cos(x(i)), std::sin(x(i)));
+                    const Eigen::Vector2d n(-e(1), e(0));
+                    const Eigen::Vector2d shaft = at.y.segment<2>(4 * line.plane + 2);
+                    out(i) -= line.track.radius * (e.dot(line.slope) * n.dot(shaft + line.slope) +
+                                                   e.dot(shaft) * n.dot(line.slope));
+                }
             }
         }
         for (std::size_t k = 0; k < _swung.size(); ++k) {
@@ -312,6 +368,7 @@ class StateSearch::Lines {
         double determinant = 1;
         for (const Line &line : _lines) {
             load.segment<2>(4 * line.plane).array() += std::abs(line.moment);
+            load.segment<2>(4 * line.plane + 2).array() += line.swash * line.slope.norm();
             const Index slope = 4 * line.plane + 2;
             determinant *= 1 + line.tilt * _per_load.block<2, 2>(slope, slope).norm();
         }
@@ -330,7 +387,9 @@ class StateSearch::Lines {
         for (const Line &line : _lines)
             out(i++) =
                 determinant * ((y.segment<2>(4 * line.plane) + line.centre.cwiseAbs()).sum() +
-                               2 * std::abs(line.track.out_of_round) * line.track.radius);
+                               2 * std::abs(line.track.out_of_round) * line.track.radius +
+                               line.track.radius * line.slope.norm() *
+                                   (y.segment<2>(4 * line.plane + 2).sum() + line.slope.norm()));
         for (const Swung &one : _swung)
             out(i++) = determinant * (y.segment<2>(4 * one.plane).sum() + one.pivot);
         return out;
@@ -347,18 +406,18 @@ StateSearch::StateSearch(const model::Case &scene, double slowest, double fastes
                 "steady states are searched for up to {} balls in a plane (states.max_balls); one "
                 "here has {}",
                 most, static_cast<int>(plane.masses.size())));
-    std::size_t alone = 0;    // in races out of round
+    std::size_t single = 0;   // in races out of round or tilted
     std::size_t together = 0; // most of a plane with round ones
     for (const Plane &plane : _planes)
-        if (plane.out_of_round != 0.0)
-            alone += plane.masses.size();
+        if (each_alone(plane))
+            single += plane.masses.size();
         else
             together = std::max(together, plane.masses.size());
-    if (alone > most_alone || (alone > 0 && together > 2))
+    if (single > most_alone || (single > 0 && together > 2))
         throw model::AnalysisFailure(results::Sentence(
-            "steady states are searched for up to {} balls in races out of round (ellipticity), "
-            "and up to 2 in each plane with round ones beside them; here are {} and {}",
-            static_cast<int>(most_alone), static_cast<int>(alone), static_cast<int>(together)));
+            "steady states are searched for up to {} balls in races out of round (ellipticity) or "
+            "tilted, and up to 2 in each plane with round ones beside them; here are {} and {}",
+            static_cast<int>(most_alone), static_cast<int>(single), static_cast<int>(together)));
     if (!_equations.driven() && _equations.round() && !_equations.damped() && !_planes.empty())
         throw model::AnalysisFailure("steady states are not isolated: nothing in this rotor marks "
                                      "a direction, and no damping keeps balls from deflecting it "
@@ -371,7 +430,7 @@ void StateSearch::collect(const model::Case &scene) {
         for (Plane &plane : _planes)
             if (plane.index == index)
                 return plane;
-        _planes.push_back({index, {}, 0, Eigen::Vector2d::Zero(), 0, {}});
+        _planes.push_back({index, {}, 0, Eigen::Vector2d::Zero(), 0, Eigen::Vector2d::Zero(), {}});
         return _planes.back();
     };
     _balancers = scene.rotor.balancers;
@@ -388,11 +447,16 @@ void StateSearch::collect(const model::Case &scene) {
             Plane &plane = plane_at(free.plane);
             const std::complex<double> centre = kind->race_centre();
             const Eigen::Vector2d own(centre.real(), centre.imag());
+            const std::complex<double> inclination = kind->inclination();
+            const Eigen::Vector2d slope(inclination.real(), inclination.imag());
             if (!plane.balancers.empty() &&
-                (plane.centre != own || plane.out_of_round != kind->out_of_round()))
+                (plane.centre != own || plane.out_of_round != kind->out_of_round() ||
+                 plane.slope != slope))
                 throw model::AnalysisFailure(
-                    "steady states are found for races in one plane with one centre and one form: "
-                    "those of the balancers here differ in eccentricity or ellipticity");
+                    "steady states are found for races in one plane with one centre, form and "
+                    "tilt: those of the balancers here differ in eccentricity, ellipticity or "
+                    "tilt");
+            plane.slope = slope;
             plane.centre = own;
             plane.out_of_round = kind->out_of_round();
             plane.balancers.push_back(i);
@@ -400,7 +464,15 @@ void StateSearch::collect(const model::Case &scene) {
         for (Index at = first; const balancers::CircledMass &mass : kind->circled()) {
             Plane &plane = plane_at(free.plane);
             const double tilt = b.tilt_inertia ? mass.inertia : 0;
-            plane.masses.push_back({at++, mass.moment, mass.radius(), tilt, alike + mass.alike});
+            plane.masses.push_back({at, mass.moment, mass.radius(), tilt, alike + mass.alike, {}});
+            for (const balancers::TouchingRow &row : free.motion->touching())
+                if (at - first >= row.first && at - first < row.first + row.count)
+                    for (const balancers::Wall &wall : row.walls) {
+                        plane.masses.back().stops.push_back({wall.before, 1, wall.arm_before});
+                        plane.masses.back().stops.push_back({wall.behind, -1, wall.arm_behind});
+                        _walls = true;
+                    }
+            ++at;
             plane.tilt += tilt;
             kinds = std::max(kinds, mass.alike + 1);
         }
@@ -411,36 +483,65 @@ void StateSearch::collect(const model::Case &scene) {
     }
 }
 
-std::vector<StateSearch::Sides> StateSearch::ways_of(const Plane &plane) const {
-    std::vector<Sides> out;
-    if (plane.out_of_round != 0.0)
-        return {Sides(plane.masses.size(), 0)};
-    if (plane.masses.size() > 1)
-        out.emplace_back(); // balanced: one mass alone is so on its line
+std::vector<StateSearch::PlaneWay> StateSearch::ways_of(const Plane &plane) {
+    std::vector<PlaneWay> out;
     const std::size_t n = plane.masses.size();
+    // A mass that rests against a wall is pushed there: its plane is not balanced.
+    if (n > 1 && !each_alone(plane)) // one mass alone is so on its line
+        out.push_back({{}, Stops(n, -1)});
+    // Who rests where: of masses that could be exchanged the later one never at an earlier stop.
+    Stops stops(n, -1);
+    const std::function<void(std::size_t)> choose = [&](std::size_t k) {
+        if (k == n) {
+            add_sides(plane, stops, out);
+            return;
+        }
+        int least = -1;
+        for (std::size_t l = 0; l < k; ++l)
+            if (plane.masses[l].alike == plane.masses[k].alike)
+                least = std::max(least, stops[l]);
+        for (int stop = least; stop < std::ssize(plane.masses[k].stops); ++stop) {
+            stops[k] = stop;
+            choose(k + 1);
+        }
+    };
+    choose(0);
+    return out;
+}
+
+void StateSearch::add_sides(const Plane &plane, const Stops &stops, std::vector<PlaneWay> &out) {
+    const std::size_t n = plane.masses.size();
+    std::vector<std::size_t> free;
+    Sides sides(n, at_stop);
     double all = 0;
-    for (const Mass &mass : plane.masses)
-        all += mass.moment;
-    for (std::size_t pattern = 0; pattern < (std::size_t{1} << n); ++pattern) {
-        Sides sides(n);
+    for (std::size_t k = 0; k < n; ++k)
+        if (stops[k] < 0) {
+            free.push_back(k);
+            sides[k] = 0;
+            all += plane.masses[k].moment;
+        }
+    if (free.empty() || each_alone(plane)) {
+        out.push_back({sides, stops});
+        return;
+    }
+    for (std::size_t pattern = 0; pattern < (std::size_t{1} << free.size()); ++pattern) {
         double sum = 0;
-        for (std::size_t k = 0; k < n; ++k) {
-            sides[k] = (pattern >> k & 1) != 0 ? -1 : 1;
-            sum += sides[k] * plane.masses[k].moment;
+        for (std::size_t f = 0; f < free.size(); ++f) {
+            sides[free[f]] = (pattern >> f & 1) != 0 ? -1 : 1;
+            sum += sides[free[f]] * plane.masses[free[f]].moment;
         }
         // Turned by half a turn the others are the same.
-        if (sum < -equal_moments * all || (sum <= equal_moments * all && sides[0] < 0))
+        if (sum < -equal_moments * all || (sum <= equal_moments * all && sides[free[0]] < 0))
             continue;
         // Of masses that could be exchanged those that stand opposite come last.
         bool ordered = true;
-        for (std::size_t k = 1; k < n; ++k)
-            for (std::size_t l = 0; l < k; ++l)
-                ordered = ordered &&
-                          !(plane.masses[l].alike == plane.masses[k].alike && sides[l] < sides[k]);
+        for (const std::size_t k : free)
+            for (const std::size_t l : free)
+                ordered = ordered && !(l < k && sides[l] < sides[k] &&
+                                       plane.masses[l].alike == plane.masses[k].alike);
         if (ordered)
-            out.push_back(std::move(sides));
+            out.push_back({sides, stops});
     }
-    return out;
 }
 
 std::vector<StateSearch::Way> StateSearch::all_ways() const {
@@ -449,19 +550,30 @@ std::vector<StateSearch::Way> StateSearch::all_ways() const {
     for (const Plane &plane : _planes) {
         std::vector<Way> longer;
         for (const Way &way : out)
-            for (const Sides &sides : ways_of(plane)) {
-                // Without an imbalance balls that deflect a damped rotor lag behind: nothing but
-                // their own pull along the circle would make up for the loss.
-                if (only_balanced && !sides.empty())
+            for (const PlaneWay &own : ways_of(plane)) {
+                if (only_balanced && !_walls && !own.sides.empty())
                     continue;
                 longer.push_back(way);
-                longer.back().sides.push_back(sides);
+                Way &next = longer.back();
+                next.sides.push_back(own.sides);
+                next.stops.push_back(own.stops);
+                for (std::size_t k = 0; k < own.stops.size(); ++k)
+                    if (own.stops[k] >= 0)
+                        next.held.push_back(plane.masses[k].coordinate);
             }
         out = std::move(longer);
         if (out.size() > most_ways)
             throw model::AnalysisFailure("there are too many ways in which the balls of this rotor "
                                          "can stand to search all of them for steady states");
     }
+    // Without an imbalance balls that deflect a damped rotor lag behind: nothing but their own pull
+    // along the circle, or a wall, would make up for the loss.
+    std::erase_if(out, [only_balanced](const Way &way) {
+        return only_balanced && way.held.empty() &&
+               std::ranges::any_of(way.sides, [](const Sides &sides) { return !sides.empty(); });
+    });
+    for (Way &way : out)
+        std::ranges::sort(way.held);
     return out;
 }
 
@@ -493,9 +605,12 @@ bool StateSearch::place(const Way &way, const Lines &lines, const Eigen::VectorX
     for (std::size_t i = 0, balanced = 0; i < _planes.size(); ++i) {
         const Plane &plane = _planes[i];
         if (!way.sides[i].empty()) {
-            for (std::size_t k = 0; k < plane.masses.size(); ++k)
+            for (std::size_t k = 0; k < plane.masses.size(); ++k) {
+                const int stop = way.stops[i][k];
                 angles(plane.masses[k].coordinate) =
-                    lines.direction(i, k, root) + (way.sides[i][k] < 0 ? pi : 0);
+                    stop >= 0 ? plane.masses[k].stops[static_cast<std::size_t>(stop)].angle
+                              : lines.direction(i, k, root) + (way.sides[i][k] < 0 ? pi : 0);
+            }
             continue;
         }
         const std::complex<double> needed = lines.needed(balanced++, root);
@@ -555,6 +670,8 @@ bool StateSearch::same(const Eigen::VectorXd &a, const Eigen::VectorXd &b) const
 SteadyState::Kind StateSearch::kind_of(const Way &way) const {
     if (_planes.empty())
         return SteadyState::Kind::swung;
+    if (!way.held.empty())
+        return SteadyState::Kind::at_wall;
     std::size_t balanced = 0;
     bool split = false;
     for (const Sides &sides : way.sides) {
@@ -578,7 +695,7 @@ Eigen::VectorXd StateSearch::lined_up(Eigen::VectorXd x, const Eigen::VectorXd &
         return std::abs(std::remainder(one - other, 2 * pi));
     };
     for (const Plane &plane : _planes) {
-        bool nearer = plane.out_of_round != 0.0;
+        bool nearer = each_alone(plane);
         while (nearer) { // each exchange brings two, taken together, nearer
             nearer = false;
             for (const Mass &a : plane.masses)
@@ -619,6 +736,7 @@ void StateSearch::describe(Found &found, double speed) const {
     SteadyState &state = found.state;
     state.speed = found.place = speed;
     write_angles(found);
+    write_wall_forces(found);
     state.amplitudes.clear();
     state.residual = 0;
     const std::vector<std::complex<double>> w = _equations.deflections(found.x);
@@ -643,8 +761,9 @@ void StateSearch::describe(Found &found, double speed) const {
 
 void StateSearch::judge(Found &found, int zeros) const {
     SteadyState &state = found.state;
-    const std::vector<modes::Root> roots =
-        judged_roots(_equations.about(found.x, state.speed), state.speed, zeros);
+    const std::vector<modes::Root> roots = judged_roots(
+        _equations.about(found.x, state.speed, _ways[static_cast<std::size_t>(found.way)].held),
+        state.speed, zeros);
     const auto grows_most = [](const modes::Root &root) {
         return std::pair(root.sign() > 0, root.value.real());
     };
@@ -691,6 +810,7 @@ void StateSearch::add_states(int index, double speed, double deflection, Wanted 
     }
     for (const Eigen::VectorXd &root : roots.roots) {
         std::optional<Found> whole;
+        bool between = false; // a member of a family would stand in a wall
         for (int member = 0; member < (family ? members : mirrored); ++member) {
             Eigen::VectorXd angles;
             if (!place(way, lines, root, member, angles))
@@ -698,13 +818,19 @@ void StateSearch::add_states(int index, double speed, double deflection, Wanted 
             Found found;
             found.way = index;
             found.x = _equations.with_angles(angles, speed);
-            found.state.defect = _equations.refine(found.x, speed, deflection);
+            found.state.defect = _equations.refine(found.x, speed, deflection, way.held);
             found.along = along_family(way, found.x.tail(angles.size()));
             found.state.family = found.along > 0;
             found.state.kind = kind_of(way);
             if (found.state.defect > (found.state.family ? second_order : refined)) {
                 // Terms of second order in large slopes moved it away, or undid it.
                 undecided = true;
+                continue;
+            }
+            const Fit fit = at_walls(way, found.x, speed, deflection, beside);
+            undecided = undecided || fit == Fit::undecided;
+            if (fit == Fit::no) {
+                between = between || family;
                 continue;
             }
             if (wanted == Wanted::all)
@@ -724,7 +850,102 @@ void StateSearch::add_states(int index, double speed, double deflection, Wanted 
         }
         if (whole)
             out.push_back(std::move(*whole));
+        else if (between) // others may stand beside them
+            undecided = true;
     }
+}
+
+StateSearch::Fit StateSearch::at_walls(const Way &way, const Eigen::VectorXd &x, double speed,
+                                       double deflection, double nothing) const {
+    if (!_walls)
+        return Fit::yes;
+    Fit fit = Fit::yes;
+    const std::vector<SteadyEquations::Push> pushes = _equations.pushes(x, speed, deflection);
+    const auto turned = [](double angle) { return angle - 2 * pi * std::floor(angle / (2 * pi)); };
+    for (std::size_t i = 0; i < _planes.size(); ++i)
+        for (std::size_t k = 0; k < _planes[i].masses.size(); ++k) {
+            const Mass &mass = _planes[i].masses[k];
+            const int stop = way.stops[i][k];
+            const double angle = x(_equations.rotor_unknowns() + mass.coordinate);
+            // How far it stands in a wall, or beside.
+            for (std::size_t s = 0; s < mass.stops.size(); s += 2) {
+                if (stop >= 0 && static_cast<std::size_t>(stop) / 2 == s / 2)
+                    continue;
+                const double width = mass.stops[s + 1].angle - mass.stops[s].angle;
+                const double into = turned(angle - mass.stops[s].angle);
+                const double inside = std::min(into, width - into);
+                if (inside > nothing)
+                    return Fit::no;
+                if (inside > -nothing || 2 * pi - into < nothing)
+                    fit = Fit::undecided;
+            }
+            if (stop < 0)
+                continue;
+            const SteadyEquations::Push &push = pushes[static_cast<std::size_t>(mass.coordinate)];
+            const double towards = push.torque * mass.stops[static_cast<std::size_t>(stop)].sense;
+            if (towards < nothing * push.size) // nor one that nothing pushes: it is free
+                return Fit::no;
+        }
+    return fit;
+}
+
+bool StateSearch::ends_at_wall(const Found &found) const {
+    constexpr double near = 1e-6; // far more than an angle changes over what an end is known to
+    return at_walls(_ways[static_cast<std::size_t>(found.way)], found.x, found.state.speed,
+                    size_of_deflections(found.state.speed), near) != Fit::yes;
+}
+
+bool StateSearch::stand_alike(const Found &a, const Found &b) const {
+    const Index angles = _equations.parts().free_angles();
+    return same(a.x.tail(angles), b.x.tail(angles));
+}
+
+bool StateSearch::between_same_walls(const Eigen::VectorXd &a, const Eigen::VectorXd &b) const {
+    const Index first = _equations.rotor_unknowns();
+    for (const Plane &plane : _planes)
+        for (const Mass &mass : plane.masses) {
+            double nearest[2] = {2 * pi, 2 * pi};
+            std::size_t before[2] = {0, 0}; // the wall before it
+            for (std::size_t s = 0; s < mass.stops.size(); s += 2)
+                for (const int which : {0, 1}) {
+                    const double middle = (mass.stops[s].angle + mass.stops[s + 1].angle) / 2;
+                    const double to = middle - (which == 0 ? a : b)(first + mass.coordinate);
+                    const double gap = to - 2 * pi * std::floor(to / (2 * pi));
+                    if (gap < nearest[which]) {
+                        nearest[which] = gap;
+                        before[which] = s;
+                    }
+                }
+            if (before[0] != before[1])
+                return false;
+            // Between the same one wall: on the way from one to the other it is not passed.
+            if (mass.stops.size() == 2 && std::abs(nearest[0] - nearest[1]) > pi)
+                return false;
+        }
+    return true;
+}
+
+void StateSearch::write_wall_forces(Found &found) const {
+    SteadyState &state = found.state;
+    state.wall_forces.assign(_first_of.size(), {});
+    if (!_walls)
+        return;
+    const std::vector<SteadyEquations::Push> pushes = _equations.pushes(found.x, state.speed, 0);
+    const Way &way = _ways[static_cast<std::size_t>(found.way)];
+    for (std::size_t i = 0; i < _planes.size(); ++i)
+        for (std::size_t k = 0; k < _planes[i].masses.size(); ++k) {
+            const Mass &mass = _planes[i].masses[k];
+            if (mass.stops.empty())
+                continue;
+            const auto balancer = static_cast<std::size_t>(
+                std::ranges::upper_bound(_first_of, mass.coordinate) - _first_of.begin() - 1);
+            std::vector<double> &forces = state.wall_forces[balancer];
+            forces.resize(_angles_of[balancer], 0.0);
+            if (const int stop = way.stops[i][k]; stop >= 0)
+                forces[static_cast<std::size_t>(mass.coordinate - _first_of[balancer])] =
+                    std::abs(pushes[static_cast<std::size_t>(mass.coordinate)].torque) /
+                    mass.stops[static_cast<std::size_t>(stop)].arm;
+        }
 }
 
 double StateSearch::size_of_deflections(double speed) const {
@@ -740,10 +961,12 @@ double StateSearch::size_of_deflections(double speed) const {
     double deflection = 0;
     for (Index i = 0; i < _equations.planes(); ++i)
         deflection = std::max(deflection, y.segment<2>(4 * i).norm());
-    // Tracks out of round push as much as a deflection of that size does.
+    // Tracks out of round and tilted ones push as much as a deflection of that size does.
     for (const Plane &plane : _planes)
         for (const Mass &mass : plane.masses)
-            deflection = std::max(deflection, 2 * std::abs(plane.out_of_round) * mass.radius);
+            deflection = std::max(
+                deflection,
+                (2 * std::abs(plane.out_of_round) + plane.slope.squaredNorm() / 2) * mass.radius);
     return deflection;
 }
 
@@ -771,7 +994,7 @@ bool StateSearch::same_ways(const StateSearch &other) const {
 bool StateSearch::can_balance() const {
     return _swung.empty() && !_planes.empty() &&
            std::ranges::all_of(_planes, [](const Plane &plane) {
-               return plane.masses.size() > 1 && plane.out_of_round == 0.0;
+               return plane.masses.size() > 1 && !each_alone(plane);
            });
 }
 
@@ -817,8 +1040,10 @@ std::optional<StateSearch::Found>
 StateSearch::followed(const Found &from, const Eigen::VectorXd &guess, double speed) const {
     Found out = from;
     out.x = _equations.with_angles(guess.tail(_equations.parts().free_angles()), speed);
-    out.state.defect = _equations.refine(out.x, speed, size_of_deflections(speed));
-    if (out.state.defect > refined)
+    const double deflection = size_of_deflections(speed);
+    const Way &way = _ways[static_cast<std::size_t>(from.way)];
+    out.state.defect = _equations.refine(out.x, speed, deflection, way.held);
+    if (out.state.defect > refined || at_walls(way, out.x, speed, deflection, beside) == Fit::no)
         return std::nullopt;
     describe(out, speed);
     return out;

@@ -18,7 +18,8 @@ namespace whirl::states {
 /// what that needs, or all masses stand on one line through the centre. For each way to share out
 /// the masses of all planes between the two ends of their lines the directions of the lines are the
 /// roots of as many trigonometric polynomials, all of which are found (trig_roots.h). On tracks out
-/// of round each mass has such an equation of its own.
+/// of round each mass has such an equation of its own. Any mass may rest against a wall across
+/// its race instead, on which it is pushed; then it is one that the rotor has there.
 class StateSearch {
   public:
     /// @throws model::AnalysisFailure as SteadyEquations; more balls than are searched; states that
@@ -69,6 +70,12 @@ class StateSearch {
     /// The same state at another speed near by, from a guess of its unknowns; none: not reached.
     [[nodiscard]] std::optional<Found> followed(const Found &from, const Eigen::VectorXd &guess,
                                                 double speed) const;
+    /// Every ball stands between the same two walls in both; whether one is so near to a wall, or
+    /// presses on it so little, that the state ends there.
+    [[nodiscard]] bool between_same_walls(const Eigen::VectorXd &a, const Eigen::VectorXd &b) const;
+    [[nodiscard]] bool ends_at_wall(const Found &found) const;
+    /// All masses stand at the same angles, those that could be exchanged in any order.
+    [[nodiscard]] bool stand_alike(const Found &a, const Found &b) const;
     /// Masses of races out of round that could be exchanged are, so that each stands as near as may
     /// be to where it does in another state.
     [[nodiscard]] Eigen::VectorXd lined_up(Eigen::VectorXd x, const Eigen::VectorXd &with) const;
@@ -77,6 +84,13 @@ class StateSearch {
     void describe(Found &found, double speed) const;
 
   private:
+    /// Where a mass touches a wall, the sense in which it is pushed there, and the torque along its
+    /// angle over the force across the wall, m.
+    struct Stop {
+        double angle;
+        int sense;
+        double arm;
+    };
     /// Sets growth and stability. @param zeros  roots that are zero wherever the masses stand
     /// @throws linalg::SolverError
     void judge(Found &found, int zeros) const;
@@ -87,6 +101,7 @@ class StateSearch {
         double radius;           ///< m
         double tilt;             ///< kg m2
         int alike;               ///< masses of one number could be exchanged
+        std::vector<Stop> stops; ///< of each wall that before it and that behind it
     };
     struct Plane {
         Eigen::Index index; ///< among those of the equations
@@ -94,6 +109,7 @@ class StateSearch {
         double tilt = 0;                    ///< of all masses, kg m2
         Eigen::Vector2d centre;             ///< of their circles, from the axis, m
         std::complex<double> out_of_round;  ///< of their tracks (balancers/track.h)
+        Eigen::Vector2d slope;              ///< of their circles (balancers/kind.h), rad
         std::vector<std::size_t> balancers; ///< whose masses they are
     };
     struct Swung {
@@ -102,10 +118,19 @@ class StateSearch {
         double line, moment, pivot;
     };
     /// How the masses of a plane stand: empty: balanced; else which end of the line each takes, 0:
-    /// where its track holds it.
+    /// where its track holds it, or at_stop.
     using Sides = std::vector<int>;
+    static constexpr int at_stop = 2;
+    /// Of each mass its stop, -1: it is free.
+    using Stops = std::vector<int>;
+    struct PlaneWay {
+        Sides sides;
+        Stops stops;
+    };
     struct Way {
         std::vector<Sides> sides; ///< of each plane
+        std::vector<Stops> stops; ///< likewise
+        SteadyEquations::Held held;
     };
     /// Roots for one way to stand.
     class Lines;
@@ -115,12 +140,14 @@ class StateSearch {
     std::vector<model::Balancer> _balancers;
     std::vector<Swung> _swung;
     std::vector<Way> _ways;
+    bool _walls = false;                 ///< some race has walls
     std::vector<std::size_t> _angles_of; ///< angles that each balancer shows
     std::vector<Eigen::Index> _first_of; ///< coordinate of its first angle
 
     void write_angles(Found &found) const;
     void collect(const model::Case &scene);
-    [[nodiscard]] std::vector<Sides> ways_of(const Plane &plane) const;
+    [[nodiscard]] static std::vector<PlaneWay> ways_of(const Plane &plane);
+    static void add_sides(const Plane &plane, const Stops &stops, std::vector<PlaneWay> &out);
     [[nodiscard]] std::vector<Way> all_ways() const;
     [[nodiscard]] double size_of_deflections(double speed) const;
     void add_states(int index, double speed, double deflection, Wanted wanted,
@@ -131,6 +158,11 @@ class StateSearch {
     [[nodiscard]] bool place(const Way &way, const Lines &lines, const Eigen::VectorXd &root,
                              int member, Eigen::VectorXd &angles) const;
     [[nodiscard]] int along_family(const Way &way, const Eigen::VectorXd &angles) const;
+    enum class Fit { yes, no, undecided };
+    /// Whether free masses stand beside the walls and others press on theirs.
+    [[nodiscard]] Fit at_walls(const Way &way, const Eigen::VectorXd &x, double speed,
+                               double deflection, double nothing) const;
+    void write_wall_forces(Found &found) const;
     [[nodiscard]] bool same(const Eigen::VectorXd &a, const Eigen::VectorXd &b) const;
     [[nodiscard]] results::SteadyState::Kind kind_of(const Way &way) const;
 };

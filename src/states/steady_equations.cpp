@@ -47,11 +47,6 @@ void refuse_what_is_not_steady(const model::Case &scene) {
             if (balls->contact)
                 throw model::AnalysisFailure("steady states are found for balls that pass each "
                                              "other; those of a balancer here touch (contact)");
-            if (!balls->walls.empty())
-                throw model::AnalysisFailure(
-                    "steady states are found for balls that can go all around; those "
-                    "of a balancer "
-                    "here have walls in their race, against which they may rest");
             if (balls->resists())
                 throw model::AnalysisFailure(
                     "steady states are found for balls without resistance to rolling: with it they "
@@ -91,7 +86,8 @@ SteadyEquations::SteadyEquations(const model::Case &scene, double slowest, doubl
     }
     _damped = scene.rotor.damped();
     _round_races = std::ranges::all_of(scene.rotor.balancers, [](const model::Balancer &b) {
-        return balancers::kind_of(b)->out_of_round() == 0.0;
+        const auto kind = balancers::kind_of(b);
+        return kind->out_of_round() == 0.0 && kind->inclination() == 0.0;
     });
 }
 
@@ -224,8 +220,19 @@ Eigen::VectorXd SteadyEquations::with_angles(const Eigen::VectorXd &angles, doub
     return x;
 }
 
-double SteadyEquations::refine(Eigen::VectorXd &x, double speed, double deflection) const {
+double SteadyEquations::refine(Eigen::VectorXd &x, double speed, double deflection,
+                               const Held &held) const {
     constexpr int most_steps = 30;
+    const auto balance_of = [&](const Eigen::VectorXd &at) {
+        Balance out = balance(at, speed, deflection, Motions::stiffness);
+        for (const Index coordinate : held) { // a wall gives what is not in balance there
+            const Index i = rotor_unknowns() + coordinate;
+            out.left(i) = out.sizes(i) = 0;
+            out.motions.K.row(i).setZero();
+            out.motions.K(i, i) = 1;
+        }
+        return out;
+    };
     const auto left_of = [](const Balance &at) {
         double most = 0;
         const Eigen::Index n = at.left.size();
@@ -234,7 +241,7 @@ double SteadyEquations::refine(Eigen::VectorXd &x, double speed, double deflecti
             most = std::max(most, std::abs(at.left(i)) / std::max(at.sizes(i), 1e-12 * largest));
         return most;
     };
-    Balance at = balance(x, speed, deflection, Motions::stiffness);
+    Balance at = balance_of(x);
     double left = left_of(at);
     for (int i = 0; i < most_steps && left > 0; ++i) {
         // Each equation over its size, or directions of small forces would not count.
@@ -252,7 +259,7 @@ double SteadyEquations::refine(Eigen::VectorXd &x, double speed, double deflecti
         constexpr double shortest = 1e-2; // of the step: then it leads nowhere
         for (double part = 1; part > shortest && !better; part /= 2) {
             const Eigen::VectorXd next = x + part * step;
-            Balance then = balance(next, speed, deflection, Motions::stiffness);
+            Balance then = balance_of(next);
             if (const double less = left_of(then); less < left) {
                 better = true;
                 x = next;
@@ -266,8 +273,27 @@ double SteadyEquations::refine(Eigen::VectorXd &x, double speed, double deflecti
     return left;
 }
 
-modes::DenseQuadratic<double> SteadyEquations::about(const Eigen::VectorXd &x, double speed) const {
-    return balance(x, speed, 0, Motions::all).motions;
+std::vector<SteadyEquations::Push> SteadyEquations::pushes(const Eigen::VectorXd &x, double speed,
+                                                           double deflection) const {
+    const Balance at = balance(x, speed, deflection, Motions::stiffness);
+    std::vector<Push> out;
+    for (Index i = rotor_unknowns(); i < unknowns(); ++i)
+        out.push_back({at.left(i), at.sizes(i)});
+    return out;
+}
+
+modes::DenseQuadratic<double> SteadyEquations::about(const Eigen::VectorXd &x, double speed,
+                                                     const Held &held) const {
+    modes::DenseQuadratic<double> all = balance(x, speed, 0, Motions::all).motions;
+    if (held.empty())
+        return all;
+    std::vector<Index> moving;
+    for (Index i = 0; i < unknowns(); ++i)
+        if (!std::ranges::binary_search(held, i - rotor_unknowns()))
+            moving.push_back(i);
+    for (Eigen::MatrixXd *part : {&all.M, &all.D, &all.K})
+        *part = part->operator()(moving, moving).eval();
+    return all;
 }
 
 } // namespace whirl::states

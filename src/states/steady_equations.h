@@ -51,13 +51,23 @@ class SteadyEquations {
 
     /// The rotor's deflection with the free parts at these angles: with equal angles a unique one.
     [[nodiscard]] Eigen::VectorXd with_angles(const Eigen::VectorXd &angles, double speed) const;
+    /// Angles that walls hold, by their places among all of them, ascending.
+    using Held = std::vector<Eigen::Index>;
     /// Towards a root by Newton's method, the shortest step along families.
     /// @param deflection  a size of deflections, m: forces along circles are measured by it
     /// @returns what is left of the equations over the sizes of their terms
-    double refine(Eigen::VectorXd &x, double speed, double deflection) const;
+    double refine(Eigen::VectorXd &x, double speed, double deflection, const Held &held = {}) const;
 
-    /// Small motions about a state: M q'' + D q' + K q = 0.
-    [[nodiscard]] modes::DenseQuadratic<double> about(const Eigen::VectorXd &x, double speed) const;
+    /// Torque along an angle, and the size of the terms that it is a sum of, N m.
+    struct Push {
+        double torque, size;
+    };
+    [[nodiscard]] std::vector<Push> pushes(const Eigen::VectorXd &x, double speed,
+                                           double deflection) const;
+
+    /// Small motions about a state: M q'' + D q' + K q = 0; what is held has none.
+    [[nodiscard]] modes::DenseQuadratic<double> about(const Eigen::VectorXd &x, double speed,
+                                                      const Held &held = {}) const;
 
   private:
     simulation::MovingParts _parts;

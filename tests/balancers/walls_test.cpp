@@ -7,6 +7,7 @@
 #include "model/errors.h"
 #include "results/simulate.h"
 #include "simulation/equations.h"
+#include "simulation/restart.h"
 #include "states/state_search.h"
 #include "support/balancer_scenes.h"
 #include "support/rigid_jeffcott.h"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -182,11 +184,48 @@ TEST(Walls, WhatTheyMakeImpossibleIsRefused) {
     scene.speeds = model::SpeedRange{700, 700, 1};
     scene.simulate.time = 1;
     EXPECT_THROW((void)analyses::stability(scene, {}), model::AnalysisFailure);
-    EXPECT_THROW((void)states::StateSearch(scene, 700, 700), model::AnalysisFailure);
+    EXPECT_NO_THROW((void)states::StateSearch(scene, 700, 700));
+    model::Case touching = scene;
+    balls_of(touching.rotor.balancers[0]).contact = true;
+    EXPECT_THROW((void)states::StateSearch(touching, 700, 700), model::AnalysisFailure);
+    const auto expect = [](const model::Case &one, const std::string &text) {
+        try {
+            (void)analyses::simulate_alone(one);
+            ADD_FAILURE() << text;
+        } catch (const model::BadInput &mistake) {
+            EXPECT_NE(std::string(mistake.what()).find(text), std::string::npos) << mistake.what();
+        }
+    };
     scene.simulate.ball_angles = {{1.05, 2}};
-    EXPECT_THROW((void)analyses::simulate_alone(scene), model::BadInput);
+    expect(scene, "simulate.ball_angles: expected balls beside the walls");
+    model::Case usual = scene;
+    usual.simulate.ball_angles.clear();
+    balls_of(usual.rotor.balancers[0]).walls = {pi / 2};
+    expect(usual, "simulate.ball_angles: missing");
     scene.simulate.ball_angles = {{1 + 1.001 * beside, 2}};
     EXPECT_NO_THROW((void)analyses::simulate_alone(scene));
+}
+
+// A motion goes on with the same balls alone.
+TEST(Walls, BelongToTheRotorOfARestart) {
+    model::Case scene = planar({}, 0.5, 3e-3);
+    balls_of(scene.rotor.balancers[0]).walls = {1};
+    scene.speeds = model::SpeedRange{700, 700, 1};
+    scene.simulate.time = 1;
+    const simulation::MotionScene prepared = simulation::motion_scene(scene);
+    const simulation::RotorMotion motion(prepared.parts);
+    const Eigen::VectorXd state = Eigen::VectorXd::Zero(motion.size());
+    const auto signature = [&](const std::function<void(model::Balls &)> &change) {
+        model::Rotor other = scene.rotor;
+        change(balls_of(other.balancers[0]));
+        return simulation::restart_of(other, motion, state.data(), {}).signature;
+    };
+    const auto own = signature([](model::Balls &) {});
+    EXPECT_EQ(own, signature([](model::Balls &) {}));
+    EXPECT_NE(own, signature([](model::Balls &balls) { balls.restitution = 0.3; }));
+    EXPECT_NE(own, signature([](model::Balls &balls) { balls.rows[0].diameter = 0.021; }));
+    EXPECT_NE(own, signature([](model::Balls &balls) { balls.walls[0] = 1.1; }));
+    EXPECT_NE(own, signature([](model::Balls &balls) { balls.tilt = 0.01; }));
 }
 
 TEST(Walls, MistakesAreNamed) {
@@ -206,6 +245,21 @@ TEST(Walls, MistakesAreNamed) {
         }
     };
     expect("walls = []\n", "balancer[0].walls", "at least one angle");
+    try { // one mistake is told once
+        (void)tests::written_case("[shaft]\nsegments = [{length = 1, outer = 0.05, material = "
+                                  "\"s\"}]\n[[bearing]]\nz = 0\nk = 1e7\nc = 100\n"
+                                  "[[bearing]]\nz = 1\nk = 1e7\nc = 100\n[[balancer]]\n"
+                                  "z = 0.5\nmass = 0.01\nradius = 0.1\nwalls = 0.5\n");
+        ADD_FAILURE() << "accepted";
+    } catch (const model::BadInput &mistake) {
+        const std::string text = mistake.what();
+        EXPECT_EQ(text.find("balancer[0].walls"), text.rfind("balancer[0].walls")) << text;
+    }
+    // Nobody asks where one ball between walls would balance.
+    EXPECT_NO_THROW((void)tests::written_case(
+        "[shaft]\nsegments = [{length = 1, outer = 0.05, material = \"s\"}]\n[[bearing]]\nz = "
+        "0\nk = 1e7\nc = 100\n[[bearing]]\nz = 1\nk = 1e7\nc = 100\n[[balancer]]\nz = "
+        "0.5\nmass = 0.01\nradius = 0.1\nn = 1\nimbalance = 0.01\nwalls = [1]\n"));
     expect("walls = [0.5, \"30 deg\", \"390 deg\"]\n", "balancer[0].walls", "angles of their own");
     expect("restitution = 0.5\n", "balancer[0].restitution", "or walls");
     expect("walls = [1]\nrelease_speed = 10\n", "balancer[0].release_speed", "no walls");

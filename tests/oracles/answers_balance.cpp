@@ -10,6 +10,7 @@
 #include "oracles/receptance.h"
 #include "oracles/rigid_rotor.h"
 #include "oracles/steady_states.h"
+#include "oracles/walled_race.h"
 
 #include <algorithm>
 #include <cmath>
@@ -222,8 +223,35 @@ Answer answer_supply(const CaseRotor &rotor, const std::string &path) {
 
 } // namespace
 
+namespace {
+
+/// Of a pair with a ball at a wall, which among states is the second one.
+Answer answer_walled(const Request &request, const WalledPair &pair) {
+    const std::string closed = "pairs of places in the race by bisection";
+    if (ends_with(request.path, "/balls/0"))
+        return {closed, {pair.first, pair.second}, {}, {}};
+    if (ends_with(request.path, "/angles/0"))
+        return {closed, {pair.second, pair.first}, {}, {}};
+    if (ends_with(request.path, "/wall_forces/0/1"))
+        return {closed, {pair.force}, {}, {}};
+    if (ends_with(request.path, "/residual") || ends_with(request.path, "/amplitude"))
+        return {closed, {pair.deflection}, {}, {}};
+    no_answer("walled race: no oracle for " + request.path);
+}
+
+} // namespace
+
 Answer answer_states(const Request &request) {
     const std::string &path = request.path;
+    if (!request.rotor.balancers.empty() && !request.rotor.balancers[0].walls.empty()) {
+        // In the program's list the states with both balls free come first.
+        const auto pairs = walled_pairs(request.rotor, request.rotor.speed_from);
+        const int all = index_after(path, "/states/");
+        const int free = free_pairs(request.rotor, request.rotor.speed_from);
+        if (all < free)
+            no_answer("walled race: no oracle for free balls");
+        return answer_walled(request, pairs.at(static_cast<std::size_t>(all - free)));
+    }
     const std::string closed = "planar rotor with two balls, closed form and its small motions";
     const PlanarBallRotor planar = planar_ball_rotor(request.rotor);
     const int border = index_after(path, "/state_borders/");
@@ -402,6 +430,13 @@ Answer answer_simulate(const Request &request) {
     if (request.path.rfind("/sweep", 0) == 0)
         return answer_held(request);
     const Balancer &balancer = rotor.balancers.front();
+    if (!balancer.walls.empty()) {
+        // Both balls start between the walls where one rests and one is free.
+        for (const WalledPair &pair : walled_pairs(rotor, rotor.speed_from))
+            if (pair.resting == 1 && pair.deflection < 1e-4L)
+                return answer_walled(request, pair);
+        no_answer("walled race: no such end");
+    }
     const bool alike = std::all_of(rotor.supports.begin(), rotor.supports.end(), [](const auto &s) {
         return s.k[0][0] == s.k[1][1] && s.c[0][0] == s.c[1][1];
     });

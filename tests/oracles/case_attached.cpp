@@ -92,6 +92,12 @@ Balancer balancer_of(const toml::table &table) {
     out.damping = number(table, "damping");
     out.imbalance = number(table, "imbalance");
     out.imbalance_radius = number(table, "imbalance_radius");
+    out.diameter = number(table, "ball_diameter");
+    out.ellipticity = number(table, "ellipticity");
+    out.ellipticity_angle = number(table, "ellipticity_angle");
+    if (const toml::array *walls = table["walls"].as_array())
+        for (const toml::node &angle : *walls)
+            out.walls.push_back(number(angle));
     out.held = table["held"].value_or(false);
     if (const toml::array *position = table["position"].as_array())
         for (const toml::node &angle : *position)

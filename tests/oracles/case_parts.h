@@ -45,14 +45,17 @@ struct Balancer {
     double inertia = 0;    ///< of a ring about its own axis, kg m2
     double drag = 0;       ///< against a ring's turning in the rotor, N m s
     int n = 0;
-    double mass = 0;              ///< of one, kg
-    double radius = 0;            ///< of the balls' race, m
-    double arm = 0;               ///< of a pendulum, m
-    double pivot = 0;             ///< radius of the pendulums' pivots, m
-    double damping = 0;           ///< N s/m of a ball, N m s of a pendulum's hinge
-    double imbalance = 0;         ///< m0 R0, kg m
-    double imbalance_radius = 0;  ///< R0, m; 0: the imbalance is no mass of its own
-    bool held = false;            ///< its parts are fixed in the rotor
+    double mass = 0;             ///< of one, kg
+    double radius = 0;           ///< of the balls' race, m
+    double arm = 0;              ///< of a pendulum, m
+    double pivot = 0;            ///< radius of the pendulums' pivots, m
+    double damping = 0;          ///< N s/m of a ball, N m s of a pendulum's hinge
+    double imbalance = 0;        ///< m0 R0, kg m
+    double imbalance_radius = 0; ///< R0, m; 0: the imbalance is no mass of its own
+    double diameter = 0;         ///< of a ball, m; 0: not given
+    double ellipticity = 0, ellipticity_angle = 0; ///< R (1 + e cos 2(a - angle))
+    std::vector<double> walls;                     ///< angles of walls across the race, rad
+    bool held = false;                             ///< its parts are fixed in the rotor
     std::vector<double> position; ///< angles from the imbalance, rad; empty: the symmetric ones
 };
 

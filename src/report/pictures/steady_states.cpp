@@ -17,8 +17,8 @@ using results::SteadyStates;
 
 namespace {
 
-constexpr std::array<const char *, 5> kind_colours{"#007D5A", "#0072B2", "#D55E00", "#B0305C",
-                                                   "#7A5200"};
+constexpr std::array<const char *, 7> kind_colours{"#007D5A", "#0072B2", "#D55E00", "#B0305C",
+                                                   "#7A5200", "#5B4FB0", "#555555"};
 
 /// States that look alike: what the masses do, and whether they stay there.
 using Look = std::pair<SteadyState::Kind, std::optional<bool>>;
@@ -135,9 +135,10 @@ Chart chart_with(const model::Case &scene, const SteadyStates &states, const Uni
             curve.marker = 0.7;
             panel.curves.push_back(curve);
         }
-    const std::array<std::tuple<SteadyBorder::Kind, int, const char *>, 4> marks{
+    const std::array<std::tuple<SteadyBorder::Kind, int, const char *>, 5> marks{
         {{SteadyBorder::Kind::fold, 8, "fold"},
          {SteadyBorder::Kind::limit, 4, "masses just reach"},
+         {SteadyBorder::Kind::wall, 10, "a ball meets a wall"},
          {SteadyBorder::Kind::zero, 2, "real root crosses zero"},
          {SteadyBorder::Kind::pair, 12, "limit cycle begins (Hopf)"}}};
     for (const auto &[kind, point, name] : marks) {

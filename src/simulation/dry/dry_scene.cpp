@@ -18,9 +18,16 @@ constexpr double rounding = 1e-9;             ///< rad, of angles as they are wr
 /// An angle as one of the first turn.
 double within_turn(double angle) { return angle - turn * std::floor(angle / turn); }
 
+/// @param given  the case gives the start
+std::string of_start(bool given) {
+    return given ? "simulate.ball_angles: expected "
+                 : "simulate.ball_angles: missing, and where balls are spread evenly they overlap: "
+                   "expected a start with ";
+}
+
 /// The gaps between neighbours around one race.
 void add_gaps(const balancers::TouchingRow &row, int first, const std::vector<double> &angles,
-              std::vector<Gap> &gaps) {
+              bool given, std::vector<Gap> &gaps) {
     std::vector<std::pair<double, int>> around;
     for (int i = first + row.first; i < first + row.first + row.count; ++i)
         around.emplace_back(within_turn(angles[static_cast<std::size_t>(i)]), i);
@@ -33,9 +40,9 @@ void add_gaps(const balancers::TouchingRow &row, int first, const std::vector<do
             angles[static_cast<std::size_t>(j)] - angles[static_cast<std::size_t>(i)];
         if (apart < row.touching - rounding)
             throw model::BadInput(fmt::format(
-                "simulate.ball_angles: expected balls that do not overlap, {:.6g} rad apart or "
+                "{}balls that do not overlap, {:.6g} rad apart or "
                 "more, got {:.6g} rad between two that cannot pass each other (contact = true)",
-                row.touching, apart));
+                of_start(given), row.touching, apart));
         const bool parted =
             std::ranges::any_of(row.walls, [&, from = here](const balancers::Wall &wall) {
                 return within_turn((wall.before + wall.behind) / 2 - from) < apart;
@@ -46,17 +53,18 @@ void add_gaps(const balancers::TouchingRow &row, int first, const std::vector<do
 }
 
 /// Those between a part and the walls on both sides of it.
-void add_walls(const balancers::TouchingRow &row, int i, double angle, std::vector<Gap> &gaps) {
+void add_walls(const balancers::TouchingRow &row, int i, double angle, bool given,
+               std::vector<Gap> &gaps) {
     double behind = turn; // the wall that it follows
     double before = turn; // the one that it stands before
     for (const balancers::Wall &wall : row.walls) {
         const double into = within_turn(angle - wall.before);
         const double width = wall.behind - wall.before;
         if (into > rounding && into < width - rounding)
-            throw model::BadInput(fmt::format(
-                "simulate.ball_angles: expected balls beside the walls of their race, with no "
-                "centre from {:.6g} to {:.6g} rad, got one at {:.6g} rad",
-                wall.before, wall.behind, angle));
+            throw model::BadInput(
+                fmt::format("{}balls beside the walls of their race, with no "
+                            "centre from {:.6g} to {:.6g} rad, got one at {:.6g} rad",
+                            of_start(given), wall.before, wall.behind, angle));
         const auto free = [](double gap) { return gap > turn - rounding ? gap - turn : gap; };
         behind = std::min(behind, free(within_turn(angle - wall.behind)));
         before = std::min(before, free(within_turn(wall.before - angle)));
@@ -67,17 +75,18 @@ void add_walls(const balancers::TouchingRow &row, int i, double angle, std::vect
 
 } // namespace
 
-DryState dry_state(const MovingParts &parts, const std::vector<double> &angles, double rate) {
+DryState dry_state(const MovingParts &parts, const std::vector<double> &angles, double rate,
+                   bool given) {
     DryState dry;
     dry.rate = rate;
     for (const FreeParts &free : parts.free) {
         const int first = static_cast<int>(dry.resists.size());
         for (const balancers::TouchingRow &row : free.motion->touching()) {
             if (!row.pass)
-                add_gaps(row, first, angles, dry.gaps);
+                add_gaps(row, first, angles, given, dry.gaps);
             for (int i = first + row.first; i < first + row.first + row.count; ++i)
                 if (!row.walls.empty())
-                    add_walls(row, i, angles[static_cast<std::size_t>(i)], dry.gaps);
+                    add_walls(row, i, angles[static_cast<std::size_t>(i)], given, dry.gaps);
         }
         for (int i = 0; i < free.motion->size(); ++i)
             dry.resists.push_back(free.motion->resists(i));

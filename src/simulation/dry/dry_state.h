@@ -67,8 +67,9 @@ struct Constraint {
 /// start, which they remain.
 /// @param angles  of all coordinates at the start, rad
 /// @param rate    1/s, see DryState
+/// @param given   the case gives the start
 /// @throws model::BadInput where parts overlap at the start that cannot pass each other, or a wall.
 [[nodiscard]] DryState dry_state(const MovingParts &parts, const std::vector<double> &angles,
-                                 double rate);
+                                 double rate, bool given = true);
 
 } // namespace whirl::simulation
