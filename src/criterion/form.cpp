@@ -68,9 +68,13 @@ const Eigen::MatrixXcd &BalanceForm::at(double speed) {
     const auto found = _known.find(speed);
     if (found != _known.end())
         return found->second;
+    // A rigid rotor without supports has no stiffness: the form is the same at all speeds, but at
+    // rest, where only its limit exists, the matrix is zero.
+    constexpr double hardly = 1e-6; // rad/s
     for (const double nudge : {0.0, 1e-12, -1e-10}) {
+        const double near = speed == 0 && nudge != 0 ? hardly : speed * (1 + nudge);
         try {
-            return _known[speed] = synchronous::hermitian_part(_receptance.at(speed * (1 + nudge)));
+            return _known[speed] = synchronous::hermitian_part(_receptance.at(near));
         } catch (const linalg::SolverError &) {
             continue;
         }

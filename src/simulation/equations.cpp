@@ -259,10 +259,15 @@ void add_notes(const model::Case &scene, MotionScene &motion) {
     if (!scene.rotor.damped())
         motion.notes.emplace_back("no damping in the bearings: whirl does not die out");
     if (scene.simulate.ball_angles.empty() && !scene.rotor.balancers.empty())
-        motion.notes.emplace_back("simulate.ball_angles is not given: the balls start spread "
-                                  "evenly, the first of each balancer offset by {}; other starts "
-                                  "may end otherwise",
-                                  as::angle(out_of_place));
+        motion.notes.emplace_back(
+            "simulate.ball_angles is not given: the {}, the first of each "
+            "balancer offset by {}; other starts may end otherwise",
+            std::ranges::any_of(
+                scene.rotor.balancers,
+                [](const model::Balancer &b) { return !balancers::kind_of(b)->circled().empty(); })
+                ? "balls start spread evenly"
+                : "pendulums start at rest in the rotor",
+            as::angle(out_of_place));
     if (std::ranges::any_of(scene.rotor.balancers,
                             [](const model::Balancer &b) { return !b.tilt_inertia; }))
         motion.notes.emplace_back(model::Weight::information,

@@ -459,6 +459,17 @@ TEST(RaceOutOfRound, SteadyStatesAreAllThatNewtonFinds) {
         }
 }
 
+/// One rotor at all its speeds.
+class OverSpeeds : public states::Followed {
+  public:
+    explicit OverSpeeds(const states::StateSearch &search) : _search(search) {}
+    const states::StateSearch &search(double) override { return _search; }
+    [[nodiscard]] double speed(double place) const override { return place; }
+
+  private:
+    const states::StateSearch &_search;
+};
+
 // Several branches end between two speeds: each at a speed of its own, at which as many states come
 // or go as Newton's method finds on both sides.
 TEST(RaceOutOfRound, BranchesThatEndInOneStepEndEachAtItsOwnSpeed) {
@@ -467,14 +478,15 @@ TEST(RaceOutOfRound, BranchesThatEndInOneStepEndEachAtItsOwnSpeed) {
     of.e = 0;
     const std::vector<double> speeds{276, 288, 300, 312, 324};
     const states::StateSearch search(of.scene(speeds.front()), speeds.front(), speeds.back());
-    std::vector<states::AtSpeed> all;
+    OverSpeeds over(search);
+    std::vector<states::AtPlace> all;
     for (const double speed : speeds) {
         bool undecided = false;
-        all.push_back({speed, search.at(speed, undecided)});
+        all.push_back({speed, over.at(speed, undecided)});
         EXPECT_FALSE(undecided);
     }
     results::SteadyStates found;
-    states::join_branches(search, all, found);
+    states::join_branches(over, all, found);
     using BorderKind = results::SteadyBorder::Kind;
     std::map<double, int> ends; // how many branches end
     for (const results::SteadyBorder &border : found.borders)
