@@ -116,9 +116,9 @@ std::vector<SteadyState> first_rows(const SteadyStates &states) {
 
 std::string heading_of(const SteadyStates &states) {
     const std::size_t places = states.places().size();
-    const std::string over = states.over ? "value" : "speed";
+    const auto words = [&](const char *one, const char *more) { return places == 1 ? one : more; };
     return fmt::format("Steady states, {} at {} {}{}", states.states.size(), places,
-                       places == 1 ? over : over + "s",
+                       states.over ? words("value", "values") : words("speed", "speeds"),
                        states.states.size() > most_rows ? fmt::format(", the first {}", most_rows)
                                                         : std::string());
 }
