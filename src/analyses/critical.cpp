@@ -14,6 +14,7 @@
 #include "model/variants.h"
 #include "modes/formulation.h"
 #include "operation/margins.h"
+#include "process/processes.h"
 #include "results/critical.h"
 #include "results/damping.h"
 #include "results/formulation.h"
@@ -121,6 +122,7 @@ results::CriticalResult critical_of_hill(const model::Case &scene, bool judged) 
         return result;
     const auto unknown = [](const results::CriticalSpeed &c) { return !std::isfinite(c.error); };
     if (std::ranges::any_of(result.critical_speeds, unknown)) { // by all of a finer rotor
+        const process::Alone alone; // the others have no critical speeds to judge
         model::Case fine = scene;
         fine.rotor.shaft.order_auto = false;
         fine.rotor.shaft.order = std::min(mesh_error::finer_order(result.model.order), 30);
