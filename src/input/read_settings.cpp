@@ -219,6 +219,9 @@ void read_map(CheckedTable &table, model::Case &scene) {
         table.fail("y", fmt::format("missing: without it the states are followed over x at one "
                                     "speed, expected one in states.speeds, got {}",
                                     speeds));
+    if (alone && map.x.label.starts_with("states."))
+        table.fail("x", "expected an entry of the rotor, over which states are followed, got " +
+                            in_quotes(map.x.label));
     if (map.x.label == "speed" && map.y.label == "speed")
         table.fail("y", "expected another entry than x, got " + in_quotes(map.y.label) + " twice");
     refuse_twice(table, {map.x, map.y});

@@ -82,6 +82,8 @@ TEST(EntryPaths, OfAMapAloneAreForStates) {
               std::string::npos);
     EXPECT_NE(refusal(with(one, "speed")).find("map.x: expected an entry of the case"),
               std::string::npos);
+    EXPECT_NE(refusal(with(one, "states.speeds[0]")).find("map.x: expected an entry of the rotor"),
+              std::string::npos);
 }
 
 /// [map] and [samples] name entries in the words of --set: what one override sets, they may vary.
