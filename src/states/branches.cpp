@@ -22,6 +22,8 @@ using std::numbers::pi;
 constexpr double known = known_to;
 /// Angles that differ by more between neighbouring places are not taken for the same state, rad.
 constexpr double farthest = 1.5;
+/// Two states that are about to meet stand as near as the root of what is left to that, rad.
+constexpr double next_to_fold = 0.05;
 
 class Joining {
   public:
@@ -158,19 +160,23 @@ class Joining {
             using BorderKind = SteadyBorder::Kind;
             const bool alone =
                 first.state.kind == Kind::out_of_round || first.state.kind == Kind::at_wall;
+            // Masses that just reach are those that balance; on a line through the centre two
+            // states meet, though one of them may have begun within the step.
+            const bool on_lines =
+                first.state.kind == Kind::coincident || first.state.kind == Kind::split;
             if (alone && meet(last))
                 border.kind = BorderKind::limit;
-            else if (lost)
+            else if (lost || (on_lines && !beside_another(last)))
                 border.kind = BorderKind::undecided;
             else // of a branch that begins and ends between two places none is seen but this end
-                border.kind = alone ? BorderKind::fold : BorderKind::limit;
+                border.kind = alone || on_lines ? BorderKind::fold : BorderKind::limit;
             for (auto other = states.begin(); other != states.end(); ++other) {
                 if ((*other)->way != first.way)
                     continue;
                 const auto [same_place, partner, partner_lost] = last_of(**other, there, gone);
                 // Next to a fold two states are as near as the root of what is left to it.
                 if (std::abs(same_place - place) > 1e-6 * std::abs(place) ||
-                    apart(partner, last) > 0.05)
+                    apart(partner, last) > next_to_fold)
                     continue;
                 border.kind = SteadyBorder::Kind::fold;
                 border.other = (*other)->state.branch;
@@ -202,13 +208,21 @@ class Joining {
 
     /// Whether two balls stand at one angle but for what is left next to where they meet.
     [[nodiscard]] bool meet(const Found &found) const {
-        constexpr double near = 0.05; // rad, as for two states next to a fold
         for (Eigen::Index i = 1; i <= _angles; ++i)
             for (Eigen::Index k = i + 1; k <= _angles; ++k)
                 if (std::abs(std::remainder(
-                        found.x(found.x.size() - i) - found.x(found.x.size() - k), 2 * pi)) < near)
+                        found.x(found.x.size() - i) - found.x(found.x.size() - k), 2 * pi)) <
+                    next_to_fold)
                     return true;
         return false;
+    }
+
+    /// Whether another state of its way is as near as next to a fold.
+    [[nodiscard]] bool beside_another(const Found &found) {
+        const std::vector<Found> &states = looked_at(found.way, found.place).states;
+        return std::ranges::count_if(states, [&](const Found &other) {
+                   return apart(other, found) < next_to_fold;
+               }) > 1;
     }
 
     [[nodiscard]] const Looked &looked_at(int way, double place) {
@@ -276,6 +290,7 @@ class Joining {
                 _over.of_way(low.way, place, undecided, StateSearch::Wanted::all);
             if (states.empty())
                 return std::nullopt;
+            states.front().state.branch = low.state.branch;
             return std::move(states.front());
         }
         Eigen::VectorXd guess = low.x.tail(_angles);
@@ -296,6 +311,7 @@ void halve(const Found &low, const Found &high, const Between &between, int dept
         return;
     const double from = low.place;
     const double to = high.place;
+    bool lost = false;
     if (to - from > known_to * std::max(std::abs(from), std::abs(to)) && depth < 60) {
         const double place = (from + to) / 2;
         if (const std::optional<Found> middle = between(low, high, place)) {
@@ -303,6 +319,7 @@ void halve(const Found &low, const Found &high, const Between &between, int dept
             halve(*middle, high, between, depth + 1, out);
             return;
         }
+        lost = true; // somewhere between them, or the two are not of one branch
     }
     SteadyBorder border;
     border.speed = (from + to) / 2;
@@ -314,8 +331,10 @@ void halve(const Found &low, const Found &high, const Between &between, int dept
     const double swing = std::abs(more.least_growing.imag());
     // Of a real root nothing is left but rounding.
     const bool pair = swing > 1e-7 * std::abs(more.state.speed);
-    border.kind = pair ? SteadyBorder::Kind::pair : SteadyBorder::Kind::zero;
-    if (pair)
+    border.kind = lost   ? SteadyBorder::Kind::undecided
+                  : pair ? SteadyBorder::Kind::pair
+                         : SteadyBorder::Kind::zero;
+    if (pair && !lost)
         border.frequency = swing;
     out.push_back(border);
 }

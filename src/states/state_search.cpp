@@ -36,6 +36,8 @@ constexpr double equal_moments = 1e-9;
 constexpr double same_at_fold = 3e-5;
 /// Members of a family that are looked at: more than the kinds of arrangements that six balls have.
 constexpr int members = 9;
+/// Of a family between walls so many are tried until that many of them fit.
+constexpr int most_tried = 200;
 /// More ways to stand than any rotor has that somebody would wait for.
 constexpr std::size_t most_ways = 20000;
 /// More masses that stand each by itself are as many unknowns: hours.
@@ -63,21 +65,27 @@ void add_member(const SteadyState &member, SteadyState &family) {
 /// The masses of a plane stand each by itself: their tracks are no circles seen along the shaft.
 bool each_alone(const auto &plane) { return plane.out_of_round != 0.0 || !plane.slope.isZero(0); }
 
-/// All roots of small motions but those that are zero, one of each conjugate pair, with their
-/// rounding errors where that could be the sign of their growth, and of the one of the largest real
-/// part.
-std::vector<modes::Root> judged_roots(const modes::DenseQuadratic<double> &motions, double speed,
-                                      int zeros) {
+struct Counted {
+    modes::Root root;
+    int count = 1; ///< 2: it stands for its conjugate too
+};
+
+/// All roots of small motions but those that are zero, with their rounding errors where that could
+/// be the sign of their growth, and of the one of the largest real part. Rounding makes a pair of a
+/// double real root, which is real again once it is found better: it is two all the same.
+std::vector<Counted> judged_roots(const modes::DenseQuadratic<double> &motions, double speed,
+                                  int zeros) {
     constexpr double fast = 1e4;       // of the shift: from there their digits are lost
     constexpr double clear = 1e-6;     // of the root or the shift: far above the rounding of both
     constexpr double of_shift = 1e-12; // what is small beside it is found no better
     const double shift = modes::usual_shift(speed, 0);
     const std::vector<std::complex<double>> values = modes::all_values(motions, shift, zeros);
     const auto size = [](std::complex<double> value) { return std::abs(value); };
-    std::vector<modes::Root> roots;
+    std::vector<Counted> roots;
     if (size(*std::ranges::max_element(values, {}, size)) > fast * shift) {
-        roots = modes::sharp_roots(motions, shift, zeros, static_cast<int>(values.size()));
-        std::erase_if(roots, [](const modes::Root &root) { return root.value.imag() < 0; });
+        for (modes::Root &root :
+             modes::sharp_roots(motions, shift, zeros, static_cast<int>(values.size())))
+            roots.push_back({std::move(root)});
         return roots;
     }
     const auto growth = [](std::complex<double> value) { return value.real(); };
@@ -85,13 +93,15 @@ std::vector<modes::Root> judged_roots(const modes::DenseQuadratic<double> &motio
     for (const std::complex<double> &value : values) {
         if (value.imag() < 0)
             continue;
+        auto &[root, count] = roots.emplace_back();
+        count = value.imag() > 0 ? 2 : 1;
         if (growth(value) == largest ||
             std::abs(growth(value)) <= clear * std::max(size(value), shift)) {
-            roots.push_back(modes::with_vectors(motions, value));
-            if (!roots.back().sharp)
-                roots.back().noise = std::max(roots.back().noise, of_shift * shift);
+            root = modes::with_vectors(motions, value);
+            if (!root.sharp)
+                root.noise = std::max(root.noise, of_shift * shift);
         } else {
-            roots.emplace_back().value = value;
+            root.value = value;
         }
     }
     return roots;
@@ -622,8 +632,68 @@ bool StateSearch::place(const Way &way, const Lines &lines, const Eigen::VectorX
         const std::vector<double> from_opposite = balanced_angles(plane, std::abs(needed), member);
         for (std::size_t k = 0; k < masses.size(); ++k)
             angles(plane.masses[k].coordinate) = std::arg(needed) + pi + from_opposite[k];
+        if (!turns_as_pair(plane, needed))
+            continue;
+        const std::optional<double> turn = turn_of_pair(plane, angles, member);
+        if (!turn)
+            return false;
+        for (const Mass &mass : plane.masses)
+            angles(mass.coordinate) += *turn;
     }
     return true;
+}
+
+bool StateSearch::turns_as_pair(const Plane &plane, std::complex<double> needed) {
+    if (plane.masses.size() != 2)
+        return false;
+    const double all = plane.masses[0].moment + plane.masses[1].moment;
+    return std::abs(needed) <= equal_moments * all;
+}
+
+bool StateSearch::pair_turns(const Way &way, const Lines &lines,
+                             const Eigen::VectorXd &root) const {
+    bool any = false;
+    for (std::size_t i = 0, balanced = 0; i < _planes.size(); ++i)
+        if (way.sides[i].empty())
+            any = turns_as_pair(_planes[i], lines.needed(balanced++, root)) || any;
+    return any;
+}
+
+std::optional<double> StateSearch::turn_of_pair(const Plane &plane, const Eigen::VectorXd &angles,
+                                                int member) {
+    // Turns that bring a mass into a wall, [0, 2 pi] and those that reach beyond it.
+    std::vector<std::pair<double, double>> barred;
+    for (const Mass &mass : plane.masses)
+        for (std::size_t s = 0; s < mass.stops.size(); s += 2) {
+            const double from = mass.stops[s].angle - angles(mass.coordinate);
+            const double turned = from - 2 * pi * std::floor(from / (2 * pi));
+            const double width = mass.stops[s + 1].angle - mass.stops[s].angle;
+            barred.emplace_back(turned, turned + width);
+            barred.emplace_back(turned - 2 * pi, turned - 2 * pi + width);
+        }
+    // Members divide what is left evenly; a pair of equal balls is the same after half a turn,
+    // which an odd number of them is not.
+    const double share = (member % members + (barred.empty() ? 0.0 : 0.5)) / members;
+    std::ranges::sort(barred);
+    barred.emplace_back(2 * pi, 2 * pi);
+    std::vector<std::pair<double, double>> gaps;
+    double left = 0;
+    double end = 0;
+    for (const auto &[from, to] : barred) {
+        const double next = std::min(from, 2 * pi);
+        if (next - end > 2 * beside) { // it stands beside both walls
+            gaps.emplace_back(end, next);
+            left += next - end;
+        }
+        end = std::max(end, to);
+    }
+    double along = share * left;
+    for (const auto &[from, to] : gaps) {
+        if (along < to - from)
+            return from + along;
+        along -= to - from;
+    }
+    return std::nullopt;
 }
 
 int StateSearch::along_family(const Way &way, const Eigen::VectorXd &angles) const {
@@ -695,7 +765,7 @@ Eigen::VectorXd StateSearch::lined_up(Eigen::VectorXd x, const Eigen::VectorXd &
         return std::abs(std::remainder(one - other, 2 * pi));
     };
     for (const Plane &plane : _planes) {
-        bool nearer = each_alone(plane);
+        bool nearer = true;
         while (nearer) { // each exchange brings two, taken together, nearer
             nearer = false;
             for (const Mass &a : plane.masses)
@@ -761,26 +831,29 @@ void StateSearch::describe(Found &found, double speed) const {
 
 void StateSearch::judge(Found &found, int zeros) const {
     SteadyState &state = found.state;
-    const std::vector<modes::Root> roots = judged_roots(
+    const std::vector<Counted> roots = judged_roots(
         _equations.about(found.x, state.speed, _ways[static_cast<std::size_t>(found.way)].held),
         state.speed, zeros);
-    const auto grows_most = [](const modes::Root &root) {
-        return std::pair(root.sign() > 0, root.value.real());
+    const auto grows_most = [](const Counted &one) {
+        return std::pair(one.root.sign() > 0, one.root.value.real());
     };
-    const modes::Root &fastest = *std::ranges::max_element(roots, {}, grows_most);
-    found.fastest = fastest.value;
+    const modes::Root &fastest = std::ranges::max_element(roots, {}, grows_most)->root;
+    found.fastest = {fastest.value.real(), std::abs(fastest.value.imag())};
     found.least_growing = 0;
     int growing = 0;
-    for (const modes::Root &root : roots) {
+    for (const auto &[root, count] : roots) {
         if (root.sign() <= 0)
             continue;
         if (growing == 0 || root.value.real() < found.least_growing.real())
             found.least_growing = root.value;
-        growing += root.value.imag() > 0 ? 2 : 1;
+        growing += count;
     }
-    found.damped = std::ranges::any_of(roots, [](const auto &root) { return root.sign() < 0; });
-    const bool decided =
-        std::ranges::none_of(roots, [](const auto &root) { return root.sign() == 0; });
+    const auto has = [&roots](int sign) {
+        return std::ranges::any_of(roots,
+                                   [sign](const Counted &one) { return one.root.sign() == sign; });
+    };
+    found.damped = has(-1);
+    const bool decided = !has(0);
     state.growth = state.least_growth = fastest.value.real();
     state.growth_error = fastest.noise;
     state.growing = growing;
@@ -799,19 +872,22 @@ void StateSearch::add_states(int index, double speed, double deflection, Wanted 
         roots.roots.emplace_back(Eigen::VectorXd(0));
     undecided = undecided || !roots.undecided.empty();
     int mirrored = 1;
-    bool family = false;
+    bool mechanism = false; // of three masses or more
     for (std::size_t i = 0; i < _planes.size(); ++i) {
         const std::vector<Mass> &masses = _planes[i].masses;
         if (!way.sides[i].empty())
             continue;
         if (masses.size() == 2 && masses[0].alike != masses[1].alike)
             mirrored = 2;
-        family = family || masses.size() > 2;
+        mechanism = mechanism || masses.size() > 2;
     }
     for (const Eigen::VectorXd &root : roots.roots) {
         std::optional<Found> whole;
+        int fitting = 0;
         bool between = false; // a member of a family would stand in a wall
-        for (int member = 0; member < (family ? members : mirrored); ++member) {
+        const bool family = mechanism || pair_turns(way, lines, root);
+        const int tried = !family ? mirrored : _walls ? most_tried : members;
+        for (int member = 0; member < tried && fitting < members; ++member) {
             Eigen::VectorXd angles;
             if (!place(way, lines, root, member, angles))
                 break;
@@ -828,11 +904,14 @@ void StateSearch::add_states(int index, double speed, double deflection, Wanted 
                 continue;
             }
             const Fit fit = at_walls(way, found.x, speed, deflection, beside);
-            undecided = undecided || fit == Fit::undecided;
-            if (fit == Fit::no) {
-                between = between || family;
+            if (family && fit != Fit::yes) {
+                between = true;
                 continue;
             }
+            undecided = undecided || fit == Fit::undecided;
+            if (fit == Fit::no)
+                continue;
+            ++fitting;
             if (wanted == Wanted::all)
                 describe(found, speed);
             if (!family) {
@@ -842,11 +921,12 @@ void StateSearch::add_states(int index, double speed, double deflection, Wanted 
                     out.push_back(std::move(found));
                 continue;
             }
-            if (!whole) {
+            if (whole)
+                add_member(found.state, whole->state);
+            else
                 whole = std::move(found);
-                continue;
-            }
-            add_member(found.state, whole->state);
+            if (wanted == Wanted::places)
+                break;
         }
         if (whole)
             out.push_back(std::move(*whole));

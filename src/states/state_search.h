@@ -76,8 +76,9 @@ class StateSearch {
     [[nodiscard]] bool ends_at_wall(const Found &found) const;
     /// All masses stand at the same angles, those that could be exchanged in any order.
     [[nodiscard]] bool stand_alike(const Found &a, const Found &b) const;
-    /// Masses of races out of round that could be exchanged are, so that each stands as near as may
-    /// be to where it does in another state.
+    /// Masses that could be exchanged are, so that each stands as near as may be to where it does
+    /// in another state of the same way to stand: each by itself where races are out of round; a
+    /// pair on a line is the same after half a turn.
     [[nodiscard]] Eigen::VectorXd lined_up(Eigen::VectorXd x, const Eigen::VectorXd &with) const;
     void line_up(Found &found, const Found &with) const;
     /// Sets what follows from the unknowns: angles, amplitudes, growth, stability.
@@ -157,6 +158,14 @@ class StateSearch {
                                                       int member) const;
     [[nodiscard]] bool place(const Way &way, const Lines &lines, const Eigen::VectorXd &root,
                              int member, Eigen::VectorXd &angles) const;
+    /// Two equal masses that need not make anything stand opposite each other, at any angle.
+    [[nodiscard]] static bool turns_as_pair(const Plane &plane, std::complex<double> needed);
+    /// Some pair does.
+    [[nodiscard]] bool pair_turns(const Way &way, const Lines &lines,
+                                  const Eigen::VectorXd &root) const;
+    /// By which one more member of that family is turned, where walls leave room; none: nowhere.
+    [[nodiscard]] static std::optional<double>
+    turn_of_pair(const Plane &plane, const Eigen::VectorXd &angles, int member);
     [[nodiscard]] int along_family(const Way &way, const Eigen::VectorXd &angles) const;
     enum class Fit { yes, no, undecided };
     /// Whether free masses stand beside the walls and others press on theirs.

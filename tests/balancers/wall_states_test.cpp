@@ -367,5 +367,66 @@ TEST(WallStates, WithoutImbalanceBallsLeanOnWalls) {
     }
 }
 
+// Two balls without an imbalance stand opposite each other at any angle that the walls leave free
+// at both ends of a diameter, and round rotors move alike at all of them.
+TEST(WallStates, APairStandsWhereverADiameterIsFree) {
+    constexpr double speed = 700;
+    const auto balanced = [](const Planar &of) {
+        bool undecided = false;
+        auto states = states::StateSearch(of.scene(speed), speed, speed).at(speed, undecided);
+        EXPECT_FALSE(undecided);
+        std::erase_if(states, [](const auto &found) { return found.state.kind != Kind::balanced; });
+        return states;
+    };
+    Planar open;
+    open.imbalance = 0;
+    open.walls = {};
+    const auto without = balanced(open);
+    ASSERT_EQ(without.size(), 1);
+    int none = 0;
+    for (const double diameter : {0.02, 0.15}) // half widths of walls 5.7 and 48.6 deg
+        for (const std::vector<double> &walls :
+             {std::vector<double>{pi / 2}, {-pi / 2}, {0}, {2 * pi / 3, -pi / 2}, {0, pi / 2}}) {
+            Planar of = open;
+            of.diameter = diameter;
+            of.walls = walls;
+            bool room = false;
+            for (double a = 0; a < pi; a += 1e-3)
+                room = room || (of.is_free(a) && of.is_free(a + pi));
+            none += room ? 0 : 1;
+            const auto states = balanced(of);
+            ASSERT_EQ(states.size(), room ? 1 : 0) << diameter << " " << walls[0];
+            if (!room)
+                continue;
+            EXPECT_TRUE(states[0].state.family);
+            for (const double a : states[0].state.angles[0])
+                EXPECT_TRUE(of.is_free(a));
+            EXPECT_NEAR(states[0].state.growth, without[0].state.growth,
+                        1e-9 * std::abs(without[0].state.growth));
+        }
+    EXPECT_GT(none, 0);
+}
+
+// A fold is one whatever the steps, also where its partner ends at a wall within the same one.
+TEST(WallStates, AFoldIsOneOnAnyGrid) {
+    Planar of;
+    of.rotor.kx = of.rotor.ky = 1e5;
+    of.rotor.c = 200;
+    of.radius = 0.06;
+    of.drag = 1;
+    of.walls = {2 * pi / 3, -pi / 2};
+    for (const int count : {3, 21}) {
+        const auto found =
+            states::steady_states(of.scene(80), model::SpeedRange{80, 85, count}.values());
+        using BorderKind = results::SteadyBorder::Kind;
+        const auto fold =
+            std::ranges::find(found.borders, BorderKind::fold, &results::SteadyBorder::kind);
+        ASSERT_NE(fold, found.borders.end()) << count;
+        EXPECT_NEAR(fold->speed, 83.8217, 1e-4);
+        // Two states less beyond, by Newton's method from many starts.
+        EXPECT_EQ(all_pairs(of, 83.82).size(), all_pairs(of, 83.823).size() + 2);
+    }
+}
+
 } // namespace
 } // namespace whirl::wall_states

@@ -6,6 +6,7 @@
 #include "input/case_file.h"
 #include "model/errors.h"
 #include "stability/rotor_at_speeds.h"
+#include "states/branches.h"
 #include "states/state_search.h"
 #include "support/balancer_scenes.h"
 #include "support/rigid_jeffcott.h"
@@ -300,6 +301,110 @@ TEST(StateSearch, EveryStateOfSixBallsHasItsEigenvalues) {
         EXPECT_TRUE(std::isfinite(state.growth));
         EXPECT_GE(state.growing, 0);
     }
+}
+
+// Balls at one angle move against each other in n - 1 motions, each of a ball in the push m W^2 w
+// of a deflection that stays, and together as one ball of n times the mass.
+TEST(StateSearch, EqualRootsOfBallsAtOneAngleAreCountedEach) {
+    const auto at_one_angle = [](const model::Case &scene, double speed) {
+        std::vector<StateSearch::Found> out = all_at(scene, speed);
+        std::erase_if(out, [](const auto &found) { return found.state.kind != Kind::coincident; });
+        return out;
+    };
+    int compared = 0;
+    for (const int n : {3, 5}) {
+        PlanarJeffcott many;
+        many.rotor.kx = many.rotor.ky = 1e5;
+        many.rotor.c = 200;
+        many.radius = 0.06;
+        many.drag = 1;
+        many.imbalance = 0.003;
+        many.n = n;
+        PlanarJeffcott one = many;
+        one.n = 1;
+        one.ball *= n;
+        one.drag *= n;
+        for (double speed = 130; speed <= 320; speed += 2.5) {
+            const auto together = at_one_angle(one.scene(), speed);
+            for (const StateSearch::Found &found : at_one_angle(many.scene(), speed)) {
+                const double angle = found.state.angles[0][0];
+                const std::complex<double> w =
+                    speed * speed *
+                    (many.imbalance + n * many.ball * many.radius * std::polar(1.0, angle)) /
+                    many.dynamic(speed);
+                const bool inwards = std::real(w * std::polar(1.0, -angle)) < 0;
+                for (const StateSearch::Found &alone : together)
+                    if (std::abs(std::remainder(alone.state.angles[0][0] - angle, 2 * pi)) < 1e-6) {
+                        ++compared;
+                        EXPECT_EQ(found.state.growing, alone.state.growing + (inwards ? n - 1 : 0))
+                            << n << " at " << speed;
+                    }
+            }
+        }
+    }
+    EXPECT_GT(compared, 200);
+}
+
+// Where the imbalance of a round rotor stands changes no branch: with one phase the line of the
+// balls passes angle 0 between two speeds, W arg = phase - arg D.
+TEST(StateSearch, BranchesAreTheSameWhereverTheImbalanceStands) {
+    for (const int n : {2, 4}) {
+        PlanarJeffcott jeffcott;
+        jeffcott.n = n;
+        jeffcott.ball = 0.1 / n;
+        const std::vector<double> speeds = model::SpeedRange{280, 340, 5}.values();
+        const auto of = [&](double phase) {
+            model::Case scene = jeffcott.scene();
+            scene.rotor.balancers[0].imbalance_phase = phase;
+            return steady_states(scene, speeds);
+        };
+        const results::SteadyStates usual = of(0);
+        for (const double at : {283.0, 301.0, 322.0})
+            for (const double half : {0.0, pi}) {
+                const results::SteadyStates turned = of(std::arg(jeffcott.dynamic(at)) + half);
+                ASSERT_EQ(turned.borders.size(), usual.borders.size());
+                for (std::size_t i = 0; i < usual.borders.size(); ++i) {
+                    EXPECT_EQ(turned.borders[i].kind, usual.borders[i].kind);
+                    EXPECT_NEAR(turned.borders[i].speed, usual.borders[i].speed, 1e-5);
+                }
+                const auto branch = [](const SteadyState &state) { return state.branch; };
+                EXPECT_EQ(branch(std::ranges::max(turned.states, {}, branch)),
+                          branch(std::ranges::max(usual.states, {}, branch)));
+            }
+    }
+}
+
+// A border of a family belongs to a branch that is listed.
+TEST(StateSearch, BordersBelongToBranches) {
+    PlanarJeffcott jeffcott;
+    jeffcott.rotor.kx = jeffcott.rotor.ky = 1e5;
+    jeffcott.rotor.c = 200;
+    jeffcott.radius = 0.06;
+    jeffcott.drag = 1;
+    jeffcott.imbalance = 0.003;
+    jeffcott.n = 5;
+    const results::SteadyStates found = steady_states(jeffcott.scene(), {120, 125, 130, 135});
+    int of_family = 0;
+    for (const results::SteadyBorder &border : found.borders) {
+        const auto own = std::ranges::find(found.states, border.branch, &SteadyState::branch);
+        ASSERT_NE(own, found.states.end()) << border.speed;
+        of_family += own->family;
+    }
+    EXPECT_GT(of_family, 0);
+}
+
+// What lies between two states that could not be followed to each other is not known.
+TEST(StateSearch, NoBorderIsFoundWhereAStateIsLost) {
+    StateSearch::Found low;
+    low.place = 1;
+    StateSearch::Found high = low;
+    high.place = 2;
+    high.state.growing = 1;
+    std::vector<results::SteadyBorder> borders;
+    find_crossings(
+        low, high, [](const auto &, const auto &, double) { return std::nullopt; }, borders);
+    ASSERT_EQ(borders.size(), 1);
+    EXPECT_EQ(borders[0].kind, results::SteadyBorder::Kind::undecided);
 }
 
 } // namespace
