@@ -50,9 +50,9 @@ std::string text_of_case(const std::string &name) {
 std::vector<std::string> cases_with_range() {
     const std::set<std::string> slow{"excess_planes", "extractor_two_plane",
                                      "speed_dependent_bearings"};
-    const std::set<std::string> without{"blade_loss",          "rodrigues_rig",
-                                        "rodrigues_two_plane", "sweep_two_balls",
-                                        "uncertain_jeffcott",  "weights_fan"};
+    const std::set<std::string> without{
+        "blade_loss",      "partitioned_race",   "rodrigues_rig", "rodrigues_two_plane",
+        "sweep_two_balls", "uncertain_jeffcott", "weights_fan"};
     std::vector<std::string> out;
     for (const std::string &name : whirl::tests::case_names())
         if (slow.count(name) + without.count(name) == 0)
