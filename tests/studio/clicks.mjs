@@ -9,8 +9,9 @@ let state = Number(seed);
 const random = () => { state = (Math.imul(state, 1664525) + 1013904223) >>> 0; return state / 2 ** 32; };
 const one = list => list[Math.floor(random() * list.length)];
 
+const name = whichBrowser(); // before anything runs that would outlive the end
 const whirl = await studio(program, [scene]);
-const browser = new Browser(whichBrowser());
+const browser = new Browser(name);
 let failed = 0;
 const complain = text => { console.log(text); failed = 1; };
 try {

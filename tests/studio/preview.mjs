@@ -6,8 +6,9 @@ import { Browser, quiet, studio, whichBrowser } from "./browser.mjs";
 const [program, scene] = process.argv.slice(2);
 const speeds = 4001; // of the full picture: it takes longer than the patience of the page (0.3 s) on any machine
 const coarse = 12; // speeds of a coarse one
+const name = whichBrowser(); // before anything runs that would outlive the end
 const whirl = await studio(program, [scene, `--set=speeds.count=${speeds}`]);
-const browser = new Browser(whichBrowser());
+const browser = new Browser(name);
 let failed = 0;
 const expect = (so, text) => { if (!so) { console.log("not so: " + text); failed = 1; } };
 // Everything that is drawn: number of speeds, the first frequency at the last of them, and how the panel looked half a frame later.
