@@ -25,6 +25,12 @@ constexpr double farthest = 1.5;
 /// Two states that are about to meet stand as near as the root of what is left to that, rad.
 constexpr double next_to_fold = 0.05;
 
+/// Two ends are one: next to it they are known to no more.
+bool at_one_place(double a, double b) {
+    constexpr double near = 1e-6; // of the place
+    return std::abs(a - b) <= near * std::abs(b);
+}
+
 class Joining {
   public:
     Joining(Followed &over, std::vector<AtPlace> &all, results::SteadyStates &out)
@@ -175,8 +181,7 @@ class Joining {
                     continue;
                 const auto [same_place, partner, partner_lost] = last_of(**other, there, gone);
                 // Next to a fold two states are as near as the root of what is left to it.
-                if (std::abs(same_place - place) > 1e-6 * std::abs(place) ||
-                    apart(partner, last) > next_to_fold)
+                if (!at_one_place(same_place, place) || apart(partner, last) > next_to_fold)
                     continue;
                 border.kind = SteadyBorder::Kind::fold;
                 border.other = (*other)->state.branch;
@@ -195,8 +200,7 @@ class Joining {
             if ((*other)->way == last.way)
                 continue;
             Last end = last_of(**other, there, gone);
-            constexpr double same_place = 1e-6; // of it, as next to a fold
-            if (std::abs(end.place - last.place) > same_place * std::abs(end.place) ||
+            if (!at_one_place(end.place, last.place) ||
                 !_over.search(end.place).stand_alike(end.found, last))
                 continue;
             end.found.state.branch = (*other)->state.branch;
