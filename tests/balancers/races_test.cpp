@@ -6,6 +6,7 @@
 #include "analyses/stability.h"
 #include "balancers/held.h"
 #include "balancers/kind.h"
+#include "balancers/state_motions.h"
 #include "model/errors.h"
 #include "results/simulate.h"
 #include "simulation/equations.h"
@@ -14,7 +15,6 @@
 #include "states/state_search.h"
 #include "support/balancer_scenes.h"
 #include "support/rigid_jeffcott.h"
-#include "support/rotating_rates.h"
 #include "support/written_case.h"
 
 #include <Eigen/Dense>
@@ -322,8 +322,7 @@ TEST(EccentricRace, SteadyStatesAreThoseOfTheClosedForm) {
         }
 }
 
-/// Eigenvalues about a state of this kind by differences of the motion in time, whose balls count
-/// tilting too.
+/// Of a rotor whose races are changed so.
 void expect_small_motions(const std::function<void(model::Balls &)> &change, Kind kind) {
     for (const double speed : {120.0, 260.0}) {
         model::Case scene = tests::flexible_rotor(speed);
@@ -331,37 +330,7 @@ void expect_small_motions(const std::function<void(model::Balls &)> &change, Kin
         for (model::Balancer &balancer : scene.rotor.balancers)
             change(balls_of(balancer));
         scene.rotor.balancers[1].imbalance_radius.reset();
-        const states::StateSearch search(scene, speed, speed);
-        bool undecided = false;
-        const auto all = search.at(speed, undecided);
-        const auto state =
-            std::ranges::find_if(all, [&](const auto &found) { return found.state.kind == kind; });
-        ASSERT_NE(state, all.end());
-        const std::vector<modes::Root> expected =
-            modes::all_roots(search.equations().about(state->x, speed), speed, 0);
-        model::Case started = scene;
-        started.simulate.ball_angles.clear();
-        for (const auto &angles : state->state.angles)
-            started.simulate.ball_angles.push_back(angles);
-        started.simulate.reduction_tolerance = 1e-6; // the shapes of the states
-        started.simulate.time = 1;
-        started.simulate.run_up = {{0, speed}, {1, speed}};
-        const tests::RotatingRates rates(started);
-        const Eigen::Index r2 = search.equations().rotor_unknowns();
-        Eigen::VectorXd still = Eigen::VectorXd::Zero(rates.size());
-        still.head(r2) = state->x.head(r2);
-        EXPECT_LT(rates.at(still).cwiseAbs().maxCoeff(), 1e-7 * speed * speed);
-        constexpr double step = 1e-5;
-        Eigen::MatrixXd J(rates.size(), rates.size());
-        for (int i = 0; i < rates.size(); ++i) {
-            const Eigen::VectorXd one = step * Eigen::VectorXd::Unit(rates.size(), i);
-            J.col(i) = (rates.at(still + one) - rates.at(still - one)) / (2 * step);
-        }
-        const Eigen::VectorXcd found = J.eigenvalues();
-        ASSERT_EQ(found.size(), std::ssize(expected));
-        const double size = found.cwiseAbs().maxCoeff();
-        for (const modes::Root &root : expected)
-            EXPECT_LT((found.array() - root.value).abs().minCoeff(), 1e-8 * size) << root.value;
+        tests::expect_motions_in_time_about(scene, speed, kind);
     }
 }
 
