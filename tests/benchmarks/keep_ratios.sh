@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Measures tests/benchmarks/ratios.csv anew, and with it the last section of docs/speed_and_error.md:
+# Measures tests/benchmarks/ratios.csv anew, and with it that section of docs/speed_and_error.md:
 # ./run benchmark_ratios reference
 # Usage: keep_ratios.sh PROGRAM PROJECT_ROOT
 set -euo pipefail
@@ -30,7 +30,8 @@ What the commands take, in units that a slower machine stretches as well. Made b
 
 - **ms**: processor time, so that waiting for a busy core does not count.
 - **Units**: the same divided by one dense eigendecomposition (LAPACK's dgeev with right eigenvectors) of a
-  full 392 × 392 matrix, the state matrix of the rotor with three discs on 48 classical elements.
+  full 392 × 392 matrix, the state matrix of the rotor with three discs on 48 classical elements, with
+  OpenBLAS's loops for Haswell where the processor has them.
 - **Dense route**: how many times as long the straightforward way to the same numbers takes, solves alone. Campbell
   diagrams: dgeev of the 392 × 392 state matrix at every speed (48 classical elements, four to five digits). Response:
   a full complex system (zgesv, 772 unknowns) at every speed, orbits, errors and peaks not included.
@@ -56,6 +57,7 @@ END
 {
   printf '%s\n\n' "$(sed '/^## Times as ratios/,$d' "$page")"
   section
+  awk '/^## / { after = seen; seen = seen || /^## Times as ratios/; if (after && !begun++) print "" } after' "$page"
 } > "$scratch/page.md"
 {
   echo "# $where"

@@ -92,15 +92,18 @@ if command -v pdftotext > /dev/null 2>&1; then
     "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$scratch/profile" --virtual-time-budget=5000 \
         --print-to-pdf="$scratch/campbell/report.pdf" "file://$scratch/campbell/report.html" 2> /dev/null
     pdftotext -bbox "$scratch/campbell/report.pdf" "$scratch/campbell/words.html"
-    # The last number above the words "Spin speed" stands at the right of the page, and on it.
+    # The last number above the words "Spin speed" stands past the middle of the page, and right of it the legend,
+    # which ends on the page.
     awk -F'"' '/<page /{wide = $2} /<word /{
             text = $0; gsub(/<[^>]*>/, "", text); gsub(/[ \t]/, "", text)
-            right[++words] = $6; top[words] = $4; what[words] = text
+            left[++words] = $2; right[words] = $6; top[words] = $4; what[words] = text
         } END {
-            for (i = 1; i <= words; ++i) if (what[i] == "Spin")
-                for (k = 1; k <= words; ++k)
+            for (i = 1; i <= words; ++i) if (what[i] == "Spin" && !legend)
+                for (k = 1; k < i; ++k)
                     if (what[k] ~ /^[0-9]+$/ && top[k] < top[i] && top[k] > top[i] - 25 && right[k] > last) last = right[k]
-            exit !(last > 0.75 * wide && last < wide)
+                    else if (what[k] == "backward" && left[k] > legend) legend = left[k]
+                    else if (what[k] == "damped" && top[k] > 60 && right[k] > end) end = right[k]
+            exit !(last > 0.55 * wide && last < legend && end > 0.75 * wide && end < wide)
         }' "$scratch/campbell/words.html" ||
         { echo "$scratch/campbell: the diagram does not fill the paper, or is cut off"; failed=1; }
 fi

@@ -459,6 +459,13 @@ ChartAxis along_speeds(const Units &units, const std::vector<double> &speeds) {
     return axis;
 }
 
+ChartAxis along_axis(const Units &units, const model::SweepAxis &of) {
+    return of.is_speed() ? along_speeds(units, of.values)
+                         : ChartAxis{.title = axis_name(of),
+                                     .low = of.values.front(),
+                                     .high = of.values.back()};
+}
+
 ChartCurve chart_curve(const std::string &name, std::vector<PlotPoint> points, std::size_t index,
                        double width, const std::string &dash) {
     ChartCurve curve{name, std::move(points), series_style(index), width, 0};

@@ -34,6 +34,8 @@ struct ChartAxis {
 [[nodiscard]] ChartAxis chart_axis(const Units &units, const std::string &what, Quantity quantity);
 /// Of spin speeds, from the first to the last of them, widened where there is one.
 [[nodiscard]] ChartAxis along_speeds(const Units &units, const std::vector<double> &speeds);
+/// Over the values of an axis of the case: an entry in SI, or speeds.
+[[nodiscard]] ChartAxis along_axis(const Units &units, const model::SweepAxis &of);
 
 struct ChartPanel;
 

@@ -157,9 +157,6 @@ struct ModeCurves {
 [[nodiscard]] Chart residual_chart(const model::Case &scene, const results::BalanceResult &result,
                                    const Units &units);
 
-/// Over the values of an axis of the case: an entry in SI, or speeds.
-[[nodiscard]] ChartAxis along_axis(const Units &units, const model::SweepAxis &of);
-
 /// Steady states: the largest amplitude of the balancers' planes over spin speed, or over the entry
 /// that they are followed over, branch by branch,
 /// coloured by what the balls do, stable ones solid and unstable ones dashed, with their borders.

@@ -188,13 +188,6 @@ ChartPanel map_panel(const model::Case &scene, const Units &units,
 
 } // namespace
 
-ChartAxis along_axis(const Units &units, const model::SweepAxis &of) {
-    return of.is_speed() ? along_speeds(units, of.values)
-                         : ChartAxis{.title = axis_name(of),
-                                     .low = of.values.front(),
-                                     .high = of.values.back()};
-}
-
 Chart stability_chart(const model::Case &scene, const StabilityResult &result, const Units &units) {
     Chart chart{
         "Stability: " + title_of(scene), "over spin speed", {growth_panel(scene, units, result)}};
