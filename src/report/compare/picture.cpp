@@ -169,11 +169,21 @@ ChartPanel upper_panel(const Units &units, const Comparison &comparison, const U
     return panel;
 }
 
+/// The number of the last quantity that both have; 0 where they have none in common.
+std::size_t last_in_common(const Comparison &comparison) {
+    std::size_t last = 0;
+    for (const auto &differences : comparison.differences)
+        for (std::size_t i = 0; i < differences.size(); ++i)
+            if (differences[i].relative)
+                last = std::max(last, i + 1);
+    return last;
+}
+
 ChartPanel lower_panel(const Units &units, const Comparison &comparison) {
     ChartPanel panel{280,
                      {.title = "Quantity, number in the table of its result", .low = 0.3},
                      {.title = "Difference relative to the first"}};
-    const double count = static_cast<double>(comparison.differences.front().size());
+    const auto count = static_cast<double>(last_in_common(comparison));
     panel.x.high = count + 0.7;
     panel.x.step = count < 20 ? 1 : 0;
     for (std::size_t other = 1; other < comparison.results.size(); ++other) {
@@ -213,7 +223,10 @@ Chart comparison_chart(const Comparison &comparison, const Units &units) {
                 {}};
     if (const auto found = upper_panels.find(comparison.command); found != upper_panels.end())
         chart.panels.push_back(upper_panel(units, comparison, found->second));
-    chart.panels.push_back(lower_panel(units, comparison));
+    if (last_in_common(comparison) == 0)
+        chart.subtitle += ": no quantity in common";
+    if (last_in_common(comparison) > 0 || chart.panels.empty())
+        chart.panels.push_back(lower_panel(units, comparison));
     return chart;
 }
 
