@@ -67,13 +67,22 @@ int modes_to_follow(const model::Rotor &rotor, int modes) {
 }
 
 FollowedLines followed_lines(const modes::SpectrumSolver &solver, const std::vector<double> &speeds,
-                             int modes, bool follow, const std::vector<double> &nodes) {
+                             int modes, bool follow, const std::vector<double> &nodes,
+                             std::vector<modes::Spectrum> known) {
     const int more_modes = std::max(4, modes / 2);
     int computed = modes_to_follow(solver.discretization().rotor(), modes);
     // Each asks for half as many modes more; lines lost after them are reported as gaps.
     constexpr int attempts = 4;
     FollowedLines out;
     std::vector<char> again(speeds.size(), 1);
+    out.spectra.resize(known.empty() ? 0 : speeds.size());
+    for (modes::Spectrum &spectrum : known) {
+        const auto k = static_cast<std::size_t>(
+            std::ranges::lower_bound(speeds, spectrum.speed) - speeds.begin());
+        out.spectra[k] = std::move(spectrum);
+        again[k] = 0;
+    }
+    process::broadcast(again);
     for (int attempt = 1;; ++attempt) {
         solve_again(solver, speeds, again, computed, follow, out.spectra);
         if (process::process_rank() == 0) {

@@ -24,10 +24,12 @@ struct FollowedLines {
 /// them. Collective; complete on process 0.
 /// @param follow  as in spectra_at
 /// @param nodes   as in track
+/// @param known   on process 0: at some of the speeds, with modes_to_follow modes
 /// @throws model::AnalysisFailure where modes are not found.
 [[nodiscard]] FollowedLines followed_lines(const modes::SpectrumSolver &solver,
                                            const std::vector<double> &speeds, int modes,
-                                           bool follow, const std::vector<double> &nodes = {});
+                                           bool follow, const std::vector<double> &nodes = {},
+                                           std::vector<modes::Spectrum> known = {});
 
 /// How many modes to follow so that all are among them that are slower than a multiple of the spin
 /// speed somewhere: as many as are at a speed, the largest of a range; no fewer than `modes`, and

@@ -4,11 +4,13 @@
 #include "model/errors.h"
 #include "process/processes.h"
 #include "tracking/hill/whole_and_reduced.h"
+#include "tracking/spectra.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <utility>
 
 namespace whirl::tracking {
 
@@ -36,24 +38,72 @@ Speeds evenly_spread(const Speeds &all) {
     return out;
 }
 
-/// With others, evenly spread over the range, so closely that reduced bands open and close between
-/// two of them. There are none where no motion comes near a multiple on which bands are so wide, or
-/// near one of those asked for, nor where the matrix does not resolve the modes.
-Speeds with_search_speeds(const Speeds &own, const modes::SpectrumSolver &reduced, int wanted,
-                          const Speeds &multiples) {
-    constexpr double slow_multiple = 4; // at slow speeds all motions are above that
-    const double largest = multiples.empty() ? 0 : *std::ranges::max_element(multiples);
-    const double slow = largest <= slow_multiple ? reduced.slow() : 0;
+/// Speeds of the range that own ones do not have already and the matrix resolves, evenly spread.
+/// @param every  of the parts
+Speeds spread_over(const Speeds &own, const modes::SpectrumSolver &reduced, int wanted, double slow,
+                   int every) {
     const double width = (own.back() - own.front()) / parts;
     Speeds out;
-    for (int i = 0; width > 0 && i <= parts; ++i) {
+    for (int i = 0; width > 0 && i <= parts; i += every) {
         const double speed = own.front() + width * i;
         const auto above = std::lower_bound(own.begin(), own.end(), speed - same * width);
         if ((above == own.end() || *above > speed + same * width) && std::abs(speed) > slow &&
             reduced.by_matrix(speed, wanted))
             out.push_back(speed);
     }
-    return with(own, out);
+    return out;
+}
+
+/// Whether a line may come to a multiple between two speeds. A whirl frequency changes by no more
+/// than twice the speed's change (a thin disc's conical whirl), its distance from m times the speed
+/// by m + 2 times that; in a band on the multiple and beside it by less than the lines would that
+/// do not lock.
+bool may_meet(const modes::Spectrum &a, const modes::Spectrum &b, const Speeds &multiples) {
+    constexpr double safety = 1.5;
+    const double step = b.speed - a.speed;
+    return std::ranges::any_of(multiples, [&](double multiple) {
+        const auto near = [&](const modes::Spectrum &at) {
+            return std::ranges::any_of(at.modes, [&](const modes::WhirlMode &mode) {
+                const double off = mode.eigenvalue.imag() - multiple * std::abs(at.speed);
+                return std::abs(off) <= safety * (multiple + 2) * step;
+            });
+        };
+        return near(a) || near(b);
+    });
+}
+
+/// The speeds asked for and others, evenly spread over the range, so closely that reduced bands
+/// open and close between two of them: where a motion comes near one of the multiples. There are
+/// none at slow speeds, where all motions are above those multiples, nor where the matrix does not
+/// resolve the modes.
+struct SearchSpeeds {
+    Speeds all;
+    std::vector<modes::Spectrum> known{}; ///< on process 0, of some
+};
+SearchSpeeds with_search_speeds(const Speeds &own, const modes::SpectrumSolver &reduced, int wanted,
+                                const Speeds &multiples) {
+    constexpr double slow_multiple = 4; // at slow speeds all motions are above that
+    constexpr int coarse = 5;           // of the parts
+    const double largest = multiples.empty() ? 0 : *std::ranges::max_element(multiples);
+    const double slow = largest <= slow_multiple ? reduced.slow() : 0;
+    const Speeds few = with(evenly_spread(own), spread_over(own, reduced, wanted, slow, coarse));
+    SearchSpeeds out{with(own, few), spectra_at(reduced, few, wanted)};
+    const Speeds more = spread_over(out.all, reduced, wanted, slow, 1);
+    std::vector<char> needed(more.size(), 0);
+    if (process::process_rank() == 0)
+        for (std::size_t i = 0; i < more.size(); ++i) {
+            const auto above = std::ranges::upper_bound(few, more[i]) - few.begin();
+            needed[i] = above == 0 || above == std::ssize(few) ||
+                        may_meet(out.known[static_cast<std::size_t>(above) - 1],
+                                 out.known[static_cast<std::size_t>(above)], multiples);
+        }
+    process::broadcast(needed);
+    Speeds chosen;
+    for (std::size_t i = 0; i < more.size(); ++i)
+        if (needed[i] != 0)
+            chosen.push_back(more[i]);
+    out.all = with(out.all, chosen);
+    return out;
 }
 
 /// On process 0. @returns nothing where a mode of the whole rotor is not found
@@ -98,8 +148,10 @@ std::optional<PeriodicDiagram> periodic_diagram(const modes::SpectrumSolver &sol
     const int wanted = modes_to_follow(solver.discretization().rotor(), modes);
     const std::unique_ptr<modes::SpectrumSolver> reduced =
         solver.by_monodromy(own.front(), own.back(), wanted);
-    const Speeds all = with_search_speeds(own, *reduced, wanted, multiples);
-    PeriodicDiagram out{followed_lines(*reduced, all, modes, false, evenly_spread(all)), {}};
+    SearchSpeeds search = with_search_speeds(own, *reduced, wanted, multiples);
+    PeriodicDiagram out{followed_lines(*reduced, search.all, modes, false,
+                                       evenly_spread(search.all), std::move(search.known)),
+                        {}};
     std::vector<char> good(1, 1);
     if (process::process_rank() == 0) {
         std::optional<Crossings> crossed =
