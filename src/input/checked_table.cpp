@@ -127,9 +127,10 @@ bool CheckedTable::flag_or(const std::string &key, bool fallback) {
     const Node *own = find(key);
     if (!own)
         return fallback;
-    if (own->kind != Node::Kind::boolean)
-        fail(key, "expected true or false, got " + shown(*own));
-    return own->flag;
+    if (own->kind == Node::Kind::boolean)
+        return own->flag;
+    fail(key, "expected true or false, got " + shown(*own));
+    return fallback;
 }
 
 std::optional<CheckedEntry> CheckedTable::text_entry(const std::string &key) {

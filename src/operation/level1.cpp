@@ -157,6 +157,25 @@ Counted counted_motions(const assembly::Discretization &d, double speed) {
     return out;
 }
 
+/// Frequency up to which a motion is one that the standard judges, the first forward mode as a
+/// rule: twice the spin speed, or twice the first mode at rest where that is more, rad/s. Bending
+/// modes of high order that supports hardly damp grow with less on paper; no gas drives them.
+double judged_up_to(const assembly::Discretization &d, double speed) {
+    if (d.rigid())
+        return std::numeric_limits<double>::infinity();
+    double first = 0;
+    try {
+        const auto pair = assembly::planar_pair(d, speed);
+        first = linalg::DefinitePair(linalg::Matrix::from_sparse(pair.K),
+                                     linalg::Matrix::from_sparse(pair.M))
+                    .smallest(1)
+                    .back()
+                    .value;
+    } catch (const linalg::SolverError &) { // bearings push away
+    }
+    return 2 * std::max(speed, first);
+}
+
 /// The rotor under cross coupling over a range of it.
 class CoupledRotor {
   public:
@@ -235,10 +254,12 @@ struct State {
 /// The answers to one case.
 class Answer {
   public:
-    Answer(const model::Case &scene, int order, std::vector<results::Sentence> &notes)
+    /// @param up_to  motions that are faster do not count, rad/s
+    Answer(const model::Case &scene, int order, double up_to, std::vector<results::Sentence> &notes)
         : _settings(*scene.level1), _speed(scene.operation->to),
           _rotor(at_speed(scene.rotor, _speed, _settings.z)), _d(_rotor, order),
           _counted(counted_motions(_d, _speed)), _scale(stiffness_scale(_rotor)), _notes(notes) {
+        _counted.up_to = std::min(_counted.up_to, up_to);
         _out.z = _settings.z;
         _out.speed = _speed;
         _out.anticipated = _settings.anticipated;
@@ -435,12 +456,44 @@ class Answer {
     }
 };
 
+/// The largest frequency of the motion that the numbers are of.
+double frequency_of(const results::Level1 &found) {
+    double out = found.critical_frequency.value_or(0);
+    for (const double frequency : found.frequency)
+        out = std::max(out, std::isfinite(frequency) ? frequency : 0);
+    return out;
+}
+
+/// Where the first motion to grow is too fast for the standard to mean it, the first of those that
+/// are not is judged.
+void judge_slow_motions(const model::Case &scene, int order, results::Level1 &found,
+                        std::vector<results::Sentence> &notes) {
+    const double up_to =
+        judged_up_to(assembly::Discretization(scene.rotor, order), scene.operation->to);
+    if (!(frequency_of(found) > up_to))
+        return;
+    std::vector<results::Sentence> of_slow; // they repeat those of all motions
+    results::Level1 slow = Answer(scene, order, up_to, of_slow).found();
+    notes.emplace_back("level1: the motion that begins to grow first, or is damped least, has {}, "
+                       "more than twice the spin speed and the first mode at rest: level I judges "
+                       "the first of the slower ones (`judged`)",
+                       results::as::frequency(frequency_of(found), 4));
+    found.judged = results::Level1Judged{slow.critical_cross_coupling, slow.critical_frequency,
+                                         slow.anticipated_log_dec};
+    found.checks = std::move(slow.checks);
+    found.level_two = slow.level_two;
+    found.verdict = std::move(slow.verdict);
+}
+
 } // namespace
 
 results::Level1 level1(const model::Case &scene, int order, std::vector<results::Sentence> &notes) {
     require_axisymmetric(scene.rotor);
     try {
-        return Answer(scene, order, notes).found();
+        constexpr double all = std::numeric_limits<double>::infinity();
+        results::Level1 found = Answer(scene, order, all, notes).found();
+        judge_slow_motions(scene, order, found, notes);
+        return found;
     } catch (const linalg::SolverError &failure) {
         throw model::AnalysisFailure(
             fmt::format("level1: the eigenvalues with cross coupling could not be "

@@ -14,7 +14,9 @@ namespace whirl::operation {
 /// the first forward mode), a root of the whole rotor: all motions are followed over q as `ends`
 /// does over the speed. `log_dec` is that of the same motion, followed continuously. Motions count
 /// up to the frequency that the elements resolve, or twice the spin speed, and on a shaft of many
-/// elements up to half the frequency of its sixteenth mode at rest.
+/// elements up to half the frequency of its sixteenth mode at rest. The checks and the verdict are
+/// of the first of the motions that are no faster than twice the spin speed, or twice the first
+/// mode at rest: `judged` where that is another one.
 ///
 /// @param scene  with [operation] and [level1]
 /// @param order  of the shaft elements

@@ -30,6 +30,13 @@ struct Level1Check {
     Sentence why;
 };
 
+/// Of the first slow motion, where another one grows first.
+struct Level1Judged {
+    std::optional<double> critical_cross_coupling; ///< N/m
+    std::optional<double> critical_frequency;      ///< rad/s
+    std::optional<double> anticipated_log_dec;
+};
+
 /// Stability at the maximum continuous speed with cross coupling kxy = q, kyx = -q added at one
 /// place (operation/level1.h).
 struct Level1 {
@@ -51,6 +58,8 @@ struct Level1 {
     /// Maximum continuous speed over the first undamped critical speed on rigid supports; none:
     /// not asked for, or no such critical speed.
     std::optional<double> critical_speed_ratio;
+    /// What the checks are of, where not of the numbers above (operation/level1.h).
+    std::optional<Level1Judged> judged{};
     std::vector<Level1Check> checks;
     std::optional<bool> level_two; ///< whether an analysis of level II is required; none: unknown
     Sentence verdict;              ///< the same in words

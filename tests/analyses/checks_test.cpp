@@ -556,6 +556,9 @@ TEST(Checks, LevelOne) {
     EXPECT_EQ(named(with(found), decrement).front().pass, std::optional(true));
     EXPECT_DOUBLE_EQ(*named(with(found), ratio).front().value, 2.5);
     EXPECT_EQ(with(found).verdict, Judgement::passes);
+    // Region A asks for nothing beyond the ratio: no row says that 2.5 passes a limit of 10.
+    const std::string region = "critical over anticipated in region B of the standard";
+    EXPECT_TRUE(named(with(found), region).empty());
     results::Level1 other = found;
     other.anticipated_log_dec = 0.09;
     EXPECT_EQ(with(other).verdict, Judgement::fails);

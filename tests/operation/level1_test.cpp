@@ -146,6 +146,42 @@ TEST(Level1, EstimatesItsError) {
     }
 }
 
+/// 20 kg on a shaft whose supports hardly damp its bending modes of high order: on elements that
+/// resolve them one grows with a tenth of the coupling, at 26 times the spin speed. What is judged
+/// is the first forward mode on every mesh, to what its elements leave; order 3 has no such mode.
+TEST(Level1, JudgesTheFirstForwardModeOnEveryMesh) {
+    model::Case scene;
+    scene.rotor = tests::two_disc_rotor(1e7, 1e7, 0, 1500);
+    scene.rotor.shaft.segments = {
+        {1.2, 0.08, 0.08, 0, 0, {"steel", 2.05e11, 2.05e11 / 2.58, 7850}}};
+    scene.rotor.discs = {tests::disc(0.35, 20, 0.1, 0.19)};
+    scene.rotor.bearings[0].z = 0.1;
+    scene.rotor.bearings[1].z = 1.1;
+    scene.operation = model::Operation{300, 400, {}};
+    scene.level1 = model::Level1Settings{0.62, {}, 2, {}, {}, {}};
+    scene.level1->anticipated = 1e4;
+    const auto of_order = [&](int order) {
+        scene.rotor.shaft.order = order;
+        std::vector<results::Sentence> notes;
+        results::Level1 found = level1(scene, notes);
+        EXPECT_EQ(notes.empty(), !found.judged) << order;
+        return found;
+    };
+    const results::Level1 slow = of_order(3);
+    ASSERT_FALSE(slow.judged);
+    for (const int order : {4, 6, 8}) {
+        const results::Level1 found = of_order(order);
+        ASSERT_TRUE(found.judged) << order;
+        EXPECT_GT(*found.critical_frequency, 20 * found.speed) << order;
+        EXPECT_LT(*found.critical_cross_coupling, 0.2 * *slow.critical_cross_coupling) << order;
+        EXPECT_NEAR(*found.judged->critical_cross_coupling / *slow.critical_cross_coupling, 1,
+                    1e-5);
+        EXPECT_NEAR(*found.judged->critical_frequency / *slow.critical_frequency, 1, 1e-5);
+        EXPECT_NEAR(*found.judged->anticipated_log_dec / *slow.anticipated_log_dec, 1, 1e-5);
+        EXPECT_EQ(found.level_two, std::optional(false)) << order;
+    }
+}
+
 constexpr double rpm = std::numbers::pi / 30;
 
 /// By hand: 900 kW at 12000 rpm are 716.197 N m; 3 x 716.197/(0.42 x 0.014) x 1.25 = 456758 N/m.

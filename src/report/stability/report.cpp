@@ -19,6 +19,7 @@
 namespace whirl::report {
 
 using results::Level1;
+using results::Level1Judged;
 using results::PermissibleAnisotropy;
 using results::StabilityResult;
 using results::Verdict;
@@ -92,6 +93,11 @@ std::optional<double> without_coupling(const Level1 &level1) {
     return level1.log_dec.empty() ? std::nullopt : std::optional(level1.log_dec.front());
 }
 
+/// Of what the checks judge, where that is another motion.
+template <auto Member> std::optional<double> judged(const Level1 &level1) {
+    return level1.judged ? (*level1.judged).*Member : std::nullopt;
+}
+
 const Columns<Level1> level1_columns{
     {"z", OnPage("z"), InText("added at z"), Quantity::length, &Level1::z},
     {"speed", OnPage("Spin speed"), InText("spin speed"), Quantity::speed, &Level1::speed},
@@ -112,6 +118,13 @@ const Columns<Level1> level1_columns{
      InText("log. decrement with that"), Quantity::number, &Level1::anticipated_log_dec},
     {"ratio", OnPage("Critical over anticipated", "{:.4g}"),
      InText("critical over anticipated", "{:.4g}"), Quantity::number, reserve},
+    {OnPage("Of the first slower motion: critical cross coupling", "{:.10g}"),
+     InText("of a slower motion", precise), Quantity::stiffness,
+     judged<&Level1Judged::critical_cross_coupling>},
+    {OnPage("Its frequency there"), InText("its frequency there"), Quantity::frequency,
+     judged<&Level1Judged::critical_frequency>},
+    {OnPage("Its logarithmic decrement with the anticipated one"), InText("its log. decrement"),
+     Quantity::number, judged<&Level1Judged::anticipated_log_dec>},
     {"gas_density", OnPage("Gas density"), InText("gas density"), Quantity::density,
      &Level1::gas_density},
     {"critical_speed_ratio", OnPage("Critical speed ratio", "{:.4g}"),
@@ -197,8 +210,14 @@ const Columns<results::Level1Check> check_columns{
     {"why", OnPage("Why"), InText("why"),
      [](const auto &check, const Units &units) { return known_text(check.why, units); }}};
 
+const Columns<Level1Judged> judged_columns{
+    {"critical_cross_coupling", Quantity::stiffness, &Level1Judged::critical_cross_coupling},
+    {"critical_frequency", Quantity::frequency, &Level1Judged::critical_frequency},
+    {"anticipated_log_dec", Quantity::number, &Level1Judged::anticipated_log_dec}};
+
 Json level1_json(const Level1 &level1, const Units &units) {
     Json json = json_row(level1_columns, level1, units);
+    json["judged"] = level1.judged ? json_row(judged_columns, *level1.judged, units) : Json();
     json["stages"] = json_rows(stage_columns, level1.stages, units);
     json["checks"] = json_rows(check_columns, level1.checks, units);
     return json;
