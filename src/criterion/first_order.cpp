@@ -136,8 +136,6 @@ SlowMotions::Accelerations SlowMotions::accelerations(double speed) {
     const Complex s(0, speed);
     const Eigen::MatrixXcd q = _solver->solve(speed, _forward);
     Accelerations out;
-    for (Index j = 0; j < q.cols(); ++j)
-        out.rounding = std::max(out.rounding, _solver->rounding(_forward.col(j), q.col(j)));
     const auto times = [&q](const linalg::Matrix &A) {
         const Eigen::SparseMatrix<Complex> of = A.view().cast<Complex>();
         return Eigen::MatrixXcd(of * q);
@@ -174,7 +172,6 @@ const std::optional<SlowMotions::Equations> &SlowMotions::at(double speed) {
         out.rest.bottomLeftCorner(n, held) = -restoring / rate;
         out.rest.bottomRightCorner(n, n) = -inertia.solve(driven(parts, a.rate));
         out.of_drag.bottomRightCorner(n, n) = -inertia.solve(parts.damping);
-        out.rounding = a.rounding;
         _equations = std::move(out);
     }
     _speed = speed;
@@ -195,7 +192,13 @@ double SlowMotions::growth(double speed) {
 
 double SlowMotions::rounding(double speed) {
     const auto &of = at(speed);
-    return of ? of->rounding * of->rest.norm() + noise(of->rest + of->of_drag) : 0;
+    if (!of)
+        return 0;
+    const Eigen::MatrixXcd q = _solver->solve(speed, _forward);
+    double relative = 0;
+    for (Index j = 0; j < q.cols(); ++j)
+        relative = std::max(relative, _solver->rounding(_forward.col(j), q.col(j)));
+    return relative * of->rest.norm() + noise(of->rest + of->of_drag);
 }
 
 std::optional<double> SlowMotions::least_drag(double speed) {

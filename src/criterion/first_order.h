@@ -50,7 +50,6 @@ class SlowMotions {
     /// and their velocities.
     struct Equations {
         Eigen::MatrixXd rest, of_drag;
-        double rounding = 0; ///< relative, of B
     };
 
     model::Rotor _rotor;
@@ -65,7 +64,6 @@ class SlowMotions {
     /// B and B' between the planes of the balancers, 1/kg and s/kg.
     struct Accelerations {
         Eigen::MatrixXcd B, rate;
-        double rounding = 0;
     };
     [[nodiscard]] Accelerations accelerations(double speed);
     void set_bearings(double speed);
