@@ -12,6 +12,7 @@
 #include "mesh_error/safety.h"
 
 #include <Eigen/LU>
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,6 @@ struct Parts {
     Eigen::MatrixXcd basis;
     Eigen::MatrixXcd pull, conjugate; ///< a column each balancer, kg
     Eigen::MatrixXd inertia, damping; ///< of x, kg and kg/s
-    std::vector<Index> held; ///< x that are of consequence themselves, not their rates alone
 };
 
 Parts parts_of(const std::vector<balancers::BalancerElement> &balancers) {
@@ -56,12 +56,8 @@ Parts parts_of(const std::vector<balancers::BalancerElement> &balancers) {
         if (of.diameter) // y = -D conj(y)
             directions = {assembly::i_unit * std::sqrt(*of.diameter)};
         for (Index j = 0; j < n; ++j)
-            for (const Complex direction : directions) {
-                out.basis(row + j, column) = direction;
-                if (!(of.drift(j) > 0))
-                    out.held.push_back(column);
-                ++column;
-            }
+            for (const Complex direction : directions)
+                out.basis(row + j, column++) = direction;
         row += n;
     }
     out.basis.conservativeResize(size, column);
@@ -159,17 +155,22 @@ const std::optional<SlowMotions::Equations> &SlowMotions::at(double speed) {
     if (places) {
         const Parts parts = parts_of(balancers::balancer_elements(_rotor, *places));
         const Accelerations a = accelerations(speed);
-        const Index n = parts.inertia.rows();
-        const auto held = static_cast<Index>(parts.held.size());
         const Eigen::PartialPivLU<Eigen::MatrixXd> inertia(parts.inertia);
-        const Eigen::MatrixXd restoring = inertia.solve(driven(parts, a.B)(Eigen::all, parts.held));
-        const double rate = std::sqrt(restoring.norm());
+        // Where a displacement changes nothing only its rate matters: differences of masses in one
+        // plane, or of several planes that make no force together.
+        constexpr double nothing = 1e-11; // of the largest: the rounding of B
+        const Eigen::JacobiSVD<Eigen::MatrixXd> restoring(
+            inertia.solve(driven(parts, a.B)), Eigen::ComputeThinU | Eigen::ComputeThinV);
+        const Eigen::VectorXd &sizes = restoring.singularValues();
+        const Index held = (sizes.array() > nothing * sizes(0)).count();
+        const Index n = sizes.size();
+        const double rate = std::sqrt(sizes(0));
         Equations out;
         out.rest = Eigen::MatrixXd::Zero(held + n, held + n);
         out.of_drag = out.rest;
-        for (Index j = 0; j < held; ++j)
-            out.rest(j, held + parts.held[static_cast<std::size_t>(j)]) = rate;
-        out.rest.bottomLeftCorner(n, held) = -restoring / rate;
+        out.rest.topRightCorner(held, n) = rate * restoring.matrixV().leftCols(held).transpose();
+        out.rest.bottomLeftCorner(n, held) =
+            -restoring.matrixU().leftCols(held) * (sizes.head(held) / rate).asDiagonal();
         out.rest.bottomRightCorner(n, n) = -inertia.solve(driven(parts, a.rate));
         out.of_drag.bottomRightCorner(n, n) = -inertia.solve(parts.damping);
         _equations = std::move(out);

@@ -46,8 +46,8 @@ class SlowMotions {
     [[nodiscard]] bool undamped() const { return _solver->conserves(); }
 
   private:
-    /// z' = (rest + drag * of_drag) z, z the displacements of the balancers' parts, times a rate,
-    /// and their velocities.
+    /// z' = (rest + drag * of_drag) z, z the displacements of the balancers' parts that matter,
+    /// times a rate, and their velocities.
     struct Equations {
         Eigen::MatrixXd rest, of_drag;
     };

@@ -246,6 +246,28 @@ TEST(FirstOrder, LeastDragOfAPlanarRotorInClosedForm) {
     EXPECT_FALSE(motions.least_drag(250)); // below the resonance
 }
 
+// Two balancers in one plane are one with all of their balls: their difference makes no force, and
+// where it stands is of no consequence.
+TEST(FirstOrder, BalancersInOnePlaneAreOne) {
+    const PlanarBalls balls;
+    model::Case two = balls.scene();
+    two.rotor.balancers.push_back(two.rotor.balancers[0]);
+    model::Case one = balls.scene();
+    tests::row(one.rotor.balancers[0]).n = 4;
+    one.rotor.balancers[0].imbalance *= 2;
+    const double right = std::numbers::pi / 4;
+    one.rotor.balancers[0].position = {right * 3, right * 3, -right * 3, -right * 3};
+    criterion::SlowMotions of_two = slow_motions(two.rotor);
+    criterion::SlowMotions of_one = slow_motions(one.rotor);
+    for (const double speed : {330.0, 400.0, 500.0, 900.0}) {
+        const auto least = of_one.least_drag(speed);
+        const auto same = of_two.least_drag(speed);
+        ASSERT_TRUE(least && same);
+        EXPECT_NEAR(*same, *least, 1e-9 * *least);
+        EXPECT_NEAR(of_two.growth(speed), of_one.growth(speed), 1e-9 * speed);
+    }
+}
+
 // Of a rotor with several planes, balls of several kinds and any damping.
 TEST(FirstOrder, RootsBeginToDieOutAtTheLeastDrag) {
     tests::Random random(31);
