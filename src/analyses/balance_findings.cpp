@@ -217,7 +217,8 @@ void light_balancers(const results::BalanceResult &result, std::vector<results::
     const double both = common_width(criterion, result.first_order->bands);
     if (both < 0.98 * width_of(criterion))
         out.emplace_back("Where the criterion holds the balancers' own motions, to first order in "
-                         "their mass, die out over {} of {}: elsewhere they need more drag.",
+                         "their mass, die out over {} of {}: elsewhere they need more drag, or "
+                         "less mass.",
                          as::speed(both, 4), as::speed(width_of(criterion), 4));
 }
 

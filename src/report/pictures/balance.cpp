@@ -20,6 +20,7 @@ namespace {
 constexpr const char *balanced_colour = "#007D5A";
 constexpr const char *rigid_colour = "#A9B4BF";
 constexpr const char *stable_colour = "#0072B2";
+constexpr const char *light_colour = "#56B4E9";
 constexpr const char *some_colour = "#A6CBE3";
 constexpr const char *unbalanced_colour = "#D55E00";
 constexpr const char *undecided_colour = "#7A7A7A";
@@ -44,7 +45,7 @@ class BandRows {
         if (result.first_order) {
             begin("light balancers stable");
             main_bars(result.first_order->bands, "first order in the balancers' mass",
-                      stable_colour);
+                      light_colour);
         }
         if (const auto &position = result.balanced_position) {
             begin("real balancers stable");
