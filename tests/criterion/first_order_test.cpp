@@ -246,6 +246,26 @@ TEST(FirstOrder, LeastDragOfAPlanarRotorInClosedForm) {
     EXPECT_FALSE(motions.least_drag(250)); // below the resonance
 }
 
+// Bearings over speed are those of the speed, asked for in any order.
+TEST(FirstOrder, TakesBearingsAsAtTheSpeed) {
+    const PlanarBalls balls;
+    model::Case scene = balls.scene();
+    for (model::Bearing &bearing : scene.rotor.bearings) {
+        bearing.speeds = {200, 600};
+        bearing.rows.push_back(bearing.rows.front());
+        bearing.rows.back().k *= 1.4;
+    }
+    criterion::SlowMotions motions = slow_motions(scene.rotor);
+    for (const double share : {0.75, 0.25, 0.5}) {
+        PlanarBalls here = balls;
+        here.rotor.kx = here.rotor.ky = 1e6 * (1 + 0.4 * share);
+        const model::Case constant = here.scene();
+        const double speed = 200 + 400 * share;
+        EXPECT_NEAR(motions.growth(speed), slow_motions(constant.rotor).growth(speed),
+                    1e-9 * speed);
+    }
+}
+
 // Two balancers in one plane are one with all of their balls: their difference makes no force, and
 // where it stands is of no consequence.
 TEST(FirstOrder, BalancersInOnePlaneAreOne) {
