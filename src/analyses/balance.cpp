@@ -27,7 +27,7 @@ namespace {
 using results::Sentence;
 namespace as = results::as;
 
-using Errors = decltype(results::BalanceBands::errors);
+using Errors = std::vector<results::KnownErrors>;
 
 /// Ends of the bands strictly inside the range, with their errors where these are known.
 std::vector<results::BandEnd> inner_ends(const std::vector<results::Interval> &bands,

@@ -209,6 +209,19 @@ void real_balancers(const results::BalanceResult &result, bool damped,
     out.push_back(text);
 }
 
+/// Where balancers of any kind do work, whether these come to rest.
+void light_balancers(const results::BalanceResult &result, std::vector<results::Sentence> &out) {
+    if (!result.first_order)
+        return;
+    const std::vector<results::Interval> &criterion = result.joint.bands.bands;
+    const double both = common_width(criterion, result.first_order->bands);
+    if (both < 0.98 * width_of(criterion))
+        out.emplace_back("Where the criterion holds the balancers' own motions, to first order in "
+                         "their mass, die out over {} of {}: elsewhere they need more drag, or "
+                         "less mass.",
+                         as::speed(both, 4), as::speed(width_of(criterion), 4));
+}
+
 /// Why a motion in time ended otherwise than the eigenvalues of the balanced position promise.
 Sentence reason(const results::SimulatedSpeed &run, double time) {
     if (!run.growth)
@@ -342,6 +355,7 @@ std::vector<results::Sentence> balance_findings(const results::BalanceResult &re
     excess_planes(result, scene.rotor.shaft.rigid, out);
     plane_ends(result, out);
     directions(result, out);
+    light_balancers(result, out);
     real_balancers(result, scene.rotor.damped(), out);
     needs(result, out);
     eccentric_races(scene.rotor, out);

@@ -5,6 +5,8 @@
 #include "analyses/stability.h"
 #include "analyses/stability_ends.h"
 #include "balancers/arrangement.h"
+#include "balancers/kind.h"
+#include "criterion/first_order.h"
 #include "ends/growth.h"
 #include "linalg/check.h"
 #include "model/errors.h"
@@ -165,6 +167,55 @@ JudgedPosition judged_position(const model::Case &scene, int order,
     return out;
 }
 
+/// Why the first order says nothing of balancers; empty: it does.
+std::string not_at_first_order(const model::Rotor &rotor, results::Form form) {
+    if (results::in_rotating_axes(form))
+        return "the rotor without its balancers is not axisymmetric";
+    if (!rotor.damped())
+        return "nothing damps the rotor, whose whirls the drag of the balancers drives";
+    const auto swings = [](const model::Balancer &balancer) {
+        return !balancers::kind_of(balancer)->swung().empty();
+    };
+    if (std::ranges::any_of(rotor.balancers, swings))
+        return "pendulums swing as fast as the rotor turns, however light they are";
+    return {};
+}
+
+/// The motions of the balancers alone to first order in their mass. None where these do not tell
+/// whether the balanced position keeps; a note says why.
+std::optional<results::FirstOrder> first_order_of(const model::Case &scene, int order,
+                                                  const JudgedPosition &position,
+                                                  const results::BalanceResult &result,
+                                                  std::vector<results::Sentence> &notes) {
+    if (!position.stable)
+        return std::nullopt;
+    const std::string why = not_at_first_order(scene.rotor, result.model.formulation.form);
+    if (!why.empty()) {
+        notes.emplace_back("first order in the balancers' mass not answered: {}", why);
+        return std::nullopt;
+    }
+    std::vector<double> seeds = stability::search_speeds(*scene.speeds);
+    seeds.front() = std::max(seeds.front(), criterion::least_speed(*scene.speeds));
+    for (const results::BalancePlane &plane : result.planes)
+        for (const results::BandEnd &end : plane.bands.ends)
+            seeds.push_back(end.speed);
+    for (const results::BandEnd &end : result.joint.bands.ends)
+        seeds.push_back(end.speed);
+    const auto places = [&](double speed) -> std::optional<balancers::Arrangement> {
+        if (!position.placed)
+            return balancers::arrangement_at_balance(scene.rotor);
+        const auto found = position.placed->at(speed);
+        return found ? std::optional(found->state.angles) : std::nullopt;
+    };
+    try {
+        return criterion::first_order(scene.rotor, places, order, seeds, result.speeds, notes);
+    } catch (const model::Failure &failure) {
+        notes.emplace_back("first order in the balancers' mass not answered: {}",
+                           failure.sentence());
+    }
+    return std::nullopt;
+}
+
 /// What the eigenvalues of the balanced position say at a speed; nothing where there is no such
 /// position or no spectrum.
 /// @param speeds  ascending, that it is asked for: one reduced rotor does for all of them
@@ -247,6 +298,7 @@ void judge_real_balancers(const model::Case &scene, int order, results::BalanceR
     std::optional<process::Stage> stage(std::in_place, "linear stability with real balancers", 0.4,
                                         0.7);
     JudgedPosition position = judged_position(real, order, notes);
+    result.first_order = first_order_of(real, order, position, result, notes);
     result.balanced_position = std::move(position.stable);
     if (result.balanced_position)
         note_missing(result.balanced_position->missing, notes);

@@ -157,11 +157,6 @@ std::pair<double, double> around(const std::vector<results::Interval> &bands, do
     return {below, above};
 }
 
-/// A criterion, and how far rounding can make it off.
-struct Judged {
-    SpeedFunction value, rounding;
-};
-
 /// How far rounding can move an end: what it makes of the criterion beside it, over the slope there
 /// (of a root as of a pole: near both the ratio is that of the end itself), rad/s.
 double blur_of(double end, const Judged &criterion) {
@@ -195,28 +190,28 @@ std::optional<double> error_of(double end, bool upper, const std::vector<results
     return error + mesh_error::estimate_safety * std::abs(*other - end);
 }
 
-/// Fills in the errors of one list of bands. Ends without a counterpart get a note.
-/// @param which  bands, in words
-void judge(const BalanceScene &scene, const std::string &which, const Judged &criterion,
-           const SpeedFunction *finer, results::BalanceBands &of,
-           std::vector<results::Sentence> &notes) {
-    of.errors.clear();
+} // namespace
+
+std::vector<results::KnownErrors> end_errors(const std::string &which,
+                                             const std::vector<results::Interval> &bands,
+                                             const results::Interval &range,
+                                             const Judged &criterion, const SpeedFunction *finer,
+                                             std::vector<results::Sentence> &notes) {
     const auto judged = [&](double end, bool upper, double edge) -> std::optional<double> {
         if (end == edge)
             return 0.0;
-        const auto error = error_of(end, upper, of.bands, criterion, finer);
+        const auto error = error_of(end, upper, bands, criterion, finer);
         if (!error)
             notes.emplace_back("{}: the band end at {} has no counterpart on a finer mesh, so "
                                "its error is not known",
                                which, as::speed(end));
         return error;
     };
-    for (const results::Interval &band : of.bands)
-        of.errors.emplace_back(judged(band.from, false, scene.from),
-                               judged(band.to, true, scene.to));
+    std::vector<results::KnownErrors> out;
+    for (const results::Interval &band : bands)
+        out.emplace_back(judged(band.from, false, range.from), judged(band.to, true, range.to));
+    return out;
 }
-
-} // namespace
 
 void judge_band_ends(const BalanceScene &scene, BalanceForm &form, results::BalanceResult &result) {
     const bool rigid = scene.rotor.shaft.rigid;
@@ -236,7 +231,8 @@ void judge_band_ends(const BalanceScene &scene, BalanceForm &form, results::Bala
         const Judged given{[&](double speed) { return form.value(i, speed); },
                            [&](double speed) { return form.rounding(i, speed); }};
         const SpeedFunction fine = [&](double speed) { return finer.value(i, speed); };
-        judge(scene, name(i), given, exact ? nullptr : &fine, *each[i], notes);
+        each[i]->errors = end_errors(name(i), each[i]->bands, {scene.from, scene.to}, given,
+                                     exact ? nullptr : &fine, notes);
     }
     if (exact)
         return;

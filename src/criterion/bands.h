@@ -5,6 +5,7 @@
 #include "results/balance.h"
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace whirl::criterion {
@@ -31,6 +32,21 @@ using SpeedFunction = std::function<double(double)>;
 [[nodiscard]] std::vector<results::Interval>
 bands_between_changes(const SpeedFunction &criterion, const std::vector<double> &changes,
                       double from, double to);
+
+/// A criterion, and how far rounding can make it off.
+struct Judged {
+    SpeedFunction value, rounding;
+};
+
+/// Errors of the ends of bands of a criterion, of each both, rad/s. Ends without a counterpart get
+/// a note.
+/// @param which  bands, in words
+/// @param range  an end of which has no error
+/// @param finer  the criterion of a finer model; none: the given one is exact
+[[nodiscard]] std::vector<results::KnownErrors>
+end_errors(const std::string &which, const std::vector<results::Interval> &bands,
+           const results::Interval &range, const Judged &criterion, const SpeedFunction *finer,
+           std::vector<results::Sentence> &notes);
 
 /// Errors of the ends of all bands: each end is found once more on a finer model of the rotor
 /// (finer_order, same mesh, twice the terms of a series), from the end on the given one; the error

@@ -106,8 +106,7 @@ BalanceScene::BalanceScene(const model::Case &scene)
     const model::SpeedRange range = checked_range(scene);
     speeds = range.values();
     to = range.count == 1 ? range.from : range.to;
-    // At rest there is no criterion; this near to it nothing but zero speeds of a free rotor stand.
-    from = range.count == 1 ? range.from : std::max(range.from, 1e-6 * range.to);
+    from = range.count == 1 ? range.from : std::max(range.from, least_speed(range));
     rotor.balancers.clear();
     rotor.planes = planes;
     body = rigid::rigid_body(rotor, from);

@@ -10,6 +10,10 @@
 
 namespace whirl::criterion {
 
+/// At rest there is no criterion; this near to it nothing but zero speeds of a free rotor stand,
+/// rad/s.
+[[nodiscard]] inline double least_speed(const model::SpeedRange &range) { return 1e-6 * range.to; }
+
 /// What all parts of the balancing analysis share: planes, range of speeds and discretised rotor.
 struct BalanceScene {
     std::vector<model::CorrectionPlane> planes;

@@ -40,14 +40,14 @@ std::string terminal_bands(const Bands &bands, const Units &units) {
 }
 
 /// Largest error of an end.
-std::string largest_error(const BalanceBands &of, const Units &units) {
+std::string largest_error(const std::vector<results::KnownErrors> &errors, const Units &units) {
     double largest = 0;
-    for (const auto &[at_from, at_to] : of.errors) {
+    for (const auto &[at_from, at_to] : errors) {
         if (!at_from || !at_to)
             return "not known";
         largest = std::max({largest, *at_from, *at_to});
     }
-    return of.errors.empty() ? "-" : fmt::format("{:.1e}", units(Quantity::speed, largest));
+    return errors.empty() ? "-" : fmt::format("{:.1e}", units(Quantity::speed, largest));
 }
 
 /// A plane, all of them together, or the real balancers: where they balance.
@@ -160,6 +160,17 @@ void add_pendulum_lines(std::vector<CsvLine> &lines, const BalanceResult &result
     }
 }
 
+void add_first_order_lines(std::vector<CsvLine> &lines, const results::FirstOrder &of,
+                           const std::vector<double> &speeds) {
+    for (const auto &band : of.bands)
+        lines.push_back({.kind = "first_order", .from = band.from, .to = band.to});
+    for (const auto &[at_from, at_to] : of.errors)
+        lines.push_back({.kind = "first_order_error", .from = at_from, .to = at_to});
+    for (std::size_t k = 0; k < of.least_drag.size(); ++k)
+        if (of.least_drag[k])
+            lines.push_back({.kind = "least_drag", .speed = speeds[k], .ratio = of.least_drag[k]});
+}
+
 std::string csv_of(const BalanceResult &result, const Units &units) {
     std::vector<CsvLine> lines;
     const std::vector<Planes> planes = all_planes(result, units);
@@ -180,6 +191,8 @@ std::string csv_of(const BalanceResult &result, const Units &units) {
                              .speed = result.speeds[k],
                              .value = result.planes[i].criterion[k]});
     add_pendulum_lines(lines, result);
+    if (result.first_order)
+        add_first_order_lines(lines, *result.first_order, result.speeds);
     if (result.balanced_position)
         for (const auto &band : result.balanced_position->bands)
             lines.push_back({.kind = "balanced_position", .from = band.from, .to = band.to});
@@ -233,6 +246,12 @@ Json position_json(const BalancedPosition &of, const Units &units) {
             {"arrangements", of.arrangements},
             {"with_every", written(units, Quantity::speed, of.with_every)},
             {"with_some", written(units, Quantity::speed, of.with_some)}};
+}
+
+Json first_order_json(const results::FirstOrder &of, const Units &units) {
+    return {{"bands", written(units, Quantity::speed, of.bands)},
+            {"band_errors", written(units, Quantity::speed, of.errors)},
+            {"least_drag", of.least_drag}};
 }
 
 /// Places for one auto-balancer or two over all speeds of the range.
@@ -309,6 +328,7 @@ Json json_of(const BalanceResult &result, const Units &units) {
         {"simulated", json_rows(simulated_columns, result.simulated, units)},
         {"balanced_position",
          result.balanced_position ? position_json(*result.balanced_position, units) : Json()},
+        {"first_order", result.first_order ? first_order_json(*result.first_order, units) : Json()},
         {"pendulum",
          json_list(result.pendulum, [&units](const auto &of) { return pendulum_json(of, units); })},
         {"states", states_json(result.states, units)},
@@ -367,8 +387,11 @@ std::string table_of_bands(const BalanceResult &result, const Units &units) {
                             {error, rigid ? terminal_bands(*rigid, units) : "-"});
     };
     for (const Planes &planes : planes_and_joint(result, units))
-        add(planes.on_terminal, planes.of->bands, largest_error(*planes.of, units),
+        add(planes.on_terminal, planes.of->bands, largest_error(planes.of->errors, units),
             planes.of->rigid_bands);
+    if (const auto &light = result.first_order)
+        add("light balancers, stable", light->bands, largest_error(light->errors, units),
+            std::nullopt);
     if (const auto &real = result.balanced_position)
         add("real balancers, stable", real->bands, "-", std::nullopt);
     return text_table(table);

@@ -26,14 +26,16 @@ struct BandEnd {
     std::optional<double> direction;
 };
 
+/// Errors of both ends of a band, rad/s; 0 at an end of the range, none where not known.
+using KnownErrors = std::pair<std::optional<double>, std::optional<double>>;
+
 /// Where one plane alone, or all of them together, can balance the rotor.
 struct BalanceBands {
     std::vector<Interval> bands;                      ///< of the rotor of the case
     std::optional<std::vector<Interval>> rigid_bands; ///< closed form; none where it has no form
     std::vector<double> pinned; ///< forward critical speeds of the rotor pinned there, rad/s
     std::vector<BandEnd> ends;
-    /// Of each band: errors of its ends, rad/s; 0 at an end of the range, none where not known.
-    std::vector<std::pair<std::optional<double>, std::optional<double>>> errors;
+    std::vector<KnownErrors> errors; ///< of each band
 };
 
 struct BalancePlane {
@@ -125,6 +127,16 @@ struct BalancedPosition {
     std::vector<Interval> missing{}; ///< rad/s, where they ask for one that there is not
 };
 
+/// The same to first order in the mass of the balancers, of their own motions alone: between the
+/// criterion and the balanced position.
+struct FirstOrder {
+    std::vector<Interval> bands;     ///< where all of them die out
+    std::vector<KnownErrors> errors; ///< of each band
+    /// Over the speeds of the result, times the drag of the case: from here on they die out however
+    /// large it is. None where they do not.
+    std::vector<std::optional<double>> least_drag;
+};
+
 /// How far the balancers in the planes get at one speed.
 enum class Supply {
     balanced,     ///< each supplies what is needed: no plane moves
@@ -205,6 +217,7 @@ struct BalanceResult {
     JointBalance joint;
     std::optional<RigidEquivalent> rigid;
     std::optional<BalancedPosition> balanced_position; ///< none: no balancers, or no such position
+    std::optional<FirstOrder> first_order;             ///< none: not answered, or not asked for
     std::vector<SimulatedSpeed> simulated;
     std::optional<Placement> placement;
     std::vector<PendulumBalance> pendulum;

@@ -71,6 +71,7 @@ results::BalanceResult full_balance() {
     result.pendulum = {pendulum};
     result.balanced_position =
         results::BalancedPosition{{{60, 110}}, {{1e-9, 2e-9}}, 3, {{70, 100}}, {{55, 120}}};
+    result.first_order = results::FirstOrder{{{58, 115}}, {{1e-9, {}}}, {{}, 0.5, 0.0}};
     result.simulated = {{80, "balanced", 0.01, -0.5}, {160, "lagging", {}, {}}};
     return result;
 }
@@ -93,6 +94,8 @@ TEST_F(BalanceReport, JsonHasTheAgreedKeys) {
     EXPECT_TRUE(nlohmann::json::parse(to_json(sample_case(), sample_balance()))
                     .at("balanced_position")
                     .is_null());
+    EXPECT_EQ(json.at("first_order").at("bands").at(0), (std::vector<double>{58, 115}));
+    EXPECT_EQ(json.at("first_order").at("least_drag"), nlohmann::json::parse("[null, 0.5, 0.0]"));
     EXPECT_EQ(json.at("simulated").at(0).at("growth"), -0.5);
     EXPECT_TRUE(json.at("simulated").at(1).at("residual_ratio").is_null());
     EXPECT_EQ(json.at("pendulum").at(0).at("designs").at(1).at("exact"),
@@ -121,8 +124,9 @@ TEST_F(BalanceReport, EveryCsvRowHasAsManyCellsAsTheHeader) {
     for (std::string line; std::getline(stream, line); ++rows)
         EXPECT_EQ(std::count(line.begin(), line.end(), ','), 7) << line;
     // Header; per plane 2 bands and a rigid one; 3 x 2 eigenvalues; 2 x 3 criteria; 2 motions with
-    // pendulums; a band of the balanced position; 2 motions in time.
-    EXPECT_EQ(rows, 1 + 2 * 3 + 6 + 6 + 2 + 1 + 2);
+    // pendulums; at first order a band, its errors and a drag at two speeds; a band of the balanced
+    // position; 2 motions in time.
+    EXPECT_EQ(rows, 1 + 2 * 3 + 6 + 6 + 2 + 4 + 1 + 2);
 }
 
 TEST_F(BalanceReport, WritesAllPicturesAndAPage) {

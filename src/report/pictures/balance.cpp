@@ -20,12 +20,13 @@ namespace {
 constexpr const char *balanced_colour = "#007D5A";
 constexpr const char *rigid_colour = "#A9B4BF";
 constexpr const char *stable_colour = "#0072B2";
+constexpr const char *light_colour = "#56B4E9";
 constexpr const char *some_colour = "#A6CBE3";
 constexpr const char *unbalanced_colour = "#D55E00";
 constexpr const char *undecided_colour = "#7A7A7A";
 
-/// The panel of the bands: a row for each plane, for all of them, for the real balancers and for
-/// motions in time. The first one lies from -1 to 0, the next below it.
+/// The panel of the bands: a row for each plane, for all of them, for balancers of little mass, for
+/// the real ones and for motions in time. The first one lies from -1 to 0, the next below it.
 class BandRows {
   public:
     BandRows(const BalanceResult &result, const Units &units, ChartPanel &panel)
@@ -41,6 +42,11 @@ class BandRows {
         }
         if (result.planes.size() > 1)
             add_bands("all planes together", result.joint.bands);
+        if (result.first_order) {
+            begin("light balancers stable");
+            main_bars(result.first_order->bands, "first order in the balancers' mass",
+                      light_colour);
+        }
         if (const auto &position = result.balanced_position) {
             begin("real balancers stable");
             bars(position->with_some, "stable with some arrangement of the balls", 0.42, 0.74,
