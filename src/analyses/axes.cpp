@@ -203,7 +203,7 @@ std::string names_of(const SweepAxis &axis) {
 } // namespace
 
 RotorsOver::RotorsOver(std::vector<SweepAxis> axes, CaseWith with)
-    : _axes(std::move(axes)), _with(std::move(with)) {}
+    : _axes(std::move(axes)), _with(std::move(with)), _alone(_axes.size()) {}
 
 model::Case RotorsOver::scene(const std::vector<double> &changes) const {
     std::vector<std::string> overrides;
@@ -236,13 +236,30 @@ double RotorsOver::change_for(std::size_t axis, double number, std::vector<doubl
                     of.dimensionless->place, of.dimensionless->name, range, names_of(of), number));
 }
 
+/// Of an axis over a number what gives it where the others begin, those over numbers where the case
+/// is: mostly, or nearly, what does so wherever they are. No change where nothing gives it there.
+double RotorsOver::change_alone(std::size_t axis, double number) const {
+    const auto known = _alone[axis].find(number);
+    if (known != _alone[axis].end())
+        return known->second;
+    std::vector<double> changes;
+    for (const SweepAxis &of : _axes)
+        changes.push_back(of.dimensionless ? no_change(of) : of.values.front());
+    double change = changes[axis];
+    try {
+        change = change_for(axis, number, changes);
+    } catch (const model::BadInput &) { // elsewhere it may be had
+    }
+    return _alone[axis].emplace(number, change).first->second;
+}
+
 RotorsOver::Rotor RotorsOver::at(const std::vector<double> &values) const {
     std::vector<double> changes = values;
     std::vector<std::size_t> numbers;
     for (std::size_t i = 0; i < _axes.size(); ++i)
         if (_axes[i].dimensionless) {
             numbers.push_back(i);
-            changes[i] = no_change(_axes[i]);
+            changes[i] = _axes.size() > 1 ? change_alone(i, values[i]) : no_change(_axes[i]);
         }
     // Of two numbers one may depend on the entries of the other: in turn, until both are there.
     constexpr int turns = 30;

@@ -4,7 +4,7 @@
 #include "model/case.h"
 
 #include <cstddef>
-#include <string>
+#include <map>
 #include <vector>
 
 namespace whirl::analyses {
@@ -30,10 +30,12 @@ class RotorsOver {
   private:
     std::vector<model::SweepAxis> _axes;
     CaseWith _with;
+    mutable std::vector<std::map<double, double>> _alone; ///< of each axis, see change_alone
 
     [[nodiscard]] model::Case scene(const std::vector<double> &changes) const;
     [[nodiscard]] double change_for(std::size_t axis, double number,
                                     std::vector<double> changes) const;
+    [[nodiscard]] double change_alone(std::size_t axis, double number) const;
 };
 
 /// Spin speeds of an axis over these or over Omega = speed/omega_0, rad/s.

@@ -47,7 +47,7 @@ struct SweepAxis {
     std::vector<double> values;           ///< SI, in the order in which they are given
     bool logarithmic = false;             ///< evenly spaced in their logarithm
     /// None: the values are those of the entries, or of the spin speed.
-    std::optional<DimensionlessNumber> dimensionless;
+    std::optional<DimensionlessNumber> dimensionless{};
     /// Of what its entries or the spin speed get for it: as `quantity` where it is none.
     Quantity of_changes = Quantity::number;
 
