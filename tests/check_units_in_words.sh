@@ -23,6 +23,8 @@ my @allowed = (
     ["src/report/accuracy.cpp", "ms", "wall times, which no entry of [units] changes"],
     ["src/report/accuracy.cpp", "Wall time (ms)", "the same"],
     ["src/report/show.cpp", "m", "dimensionless masses of a paper"],
+    ["src/model/sweep.h", "m", "the same"],
+    ["src/rigid/composite_rotor.cpp", "m", "the same"],
     ["src/report/restart_file.cpp", "{}, expected ", "mistakes of a file, which is in SI"],
     ["src/report/common/plot_jobs.cpp", "within {} s", "a limit of gnuplot's patience"],
     ["src/criterion/pendulum.cpp", "expected a radius above 0 m", "mistakes of a case, in the SI of its keys"],

@@ -155,6 +155,8 @@ results::ShowResult show(const model::Case &scene) {
     const assembly::Discretization d(rotor, result.model.order);
     result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
     result.model.unknowns = (results::is_planar(eigen.form) ? 1 : 2) * d.planar_size();
+    std::string why; // said of the balancers, for whom the papers have these numbers
+    result.dimensionless = rigid::rotor_numbers(rotor, all, why);
     result.balancers = rigid::show_balancers(rotor, all, result.model.notes);
     if (const auto a = rigid::anisotropy_of(rotor, result.balancers)) {
         // Below rounding no axis is the one of smaller inertia.

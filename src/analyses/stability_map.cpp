@@ -1,7 +1,7 @@
 #include "analyses/stability_map.h"
 
+#include "analyses/axes.h"
 #include "analyses/placed_balls.h"
-#include "analyses/steady_states.h"
 #include "ends/growth.h"
 #include "model/case.h"
 #include "model/errors.h"
@@ -23,8 +23,6 @@
 namespace whirl::analyses {
 
 namespace {
-
-using Overrides = std::vector<std::string>;
 
 using Shapes = std::shared_ptr<const Eigen::MatrixXd>;
 
@@ -68,20 +66,19 @@ class CommonShapes {
   public:
     /// For maps over the spin speed: each row makes sure that they do for its rotor, at a speed in
     /// full, or finds its own.
-    static CommonShapes of_rows(const model::MapSettings &map, const CaseWith &with) {
+    static CommonShapes of_rows(const model::MapSettings &map, const RotorsOver &rotors) {
         return made([&] {
             const std::vector<double> &ys = map.y.values;
-            return CommonShapes(with(overrides_at(map.y, ys[ys.size() / 2])), map.x.values);
+            const model::Case middle = rotors.at({ys[ys.size() / 2]}).scene;
+            return CommonShapes(middle, speeds_over(map.x, middle));
         });
     }
 
     /// For maps of points: made to do for rotors all over the map, at its corners and the middles
     /// of its sides; none where they do not.
-    static CommonShapes of_points(const model::MapSettings &map, const CaseWith &with) {
+    static CommonShapes of_points(const model::MapSettings &map, const RotorsOver &rotors) {
         return made([&] {
-            const auto at = [&](double x, double y) {
-                return with(overrides_at(map.y, y, overrides_at(map.x, x)));
-            };
+            const auto at = [&](double x, double y) { return rotors.at({x, y}).scene; };
             const auto places = [](const model::SweepAxis &axis) {
                 const double from = axis.values.front();
                 const double to = axis.values.back();
@@ -155,70 +152,88 @@ class CommonShapes {
 
 /// Growth over a row of a map over the spin speed, or at one point of another map: the largest over
 /// the speeds of the case. NaN where there is no such rotor, an inertia out of bounds, a capacity
-/// below 1; with the reason.
-/// @param row  spin speeds, none at a point
-process::Outcome piece_of(const Overrides &entries, const std::vector<double> &row,
-                          const CaseWith &with, const CommonShapes &common) {
+/// below 1; with the reason. Behind the growth what became of the axes: the speeds of a row or the
+/// change of x, and the change of y.
+/// @param values  of y in a row, of x and y at a point
+/// @param row     spin speeds, null at a point
+process::Outcome piece_of(const RotorsOver &rotors, const std::vector<double> &values,
+                          const model::SweepAxis *row, const CommonShapes &common) {
+    const auto with_axes = [](std::vector<double> growth, const std::vector<double> &x, double y) {
+        growth.insert(growth.end(), x.begin(), x.end());
+        growth.push_back(y);
+        return growth;
+    };
     try {
-        const model::Case scene = with(entries);
+        const auto [scene, changes] = rotors.at(values);
         const std::vector<double> speeds =
-            row.empty() ? model::required_speeds(scene).values() : row;
+            row ? speeds_over(*row, scene) : model::required_speeds(scene).values();
         const std::vector<double> growth =
             growth_at(scene, speeds, [&](const auto &model, const auto &arrangement) {
-                return row.empty() ? common.for_point(model)
-                                   : common.for_row(model, arrangement, speeds);
+                return row ? common.for_row(model, arrangement, speeds) : common.for_point(model);
             });
         std::string why;
         for (std::size_t i = 0; i < speeds.size(); ++i)
             if (std::isnan(growth[i]) && speeds[i] != 0)
                 why = no_balanced_position;
-        if (!row.empty())
-            return {growth, why};
+        if (row)
+            return {with_axes(growth, speeds, changes.back()), why};
         double most = std::numeric_limits<double>::quiet_NaN();
         for (const double value : growth)
             most = std::fmax(most, value); // of the speeds at which it is known
-        return {{most}, std::isnan(most) ? why : ""};
+        return {with_axes({most}, {changes.front()}, changes.back()), std::isnan(most) ? why : ""};
     } catch (const model::BadInput &problem) {
-        const std::size_t count = std::max<std::size_t>(row.size(), 1);
-        return {std::vector<double>(count, std::numeric_limits<double>::quiet_NaN()),
+        const std::size_t count = row ? row->values.size() : 1;
+        return {std::vector<double>(2 * count + 1, std::numeric_limits<double>::quiet_NaN()),
                 problem.what()};
     }
+}
+
+std::vector<std::vector<double>> transposed(const std::vector<std::vector<double>> &rows) {
+    std::vector<std::vector<double>> out(rows.empty() ? 0 : rows.front().size());
+    for (const std::vector<double> &row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i)
+            out[i].push_back(row[i]);
+    return out;
 }
 
 } // namespace
 
 results::StabilityMap stability_map(const model::MapSettings &settings, const CaseWith &with,
                                     const std::function<void()> &first) {
-    results::StabilityMap map{settings.x, settings.y, {}, {}};
+    results::StabilityMap map{settings.x, settings.y, {}, {}, {}, {}};
     if (!settings.x.is_speed() && settings.y.is_speed()) {
         // A case is read once for each column: turn the map, and turn it back.
         const results::StabilityMap turned = stability_map({settings.y, settings.x}, with, first);
         map.why = turned.why;
-        map.growth.assign(turned.growth.empty() ? 0 : map.y.values.size(),
-                          std::vector<double>(map.x.values.size()));
-        for (std::size_t i = 0; i < turned.growth.size(); ++i)
-            for (std::size_t j = 0; j < turned.growth[i].size(); ++j)
-                map.growth[j][i] = turned.growth[i][j];
+        map.growth = transposed(turned.growth);
+        map.x_changes = transposed(turned.y_changes);
+        map.y_changes = transposed(turned.x_changes);
         return map;
     }
     const bool rows = settings.x.is_speed();
     const std::size_t columns = map.x.values.size();
     const std::size_t pieces = map.y.values.size() * (rows ? 1 : columns);
+    const RotorsOver rotors(rows ? std::vector{map.y} : std::vector{map.x, map.y}, with);
     const CommonShapes common =
-        rows ? CommonShapes::of_rows(settings, with) : CommonShapes::of_points(settings, with);
+        rows ? CommonShapes::of_rows(settings, rotors) : CommonShapes::of_points(settings, rotors);
     const auto piece = [&](std::size_t i) {
         if (rows)
-            return piece_of(overrides_at(map.y, map.y.values[i]), map.x.values, with, common);
-        return piece_of(overrides_at(map.y, map.y.values[i / columns],
-                                     overrides_at(map.x, map.x.values[i % columns])),
-                        {}, with, common);
+            return piece_of(rotors, {map.y.values[i]}, &map.x, common);
+        return piece_of(rotors, {map.x.values[i % columns], map.y.values[i / columns]}, nullptr,
+                        common);
     };
     const auto outcomes = process::deal(pieces, "map", piece, first);
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         if (rows || i % columns == 0)
-            map.growth.emplace_back();
-        map.growth.back().insert(map.growth.back().end(), outcomes[i].numbers.begin(),
-                                 outcomes[i].numbers.end());
+            for (auto *table : {&map.growth, &map.x_changes, &map.y_changes})
+                table->emplace_back();
+        const std::vector<double> &numbers = outcomes[i].numbers;
+        const std::size_t count = numbers.size() / 2;
+        for (std::size_t k = 0; k < count; ++k) {
+            map.growth.back().push_back(numbers[k]);
+            map.x_changes.back().push_back(numbers[count + k]);
+            map.y_changes.back().push_back(numbers.back());
+        }
         if (map.why.empty())
             map.why = outcomes[i].text;
     }

@@ -6,7 +6,6 @@
 #include "results/steady_states.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace whirl::analyses {
@@ -17,9 +16,5 @@ namespace whirl::analyses {
 [[nodiscard]] std::optional<results::SteadyStates>
 steady_states_of(const model::Case &scene, std::vector<results::Sentence> &notes,
                  const CaseWith &with = nullptr);
-
-/// What a rotor has of its own at a value of an axis: "path.to.key=value".
-[[nodiscard]] std::vector<std::string> overrides_at(const model::SweepAxis &axis, double value,
-                                                    std::vector<std::string> others = {});
 
 } // namespace whirl::analyses

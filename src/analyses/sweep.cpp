@@ -1,5 +1,6 @@
 #include "analyses/sweep.h"
 
+#include "analyses/axes.h"
 #include "analyses/samples/answers.h"
 #include "analyses/samples/many_rotors.h"
 #include "model/case.h"
@@ -17,20 +18,21 @@ namespace whirl::analyses {
 
 namespace {
 
-/// What each rotor has of its own: the first axis runs fastest.
-std::vector<std::vector<std::string>> rotors_of(const std::vector<model::SweepAxis> &axes) {
-    std::vector<std::vector<std::string>> rotors{{}};
+/// The values of the axes at a rotor: the first axis runs fastest.
+std::vector<double> values_at(const std::vector<model::SweepAxis> &axes, std::size_t rotor) {
+    std::vector<double> values;
     for (const model::SweepAxis &axis : axes) {
-        std::vector<std::vector<std::string>> more;
-        for (const double value : axis.values)
-            for (std::vector<std::string> overrides : rotors) {
-                for (const model::SweptEntry &entry : axis.entries)
-                    overrides.push_back(fmt::format("{}={}", entry.path, axis.at(entry, value)));
-                more.push_back(std::move(overrides));
-            }
-        rotors = std::move(more);
+        values.push_back(axis.values[rotor % axis.values.size()]);
+        rotor /= axis.values.size();
     }
-    return rotors;
+    return values;
+}
+
+std::size_t count_of(const std::vector<model::SweepAxis> &axes) {
+    std::size_t count = 1;
+    for (const model::SweepAxis &axis : axes)
+        count *= axis.values.size();
+    return count;
 }
 
 void add_sweep_notes(results::SweepResult &result) {
@@ -61,10 +63,19 @@ results::SweepResult sweep(const model::Case &scene, const CaseWith &with) {
     results::SweepResult result;
     result.model = answers.model();
     result.axes = scene.sweep->axes;
-    const auto rotors = rotors_of(result.axes);
-    result.count = static_cast<int>(rotors.size());
+    const std::size_t count = count_of(result.axes);
+    result.count = static_cast<int>(count);
     stage.emplace("rotors", 0.02, 1.0);
-    ManyRotors found = answers_of_many(answers, rotors, "rotors", with);
+    const RotorsOver rotors(result.axes, with);
+    ManyRotors found = answers_of_many(
+        answers, count,
+        [&](std::size_t i, std::vector<double> &changes) {
+            RotorsOver::Rotor rotor = rotors.at(values_at(result.axes, i));
+            changes = rotor.changes;
+            return std::move(rotor.scene);
+        },
+        "rotors");
+    result.changes = std::move(found.beside);
     result.answers = std::move(found.answers);
     result.failures = std::move(found.failures);
     result.failed = found.failed;

@@ -219,6 +219,22 @@ std::string message_of(const CLI::App &app, const CLI::ParseError &error) {
                        nearest_option(command, command.remaining()), command.get_name());
 }
 
+/// An option that takes no value and was given one, "--json=1"; empty: none.
+std::string value_of_a_flag(const CLI::App &app, int argc, const char *const *argv) {
+    const CLI::App &command = app.get_subcommands().empty() ? app : *app.get_subcommands().front();
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        const std::size_t equals = word.find('=');
+        if (!word.starts_with("--") || equals == std::string::npos)
+            continue;
+        const std::string name = word.substr(0, equals);
+        const CLI::Option *option = command.get_option_no_throw(name);
+        if (option != nullptr && option->get_expected_max() == 0)
+            return fmt::format("{} takes no value, got \"{}\"", name, word.substr(equals + 1));
+    }
+    return "";
+}
+
 } // namespace
 
 std::string command_list() { return fmt::format("{}", fmt::join(command_names(), ", ")); }
@@ -253,6 +269,10 @@ Parsed parse_arguments(int argc, const char *const *argv) {
     if (app.get_subcommands().empty()) {
         complain(fmt::format("whirl: a command is missing: {} (\"whirl --help\" explains them)",
                              command_list()));
+        return {{}, exit_bad_input};
+    }
+    if (const std::string problem = value_of_a_flag(app, argc, argv); !problem.empty()) {
+        complain("whirl: " + problem);
         return {{}, exit_bad_input};
     }
     if (app.get_subcommands().size() > 1 || (arguments.out && arguments.out->empty())) {

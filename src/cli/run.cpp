@@ -77,6 +77,8 @@ void deliver(const Run &run, const report::Report &report) {
         say(report::to_json(report));
     else if (!arguments.quiet)
         say(report::to_text(report, style_of(arguments), files_text(files)));
+    if (!files.failure.empty())
+        throw model::AnalysisFailure(files.failure);
 }
 
 /// An option of other commands changes nothing here: better said than found out.

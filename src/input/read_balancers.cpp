@@ -76,7 +76,7 @@ void read_walls(CheckedTable &table, model::Balls &balls) {
 void read_contact(CheckedTable &table, model::Balls &balls) {
     balls.contact = table.flag_or("contact", false);
     balls.restitution = table.number_or("restitution", 0.9, Quantity::number, Range{0, 1});
-    if (!balls.contact && balls.walls.empty() && table.has("restitution"))
+    if (!balls.contact && !table.has("walls") && table.has("restitution"))
         table.fail("restitution", "expected only with contact = true or walls, got it alone");
     for (const model::BallRow &row : balls.rows) {
         const double room = row.n * row.touching_angle();

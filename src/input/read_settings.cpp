@@ -202,7 +202,7 @@ void read_map(CheckedTable &table, model::Case &scene) {
     model::MapSettings map;
     for (const auto &[key, axis] : {std::pair("x", &map.x), std::pair("y", &map.y)}) {
         if (auto own = table.table(key))
-            *axis = read_map_axis(*own);
+            *axis = read_map_axis(*own, scene.rotor);
         else if (!table.has(key) && (axis == &map.x || !scene.states))
             table.fail(key, "missing, expected a table {path, from, to, count}");
     }

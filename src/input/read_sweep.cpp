@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -48,6 +49,7 @@ std::vector<std::string> paths_of(CheckedTable &table, const std::string &beside
 void read_entries(CheckedTable &table, const std::string &besides, model::SweepAxis &axis,
                   std::optional<Quantity> &quantity) {
     const bool relative = axis.change != model::SweepChange::value;
+    const bool number = axis.dimensionless.has_value();
     for (const std::string &path : paths_of(table, besides)) {
         if (path.empty()) {
             table.fail("path", "expected a numeric entry of the case, got \"\"");
@@ -65,12 +67,14 @@ void read_entries(CheckedTable &table, const std::string &besides, model::SweepA
         if (axis.label.empty())
             axis.label = path;
         for (const std::string &own : found->paths) {
-            if (!relative) {
+            if (!relative && !number) {
                 axis.entries.push_back({own, 0});
                 continue;
             }
             const auto given = value_in_case({{own}, found->quantity}, table.context().tree);
-            if (!given)
+            if (!relative)
+                axis.entries.push_back({own, given.value_or(0)});
+            else if (!given)
                 table.fail("path",
                            "expected an entry that the case gives, to change it by a factor "
                            "or a shift; " +
@@ -115,12 +119,63 @@ std::optional<Quantity> read_change(CheckedTable &table, const std::string &besi
     std::optional<Quantity> of_entries;
     read_entries(table, besides, axis, of_entries);
     if (of_entries)
-        axis.quantity = axis.change == model::SweepChange::factor ? Quantity::number : *of_entries;
+        axis.of_changes =
+            axis.change == model::SweepChange::factor ? Quantity::number : *of_entries;
+    axis.quantity = axis.dimensionless ? Quantity::number : axis.of_changes;
     return of_entries;
 }
 
-model::SweepAxis read_sweep_axis(CheckedTable &table) {
+std::string list_of(const auto &...names) {
+    std::vector<std::string> all;
+    (all.insert(all.end(), names.begin(), names.end()), ...);
+    return fmt::format("\"{}\"", fmt::join(all, "\", \""));
+}
+
+/// The dimensionless number that the values of an axis are of, where the axis asks for one.
+/// @param of_speed  the axis is the spin speed
+void read_dimensionless(CheckedTable &table, const model::Rotor &rotor, bool of_speed,
+                        model::SweepAxis &axis) {
+    const auto name = table.text_entry("dimensionless");
+    const std::size_t count = rotor.balancers.size();
+    if (!name) {
+        if (table.has("balancer"))
+            table.fail("balancer", "expected none without `dimensionless`: it says whose number "
+                                   "the values are of");
+        return;
+    }
+    const std::string &word = name->node.text;
+    const auto is_of = [&word](const auto &names) {
+        return std::ranges::find(names, word) != names.end();
+    };
+    const bool of_balancer = is_of(model::balancer_numbers);
+    if (of_speed ? word != model::speed_number : !of_balancer && !is_of(model::rotor_numbers)) {
+        name->fail(of_speed ? fmt::format("expected \"{}\" of the spin speed, got {}",
+                                          model::speed_number, in_quotes(word))
+                            : fmt::format("expected one of the numbers of show, {}, got {}",
+                                          list_of(model::rotor_numbers, model::balancer_numbers),
+                                          in_quotes(word)));
+        return;
+    }
+    axis.dimensionless = model::DimensionlessNumber{word, std::nullopt,
+                                                    name->node.origin.text() + ": " + name->path};
+    if (table.has("balancer") && of_speed)
+        table.fail("balancer", "expected none: the spin speed is over that of the whole rotor");
+    else if (table.has("balancer") && count == 0)
+        table.fail("balancer", "expected a balancer, the case has none");
+    else if (table.has("balancer"))
+        axis.dimensionless->balancer =
+            static_cast<std::size_t>(table.whole("balancer", 0, static_cast<int>(count) - 1));
+    else if (of_balancer && count != 1)
+        name->fail(count == 0 ? "expected a number of the rotor, the case has no balancer, got " +
+                                    in_quotes(word)
+                              : fmt::format("expected whose of the {} balancers, as balancer = 0, "
+                                            "got {} alone",
+                                            count, in_quotes(word)));
+}
+
+model::SweepAxis read_sweep_axis(CheckedTable &table, const model::Rotor &rotor) {
     model::SweepAxis axis;
+    read_dimensionless(table, rotor, false, axis);
     if (!read_change(table, "", axis))
         return axis;
     if (table.has("values")) {
@@ -135,12 +190,16 @@ model::SweepAxis read_sweep_axis(CheckedTable &table) {
 
 } // namespace
 
-model::SweepAxis read_map_axis(CheckedTable &table) {
+model::SweepAxis read_map_axis(CheckedTable &table, const model::Rotor &rotor) {
     model::SweepAxis axis;
-    if (const Node *path = table.find("path");
-        path != nullptr && path->kind == Node::Kind::text && path->text == "speed") {
+    const Node *path = table.find("path");
+    const bool of_speed =
+        path != nullptr && path->kind == Node::Kind::text && path->text == "speed";
+    read_dimensionless(table, rotor, of_speed, axis);
+    if (of_speed) {
         axis.label = *table.text("path");
-        axis.quantity = Quantity::speed;
+        axis.of_changes = Quantity::speed;
+        axis.quantity = axis.dimensionless ? Quantity::number : Quantity::speed;
         if (table.choice("change", {"value", "factor", "shift"}, 0) != 0)
             table.fail("change", "expected \"value\" of the spin speed, which is no entry of the "
                                  "case, got " +
@@ -167,7 +226,7 @@ void read_sweep(CheckedTable &table, model::Case &scene) {
     double points = 1;
     for (const char *key : {"x", "y"}) {
         if (auto axis = table.table(key)) {
-            sweep.axes.push_back(read_sweep_axis(*axis));
+            sweep.axes.push_back(read_sweep_axis(*axis, scene.rotor));
             points *= static_cast<double>(sweep.axes.back().values.size());
         } else if (std::string_view(key) == "x" && !table.has(key)) {
             table.fail(key, "missing, expected a table {path, from, to, count}");

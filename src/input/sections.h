@@ -90,7 +90,8 @@ numeric_entries(CheckedTable &table, const std::string &path, const std::string 
 
 /// An axis of [map]: entries that change together as those of [sweep], or the spin speed, over
 /// evenly spaced values.
-[[nodiscard]] model::SweepAxis read_map_axis(CheckedTable &table);
+/// @param rotor  whose dimensionless numbers the values may be of
+[[nodiscard]] model::SweepAxis read_map_axis(CheckedTable &table, const model::Rotor &rotor);
 /// A mistake where axes change the same entry.
 void refuse_twice(CheckedTable &table, const std::vector<model::SweepAxis> &axes);
 

@@ -2,6 +2,7 @@
 
 #include "report/document.h"
 
+#include "model/errors.h"
 #include "report/common/files.h"
 #include "report/common/html.h"
 #include "report/common/pdf.h"
@@ -221,16 +222,23 @@ Files write_document(const Report &report, const fs::path &folder) {
     const Pictures pictures(document, *report.scene, units);
     const std::string page = document_page(report, document, pictures, units);
     OutputFiles files(folder);
+    Files written;
     files.add(report.command + ".html", page);
     files.announce(report.command + ".pdf"); // one of another run would be beside this page
-    if (report.pdf)
-        files.add(report.command + ".pdf", pdf_of(page));
+    if (report.pdf) {
+        try {
+            files.add(report.command + ".pdf", pdf_of(page));
+        } catch (const model::AnalysisFailure &failure) {
+            written.failure = failure.what();
+        }
+    }
     files.add(report.command + ".json", to_json(report));
     files.add(report.command + ".csv", report.csv(Units::of_files(report.scene->units)));
-    Files written;
     if (pictures.missing())
         written.notes.emplace_back("gnuplot is not installed: no diagrams");
     written.paths = files.commit();
+    if (!written.failure.empty())
+        written.failure += "; the page is there: " + written.paths.front().string();
     return written;
 }
 

@@ -182,11 +182,13 @@ template <class Result>
 struct Files {
     std::vector<std::filesystem::path> paths; ///< the main picture first
     std::vector<std::string> notes;           ///< what is missing and why, for the user
+    std::string failure;                      ///< what was asked for and is missing; empty: nothing
 };
 
 /// Writes <command>.svg, .png, .json, .csv and report.html (and modes.vtp) into the folder, of a
-/// document report.html, .json, .csv and .pdf; all or none of them. Without gnuplot the pictures it
-/// draws are missing, which a note says.
+/// document report.html, .json, .csv and .pdf; all or none of them, but for a PDF that no program
+/// prints: the rest is there, and the failure says why. Without gnuplot the pictures it draws are
+/// missing, which a note says.
 /// @throws model::AnalysisFailure where a file cannot be written or a picture not drawn.
 Files write_report(const Report &report, const std::filesystem::path &folder);
 

@@ -165,6 +165,16 @@ const Columns<BalancerNumbers> dimensionless_columns{
     dimensionless("h_y", "h_y", "", &DimensionlessNumbers::h_y),
     dimensionless("h_s", "h_s", "h_s", &DimensionlessNumbers::h_s)};
 
+const Columns<results::RotorNumbers> rotor_columns{
+    {"C", OnPage("C", "{:.8g}"), Quantity::number, &results::RotorNumbers::C},
+    {"A", OnPage("A", "{:.8g}"), Quantity::number, &results::RotorNumbers::A},
+    {"p2", OnPage("p²", "{:.8g}"), Quantity::number, &results::RotorNumbers::p2},
+    {"c_y", OnPage("c_y", "{:.8g}"), Quantity::number, &results::RotorNumbers::c_y},
+    {"h_x", OnPage("h_x", "{:.8g}"), Quantity::number, &results::RotorNumbers::h_x},
+    {"h_beta", OnPage("h_β", "{:.8g}"), Quantity::number, &results::RotorNumbers::h_beta},
+    {"h_y", OnPage("h_y", "{:.8g}"), Quantity::number, &results::RotorNumbers::h_y},
+    {"omega_0", OnPage("ω₀", "{:.8g}"), Quantity::frequency, &results::RotorNumbers::omega_0}};
+
 /// The anisotropy alone, before and after what there may be several of.
 const Columns<AnisotropyChart> chart_columns{
     {"C", OnPage("Polar over mean diametral inertia, C", "{:.8g}", "∞"), Quantity::number,
@@ -271,6 +281,7 @@ Json chart_json(const AnisotropyChart &chart, const Units &units) {
 Json json_of(const ShowResult &result, const Units &units) {
     Json json = json_row(show_columns, result, units);
     json["static"] = result.sag ? sag_json(*result.sag, units) : Json();
+    json["dimensionless"] = json_row(rotor_columns, result.dimensionless, units);
     json["balancers"] =
         json_list(result.balancers, [&units](const auto &b) { return balancer_json(b, units); });
     json["anisotropy"] = result.anisotropy ? chart_json(*result.anisotropy, units) : Json();
@@ -283,7 +294,9 @@ Json json_of(const ShowResult &result, const Units &units) {
 }
 
 std::vector<Section> sections_of(const ShowResult &result, const Units &units) {
-    std::vector<Section> sections{{"Rigid body", page_properties(show_columns, result, units)}};
+    std::vector<Section> sections{
+        {"Rigid body", page_properties(show_columns, result, units) +
+                           page_table(rotor_columns, std::vector{result.dimensionless}, units)}};
     if (const auto &sag = result.sag)
         sections.push_back(
             {sag_heading(*sag, units), page_table(load_columns, sag->bearings, units) +

@@ -142,10 +142,7 @@ Json states_undecided_json(const std::optional<SteadyStates> &states, const Unit
 Json states_over_json(const std::optional<SteadyStates> &states, const Units &units) {
     if (!states || !states->over)
         return {};
-    return {{"path", states->over->label},
-            {"entries", entries_of(*states->over)},
-            {"change", change_name(states->over->change)},
-            {"values", written(units, states->over->quantity, states->over->values)}};
+    return axis_json(*states->over, states->changes, units);
 }
 
 std::string states_text(const SteadyStates &states, const Units &units) {

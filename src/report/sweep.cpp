@@ -37,23 +37,48 @@ const Columns<SweepAxis> axis_columns{
     {OnPage("Entries"),
      [](const SweepAxis &axis) { return fmt::format("{}", fmt::join(entries_of(axis), ", ")); }},
     {"change", OnPage("change"), [](const SweepAxis &axis) { return change_name(axis.change); }},
+    {"dimensionless", OnPage("until the rotor has the dimensionless number"), Quantity::number,
+     [](const SweepAxis &axis) {
+         return axis.dimensionless ? Json(axis.dimensionless->name) : Json();
+     }},
+    {"balancer", Quantity::number,
+     [](const SweepAxis &axis) {
+         return axis.dimensionless && axis.dimensionless->balancer
+                    ? Json(*axis.dimensionless->balancer)
+                    : Json();
+     }},
     {"unit", OnPage("unit"),
      [](const SweepAxis &axis, const Units &units) { return units.name(axis.quantity); }},
     {"values", OfEach{[](const SweepAxis &axis) { return axis.quantity; }}, &SweepAxis::values}};
 
-/// The values of an answer as lists over the first axis, one for each value of the second.
-Json values_of(const SweepResult &result, const SampledAnswer &answer) {
+/// A value of each rotor as lists over the first axis, one for each value of the second.
+Json lists_of(const SweepResult &result, const std::vector<std::optional<double>> &values) {
     if (result.axes.size() < 2)
-        return answer.values;
+        return values;
     Json lists = Json::array();
     const std::size_t across = result.axes.front().values.size();
-    for (std::size_t i = 0; i < answer.values.size(); i += across) {
+    for (std::size_t i = 0; i < values.size(); i += across) {
         Json list = Json::array();
         for (std::size_t k = i; k < i + across; ++k)
-            list.push_back(answer.values[k] ? Json(*answer.values[k]) : Json());
+            list.push_back(values[k] ? Json(*values[k]) : Json());
         lists.push_back(list);
     }
     return lists;
+}
+
+/// The axes, with what became of the entries of those over a dimensionless number.
+Json axes_json(const SweepResult &result, const Units &units) {
+    Json axes = json_rows(axis_columns, result.axes, units);
+    for (std::size_t i = 0; i < result.axes.size(); ++i) {
+        std::vector<std::optional<double>> changes;
+        for (const std::vector<double> &rotor : result.changes)
+            changes.push_back(i < rotor.size() ? std::optional(rotor[i]) : std::nullopt);
+        axes[i]["changes"] =
+            result.axes[i].dimensionless
+                ? written(units, result.axes[i].of_changes, lists_of(result, changes))
+                : Json();
+    }
+    return axes;
 }
 
 template <class Better> std::optional<double> extreme(const SampledAnswer &answer, Better better) {
@@ -83,7 +108,7 @@ Columns<SampledAnswer> swept_answer_columns(const SweepResult &result) {
              [](const SampledAnswer &answer) { return extreme(answer, std::greater<>()); }},
             {"present", ForReaders("rotors"), &SampledAnswer::present},
             {"values", of_swept_answer,
-             [&result](const SampledAnswer &answer) { return values_of(result, answer); }}};
+             [&result](const SampledAnswer &answer) { return lists_of(result, answer.values); }}};
 }
 
 const Columns<SampleFailure> rotor_failure_columns{
@@ -123,7 +148,7 @@ std::string sweep_csv(const SweepResult &result, const Units &units) {
 
 Json sweep_json(const SweepResult &result, const Units &units) {
     return {{"sweep",
-             {{"axes", json_rows(axis_columns, result.axes, units)},
+             {{"axes", axes_json(result, units)},
               {"count", result.count},
               {"failed", result.failed},
               {"failures", json_rows(rotor_failure_columns, result.failures, units)}}},

@@ -10,9 +10,17 @@
 
 namespace whirl::results {
 
-/// Dimensionless numbers of the composite rotor (docs/theory.md, "Composite rotor"): units of mass
+/// Dimensionless numbers of the whole rotor (docs/theory.md, "Composite rotor"): units of mass
 /// M_s, of length sqrt(A_Sigma/M_s), of time sqrt(M_s/c_x). Those that need the bearings are empty
 /// where these do not reduce to isotropic coefficients.
+struct RotorNumbers {
+    double C = 0;            ///< polar inertia over the mean diametral one, A_Sigma
+    std::optional<double> A; ///< anisotropy over A_Sigma; none: a balancer has no balanced position
+    std::optional<double> p2, c_y, h_x, h_beta, h_y;
+    std::optional<double> omega_0; ///< sqrt(c_x/M_s), rad/s
+};
+
+/// The same of one balancer and the rotor around it.
 struct DimensionlessNumbers {
     double C = 0;            ///< polar inertia over the mean diametral one, A_Sigma
     std::optional<double> A; ///< |A_m0 + A_m D|/2 over A_Sigma, with a balanced position
@@ -128,6 +136,7 @@ struct ShowResult {
     std::vector<std::pair<std::string, Formulation>> formulations; ///< command, what it will use
     std::optional<double> dI;       ///< principal diametral inertias Id -+ dI, kg m2
     std::optional<double> dI_angle; ///< axis of the smaller one in the rotor, rad
+    RotorNumbers dimensionless;
     std::vector<BalancerNumbers> balancers;
     std::optional<AnisotropyChart> anisotropy;
     std::optional<StaticSag> sag; ///< none: nothing carries the weight

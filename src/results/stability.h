@@ -50,7 +50,10 @@ struct ArrangementFamily {
 struct StabilityMap {
     model::SweepAxis x, y;
     std::vector<std::vector<double>> growth; ///< [y][x], 1/s; NaN: no such rotor
-    std::string why;                         ///< of one such point, what was wrong with it
+    /// [y][x]: value, factor or shift of the entries of x and y, or the spin speed, rad/s; what was
+    /// found for them where an axis is over a dimensionless number. NaN: nothing was.
+    std::vector<std::vector<double>> x_changes, y_changes;
+    std::string why; ///< of one point that is empty, what was wrong with it
 };
 
 /// How a motion begins or ceases to grow.

@@ -81,10 +81,16 @@ struct SteadyStates {
     std::vector<double> speeds; ///< looked at, rad/s
     /// Entries of the case over which the states are followed at one speed; none: over the speeds.
     std::optional<model::SweepAxis> over;
+    /// Over a dimensionless number the value, factor or shift of these at each of its values, else
+    /// empty; NaN: there is no such rotor.
+    std::vector<double> changes;
     std::vector<SteadyState> states;   ///< by speed, or by value
     std::vector<SteadyBorder> borders; ///< ascending; between the places looked at
     /// Places at which two states were too close to each other to be told apart, rad/s or values.
     std::vector<double> undecided;
+    /// Places at which there is no such rotor, and why there is none at the last.
+    std::vector<double> refused;
+    std::string why_refused;
     std::vector<Sentence> notes;
 
     /// Along what they are followed. @param at  a state or a border

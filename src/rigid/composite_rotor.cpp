@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -25,6 +26,9 @@ using std::numbers::pi;
 double without_rounding(double difference, double terms) {
     return difference <= 4 * std::numeric_limits<double>::epsilon() * terms ? 0 : difference;
 }
+
+/// An anisotropy below that share of the mean inertia is rounding.
+constexpr double nothing_of_inertia = 1e-14;
 
 /// A balancer of the case, free or held.
 struct Placed {
@@ -100,7 +104,23 @@ double relative_anisotropy(closed_form::CompositeRotor composite, std::complex<d
     return without_rounding(std::abs(composite.anisotropy()), terms) / composite.mean_inertia();
 }
 
-/// Unit of time sqrt(M_s/c_x), of mass M_s, of length rho = sqrt(A_Sigma/M_s).
+/// Those that need the bearings. Unit of time sqrt(M/c_x), of mass M, of length sqrt(A/M).
+/// @param A  mean diametral inertia about the centre of mass
+void add_supports(results::RotorNumbers &numbers, const model::Rotor &rotor, double M, double A,
+                  double center, std::string &why) {
+    const auto supports = reduced_supports(rotor, center, why);
+    if (!supports)
+        return;
+    const double w0 = std::sqrt(supports->c_x / M);
+    const double cross = std::sqrt(M * A);
+    numbers.omega_0 = w0;
+    numbers.p2 = supports->c_beta / A / (w0 * w0);
+    numbers.c_y = supports->c_y / (cross * w0 * w0);
+    numbers.h_x = supports->h_x / (M * w0);
+    numbers.h_beta = supports->h_beta / (A * w0);
+    numbers.h_y = supports->h_y / (cross * w0);
+}
+
 results::DimensionlessNumbers dimensionless_numbers(const Parts &parts, const Placed &placed,
                                                     std::optional<std::complex<double>> D,
                                                     const model::Rotor &rotor, std::string &why) {
@@ -116,18 +136,15 @@ results::DimensionlessNumbers dimensionless_numbers(const Parts &parts, const Pl
     numbers.A_m0 = composite.imbalance_inertia / A;
     numbers.m = parts.balls.count * parts.balls.mass / M;
     numbers.z_A = composite.balancer_position / std::sqrt(A / M);
-    const auto supports = reduced_supports(rotor, parts.center, why);
-    if (!supports)
-        return numbers;
-    const double w0 = std::sqrt(supports->c_x / M);
-    const double cross = std::sqrt(M * A);
-    numbers.p2 = supports->c_beta / A / (w0 * w0);
-    numbers.c_y = supports->c_y / (cross * w0 * w0);
-    numbers.h_x = supports->h_x / (M * w0);
-    numbers.h_beta = supports->h_beta / (A * w0);
-    numbers.h_y = supports->h_y / (cross * w0);
-    if (const auto rate = placed.kind()->rate(); rate && !placed.held)
-        numbers.h_s = *rate / w0;
+    results::RotorNumbers on_supports;
+    add_supports(on_supports, rotor, M, A, parts.center, why);
+    numbers.p2 = on_supports.p2;
+    numbers.c_y = on_supports.c_y;
+    numbers.h_x = on_supports.h_x;
+    numbers.h_beta = on_supports.h_beta;
+    numbers.h_y = on_supports.h_y;
+    if (const auto rate = placed.kind()->rate(); rate && !placed.held && on_supports.omega_0)
+        numbers.h_s = *rate / *on_supports.omega_0;
     return numbers;
 }
 
@@ -295,6 +312,63 @@ std::vector<results::BalancerNumbers> show_balancers(const model::Rotor &rotor,
                            "the dimensionless numbers of each balancer count the other "
                            "balancers as masses of the bare rotor");
     return all;
+}
+
+results::RotorNumbers rotor_numbers(const model::Rotor &rotor, const Inertia &whole,
+                                    std::string &why) {
+    const double A = whole.diametral();
+    results::RotorNumbers numbers;
+    numbers.C = whole.polar / A;
+    std::vector<results::BalancerNumbers> places;
+    std::vector<results::Sentence> ignored; // of a missing place there is no number
+    for (const Placed &placed : all_balancers(rotor)) {
+        places.emplace_back().held = placed.held != nullptr;
+        add_place(places.back(), placed, ignored);
+    }
+    if (const auto a = anisotropy_of(rotor, places))
+        numbers.A = std::abs(*a) > nothing_of_inertia * A ? std::abs(*a) / A : 0;
+    add_supports(numbers, rotor, whole.mass, A, whole.center(), why);
+    return numbers;
+}
+
+double dimensionless_number(const model::Rotor &rotor, const model::DimensionlessNumber &number) {
+    const Inertia whole = inertia_of(rotor);
+    std::string why;
+    std::optional<double> found;
+    const auto is_of = [&number](const auto &names) {
+        return std::ranges::find(names, number.name) != names.end();
+    };
+    if (number.balancer || is_of(model::balancer_numbers)) {
+        const Placed placed = all_balancers(rotor).at(number.balancer.value_or(0));
+        results::BalancerNumbers place;
+        std::vector<results::Sentence> reasons;
+        add_place(place, placed, reasons);
+        const auto of = dimensionless_numbers(parts_of(placed, whole), placed, place.D, rotor, why);
+        if (number.name == "A" && !of.A && !reasons.empty())
+            why = reasons.back().text();
+        if (number.name == "h_s" && why.empty())
+            why = "the balancer is held, or its parts have no damping of their own";
+        const std::map<std::string, std::optional<double>> all{
+            {"C", of.C},     {"A", of.A},     {"A_m", of.A_m}, {"A_m0", of.A_m0},
+            {"m", of.m},     {"z_A", of.z_A}, {"p2", of.p2},   {"c_y", of.c_y},
+            {"h_x", of.h_x}, {"h_y", of.h_y}, {"h_s", of.h_s}, {"h_beta", of.h_beta}};
+        found = all.at(number.name);
+    } else {
+        const results::RotorNumbers of = rotor_numbers(rotor, whole, why);
+        if (number.name == "A")
+            why = "a balancer has no balanced position";
+        const std::map<std::string, std::optional<double>> all{
+            {"C", of.C},           {"A", of.A},
+            {"p2", of.p2},         {"c_y", of.c_y},
+            {"h_x", of.h_x},       {"h_y", of.h_y},
+            {"h_beta", of.h_beta}, {model::speed_number, of.omega_0}};
+        found = all.at(number.name);
+    }
+    if (!found)
+        throw model::BadInput(
+            fmt::format("{}: expected a rotor with the number {}, it has none: {}", number.place,
+                        number.name, why));
+    return *found;
 }
 
 std::optional<std::complex<double>>

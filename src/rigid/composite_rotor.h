@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/sweep.h"
 #include "results/sentence.h"
 #include "results/show.h"
 #include "rigid/inertia.h"
@@ -14,6 +15,17 @@ namespace whirl::rigid {
 [[nodiscard]] std::vector<results::BalancerNumbers>
 show_balancers(const model::Rotor &rotor, const Inertia &whole,
                std::vector<results::Sentence> &notes);
+
+/// Dimensionless numbers of the whole rotor.
+/// @param why  gets why those that need the bearings are missing
+[[nodiscard]] results::RotorNumbers rotor_numbers(const model::Rotor &rotor, const Inertia &whole,
+                                                  std::string &why);
+
+/// One of these numbers by its name, of the rotor or of a balancer, as `show` gives it; Omega is
+/// asked for as omega_0 (rad/s), which turns it into a spin speed.
+/// @throws model::BadInput with the reason where the rotor has none
+[[nodiscard]] double dimensionless_number(const model::Rotor &rotor,
+                                          const model::DimensionlessNumber &number);
 
 /// Anisotropy a = sum of dI exp(2 i angle) and (A_m0 + A_m D)/2 of the whole rotor, kg m2: its
 /// modulus, and twice the direction of the axis of smaller inertia. Empty where a balancer has no

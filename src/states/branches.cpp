@@ -39,10 +39,12 @@ class Joining {
           _range(std::max(std::abs(all.front().place), std::abs(all.back().place))) {}
 
     void run() {
-        for (Found &found : _all.front().states)
-            found.state.branch = _next++;
-        for (std::size_t i = 1; i < _all.size(); ++i)
-            between(_all[i - 1], _all[i]);
+        for (std::size_t i = 0; i < _all.size(); ++i)
+            if (i == 0 || _all[i].apart)
+                for (Found &found : _all[i].states)
+                    found.state.branch = _next++;
+            else
+                between(_all[i - 1], _all[i]);
         std::ranges::stable_sort(_out.borders, {}, &SteadyBorder::speed);
     }
 

@@ -32,7 +32,8 @@ class Followed {
 /// The states at one place.
 struct AtPlace {
     double place = 0;
-    std::vector<StateSearch::Found> states;
+    std::vector<StateSearch::Found> states{};
+    bool apart = false; ///< there is no rotor at the place before: branches begin anew
 };
 
 /// A state between two of one branch at a place; none: it could not be followed.

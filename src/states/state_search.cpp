@@ -1188,12 +1188,21 @@ class OverEntry : public Followed {
 
 /// All states at the places, joined. @param out  with the places; gets states and borders, whose
 /// places are told as speeds
+/// @throws model::BadInput where there is no rotor at any place
 void follow(Followed &over, results::SteadyStates &out) {
     const std::vector<double> &places = out.places();
-    std::vector<AtPlace> all(places.size());
+    std::vector<AtPlace> all;
     for (std::size_t i = 0; i < places.size(); ++i) {
         bool undecided = false;
-        all[i] = {places[i], over.at(places[i], undecided)};
+        try {
+            all.push_back({places[i], over.at(places[i], undecided),
+                           !out.refused.empty() && out.refused.back() == places[i - 1]});
+        } catch (const model::BadInput &why) {
+            out.refused.push_back(places[i]);
+            out.why_refused = why.what(); // of the last
+            if (out.refused.size() == places.size())
+                throw;
+        }
         if (undecided)
             out.undecided.push_back(places[i]);
         process::report_progress(0.8 * static_cast<double>(i + 1) /

@@ -245,6 +245,17 @@ TEST(Walls, MistakesAreNamed) {
         }
     };
     expect("walls = []\n", "balancer[0].walls", "at least one angle");
+    try { // and no more than that
+        (void)tests::written_case("[shaft]\nsegments = [{length = 1, outer = 0.05, material = "
+                                  "\"s\"}]\n[[bearing]]\nz = 0\nk = 1e7\nc = 100\n"
+                                  "[[bearing]]\nz = 1\nk = 1e7\nc = 100\n[[balancer]]\n"
+                                  "z = 0.5\nmass = 0.01\nradius = 0.1\nwalls = []\n"
+                                  "restitution = 0.5\n");
+        ADD_FAILURE() << "accepted";
+    } catch (const model::BadInput &mistake) {
+        EXPECT_EQ(std::string(mistake.what()).find("restitution"), std::string::npos)
+            << mistake.what();
+    }
     try { // one mistake is told once
         (void)tests::written_case("[shaft]\nsegments = [{length = 1, outer = 0.05, material = "
                                   "\"s\"}]\n[[bearing]]\nz = 0\nk = 1e7\nc = 100\n"

@@ -102,7 +102,10 @@ class Walk {
         if (quantity.starts_with("by of"))
             return _preset.factor(marked_row.at("of") == "bearing" ? "force" : "amplitude");
         if (quantity == "by path")
-            return _preset.factor(marked_row.at("path") == "speed" ? "speed" : "");
+            return _preset.factor(marked_row.at("path") == "speed" &&
+                                          marked_row.at("dimensionless").is_null()
+                                      ? "speed"
+                                      : "");
         const auto of = MarkedTexts::quantity_in(marked_row.value("unit", ""));
         return of ? _preset.factor(names_of(*of).name) : 1;
     }

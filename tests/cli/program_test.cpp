@@ -93,6 +93,8 @@ TEST_F(Program, WrongArgumentsAreOneMessageAndStatusTwo) {
         {{"campbell", rotor, "--out"}, "--out"},
         {{"campbell", rotor, "--out", ""}, "--out"},
         {{"campbell", rotor, "--set"}, "--set"},
+        {{"campbell", rotor, "--json=1"}, "--json takes no value, got \"1\""},
+        {{"campbell", rotor, "--quiet=true"}, "--quiet takes no value, got \"true\""},
     };
     for (const auto &[arguments, expected] : mistakes) {
         const ProgramRun result = run(arguments);

@@ -224,18 +224,24 @@ class WithPath {
     std::string _before;
 };
 
-TEST_F(ReportCommand, WithoutAPrinterItSaysWhatToInstall) {
+/// The page is written all the same, without a PDF beside it.
+TEST_F(ReportCommand, WithoutAPrinterItWritesThePageAndSaysWhatToInstall) {
     fs::create_directory(folder / "empty");
     const WithPath nothing((folder / "empty").string());
     const ProgramRun done = run({"report", case_folder("friswell_5_9_1"), "--pdf", "--out", "r"});
     EXPECT_EQ(done.status, 1);
     EXPECT_NE(done.errors.find("weasyprint"), std::string::npos) << done.errors;
+    EXPECT_NE(done.errors.find("the page is there: r/report.html"), std::string::npos)
+        << done.errors;
     EXPECT_EQ(std::count(done.errors.begin(), done.errors.end(), '\n'), 1) << done.errors;
-    EXPECT_FALSE(fs::exists("r"));
+    EXPECT_EQ(files_in("r"),
+              (std::vector<std::string>{"report.csv", "report.html", "report.json"}));
+    EXPECT_NE(text_of_file("r/report.html").find("</html>"), std::string::npos);
+    EXPECT_NE(done.output.find("r/report.html"), std::string::npos) << done.output;
 }
 
-/// A printer that writes something else costs the PDF, and nothing else appears.
-TEST_F(ReportCommand, ABrokenPrinterLeavesNothing) {
+/// A printer that writes something else costs the PDF, and nothing else.
+TEST_F(ReportCommand, ABrokenPrinterCostsThePdfAlone) {
     fs::create_directory(folder / "bin");
     const fs::path fake = folder / "bin" / "weasyprint";
     std::ofstream(fake) << "#!/bin/sh\necho no pdf\n";
@@ -244,7 +250,8 @@ TEST_F(ReportCommand, ABrokenPrinterLeavesNothing) {
     const ProgramRun done = run({"report", case_folder("friswell_5_9_1"), "--pdf", "--out", "r"});
     EXPECT_EQ(done.status, 1);
     EXPECT_NE(done.errors.find("weasyprint has not printed"), std::string::npos) << done.errors;
-    EXPECT_FALSE(fs::exists("r"));
+    EXPECT_EQ(files_in("r"),
+              (std::vector<std::string>{"report.csv", "report.html", "report.json"}));
 }
 
 TEST_F(ReportCommand, WithoutGnuplotThePageSaysSo) {

@@ -41,6 +41,28 @@ inline std::vector<BrokenCase> broken_sweep() {
                  "= 2, count = 2}\n"},
         {"a swept entry twice", 8, "sweep", "expected each entry once",
          begin + over(range) + "y" + over(range).substr(1)},
+        {"no dimensionless number", 9, "sweep.x.dimensionless",
+         "expected one of the numbers of show, \"C\", \"A\", ",
+         begin + over(", dimensionless = \"q\"" + range)},
+        {"the speed in a sweep", 9, "sweep.x.dimensionless", "got \"Omega\"",
+         begin + over(", dimensionless = \"Omega\"" + range)},
+        {"a number of no balancer", 9, "sweep.x.dimensionless", "the case has no balancer",
+         begin + over(", dimensionless = \"m\"" + range)},
+        {"a balancer that is not there", 9, "sweep.x.balancer", "the case has none",
+         begin + over(", dimensionless = \"C\", balancer = 0" + range)},
+        {"a balancer without its number", 9, "sweep.x.balancer", "expected none without",
+         begin + over(", balancer = 0" + range)},
+        {"a number of one of two balancers", 17, "sweep.x.dimensionless",
+         "expected whose of the 2 balancers, as balancer = 0, got \"m\" alone",
+         sound_case +
+             "[[balancer]]\nz = 0.2\nmass = 0.1\nradius = 0.1\n[[balancer]]\nz = 0.5\n"
+             "mass = 0.1\nradius = 0.1\n[sweep]\n" +
+             over(", dimensionless = \"m\"" + range)},
+        {"a number of the speed", 9, "map.x.dimensionless", "expected \"Omega\" of the spin speed",
+         sound_case +
+             "[map]\nx = {path = \"speed\", dimensionless = \"m\", from = 0, to = 2, count "
+             "= 2}\ny = {path = \"shaft.segments[0].outer\"" +
+             range + "}\n"},
         {"margins of what does not run", 9, "sweep.of", "expected operating speeds in [operation]",
          begin + "of = [\"margins\"]\n" + over(range)},
         {"damping at no speed", 8, "sweep.at", "missing, expected spin speeds",

@@ -78,6 +78,14 @@ INSTANTIATE_TEST_SUITE_P(
         "--set simulate.starts.kind=grid",
         "balance cases/ring_jeffcott --set balance.simulated=1 --set speeds.count=5",
         "stability cases/twisted_shaft --set speeds.count=3 --set shaft.order=3",
+        "stability cases/composite_rotor --set speeds.count=3 --set map.x.path=speed "
+        "--set map.x.dimensionless=Omega --set map.x.from=0.5 --set map.x.to=2 --set map.x.count=2 "
+        "--set map.y.path=balancer[0].mass --set map.y.dimensionless=m --set map.y.from=0.1 "
+        "--set map.y.to=1.1 --set map.y.count=2",
+        "sweep cases/composite_rotor --set speeds.count=3 --set sweep.x.path=disc[0].Ip "
+        "--set sweep.x.dimensionless=C --set sweep.x.values=[0.2,0.7,0.9] "
+        "--set sweep.y.path=balancer[0].mass --set sweep.y.dimensionless=m "
+        "--set sweep.y.values=[0.05,0.1]",
         "stability cases/anisotropic_rotor --set speeds.count=5 --set map.x.path=speed "
         "--set map.x.from=1 --set map.x.to=50 --set map.x.count=2 "
         "--set map.y.path=anisotropy[0].dI --set map.y.from=0 --set map.y.to=0.01 "

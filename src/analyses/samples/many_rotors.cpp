@@ -20,8 +20,8 @@ namespace {
 using process::Outcome;
 
 // A rotor's answers on their way between processes. One that failed has a reason and no numbers; of
-// one that did not, the first number counts the answers, five follow for each, and the text has a
-// line of their words for each.
+// one that did not, the first number counts the answers, five follow for each and then what goes
+// with the rotor, and the text has a line of words for each answer.
 
 constexpr char between = '\t';
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -78,10 +78,12 @@ std::string reason_of(const std::string &message) {
     return all.empty() ? "no reason given" : all;
 }
 
-Outcome one_rotor(const std::vector<std::string> &overrides, const Answers &answers,
-                  const CaseWith &with) {
+Outcome one_rotor(std::size_t i, const Answers &answers, const RotorOfMany &rotor) {
     try {
-        return packed(answers.of(with(overrides)));
+        std::vector<double> beside;
+        Outcome out = packed(answers.of(rotor(i, beside)));
+        out.numbers.insert(out.numbers.end(), beside.begin(), beside.end());
+        return out;
     } catch (const model::Failure &problem) {
         return {{}, reason_of(problem.what())};
     }
@@ -181,15 +183,15 @@ void note_failure(const std::string &message, int rotor,
 
 } // namespace
 
-ManyRotors answers_of_many(const Answers &answers,
-                           const std::vector<std::vector<std::string>> &rotors,
-                           const std::string &what, const CaseWith &with) {
+ManyRotors answers_of_many(const Answers &answers, std::size_t count, const RotorOfMany &rotor,
+                           const std::string &what) {
     ManyRotors out;
-    const auto outcomes = process::deal(
-        rotors.size(), what, [&](std::size_t i) { return one_rotor(rotors[i], answers, with); });
+    const auto outcomes =
+        process::deal(count, what, [&](std::size_t i) { return one_rotor(i, answers, rotor); });
     if (outcomes.empty())
         return out;
-    Table table(answers.nominal(), static_cast<int>(rotors.size()));
+    Table table(answers.nominal(), static_cast<int>(count));
+    out.beside.resize(count);
     std::vector<std::vector<Answer>> all(outcomes.size());
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         if (outcomes[i].numbers.empty()) {
@@ -198,6 +200,9 @@ ManyRotors answers_of_many(const Answers &answers,
             continue;
         }
         all[i] = unpacked(outcomes[i]);
+        out.beside[i].assign(outcomes[i].numbers.begin() +
+                                 static_cast<std::ptrdiff_t>(1 + 5 * all[i].size()),
+                             outcomes[i].numbers.end());
         table.find_rows(all[i]);
     }
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -206,9 +211,9 @@ ManyRotors answers_of_many(const Answers &answers,
     for (results::SampledAnswer &answer : out.answers)
         answer.present = static_cast<int>(std::ranges::count_if(
             answer.values, [](const auto &value) { return value.has_value(); }));
-    if (out.failed == static_cast<int>(rotors.size()))
-        throw model::AnalysisFailure(fmt::format("each of the {} {} failed: {}", rotors.size(),
-                                                 what, out.failures.front().message));
+    if (out.failed == static_cast<int>(count))
+        throw model::AnalysisFailure(
+            fmt::format("each of the {} {} failed: {}", count, what, out.failures.front().message));
     return out;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
-#include "analyses/case_with.h"
 #include "analyses/samples/answers.h"
+#include "model/case.h"
 #include "results/samples.h"
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,15 +17,18 @@ struct ManyRotors {
     std::vector<results::SampledAnswer> answers;
     std::vector<results::SampleFailure> failures; ///< of what is no rotor, or has no answer
     int failed = 0;
+    std::vector<std::vector<double>> beside; ///< numbers of each; of one that failed none
 };
+
+/// One of many rotors. @param beside  may get numbers that go with it
+/// @throws model::BadInput where there is no such rotor
+using RotorOfMany = std::function<model::Case(std::size_t rotor, std::vector<double> &beside)>;
 
 /// The answers of each rotor, dealt out among MPI processes; the same for any number of them.
 /// Collective; complete on process 0, empty on the others.
-/// @param rotors  what each has of its own: "path=value"
-/// @param what    they are, for progress and messages: "samples"
+/// @param what  they are, for progress and messages: "samples"
 /// @throws model::AnalysisFailure where every one failed
-[[nodiscard]] ManyRotors answers_of_many(const Answers &answers,
-                                         const std::vector<std::vector<std::string>> &rotors,
-                                         const std::string &what, const CaseWith &with);
+[[nodiscard]] ManyRotors answers_of_many(const Answers &answers, std::size_t count,
+                                         const RotorOfMany &rotor, const std::string &what);
 
 } // namespace whirl::analyses

@@ -73,7 +73,10 @@ results::SamplesResult samples(const model::Case &scene, const CaseWith &with) {
         }
     }
     stage.emplace("samples", 0.02, 1.0);
-    ManyRotors rotors = answers_of_many(answers, overrides, "samples", with);
+    ManyRotors rotors = answers_of_many(
+        answers, overrides.size(),
+        [&](std::size_t i, std::vector<double> & /*beside*/) { return with(overrides[i]); },
+        "samples");
     result.answers = std::move(rotors.answers);
     result.failures = std::move(rotors.failures);
     result.failed = rotors.failed;

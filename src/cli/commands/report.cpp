@@ -2,7 +2,6 @@
 
 #include "analyses/machine_report.h"
 #include "cli/commands/on_case.h"
-#include "report/common/pdf.h"
 
 namespace whirl::cli {
 
@@ -10,13 +9,10 @@ namespace {
 
 void report_of_machine(const Run &run) {
     const bool writes = !run.arguments.json || run.arguments.out;
-    const bool prints = run.arguments.pdf && writes;
-    if (prints)
-        report::require_printer(); // before the work, not after it
     const results::MachineReport result =
         run.timed([&] { return analyses::machine_report(run.scene, case_with(run)); });
     report::Report report = report::describe(run.scene, result);
-    report.pdf = prints;
+    report.pdf = run.arguments.pdf && writes;
     run.deliver(std::move(report));
 }
 

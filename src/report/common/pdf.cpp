@@ -147,16 +147,12 @@ std::optional<std::string> printed(const Words &words, std::string &why) {
 
 } // namespace
 
-void require_printer() {
+std::string pdf_of(const std::string &html) {
     if (printers("").empty())
         throw model::AnalysisFailure(
             "no PDF: neither Chromium nor WeasyPrint is installed; install one of the packages "
             "chromium and weasyprint (apt install weasyprint), or leave out --pdf and print the "
             "page from a browser");
-}
-
-std::string pdf_of(const std::string &html) {
-    require_printer();
     const PageFile page(html);
     std::string why;
     for (const Words &words : printers(page.path())) { // a browser may be there and not start

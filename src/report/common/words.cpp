@@ -137,13 +137,31 @@ std::vector<std::string> entries_of(const model::SweepAxis &axis) {
     return paths;
 }
 
+Json axis_json(const model::SweepAxis &axis, const Json &changes, const Units &units) {
+    const auto &number = axis.dimensionless;
+    return {{"path", axis.label},
+            {"entries", entries_of(axis)},
+            {"change", change_name(axis.change)},
+            {"dimensionless", number ? Json(number->name) : Json()},
+            {"balancer", number && number->balancer ? Json(*number->balancer) : Json()},
+            {"values", written(units, axis.quantity, axis.values)},
+            {"changes", number ? written(units, axis.of_changes, changes) : Json()}};
+}
+
 std::string axis_name(const model::SweepAxis &axis) {
-    const std::string name =
-        axis.entries.size() > 1 ? fmt::format("{} and {} more", axis.label, axis.entries.size() - 1)
-                                : axis.label;
-    return axis.change == model::SweepChange::value
-               ? name
-               : fmt::format("{} of {}", change_name(axis.change), name);
+    const auto &number = axis.dimensionless;
+    if (axis.is_speed())
+        return number ? "Ω/ω₀" : axis.label;
+    std::string name = axis.entries.size() > 1
+                           ? fmt::format("{} and {} more", axis.label, axis.entries.size() - 1)
+                           : axis.label;
+    if (axis.change != model::SweepChange::value)
+        name = fmt::format("{} of {}", change_name(axis.change), name);
+    if (!number)
+        return name;
+    return fmt::format("{}{} (by {})", number->name,
+                       number->balancer ? fmt::format(" of balancer[{}]", *number->balancer) : "",
+                       name);
 }
 
 } // namespace whirl::report

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/case.h"
+#include "report/common/json.h"
 #include "report/common/units.h"
 #include "results/whirl.h"
 
@@ -89,7 +90,10 @@ inline constexpr auto whirl_of = [](const auto &row, const Units &units) {
 /// "value", "factor" or "shift", as in a case.
 [[nodiscard]] const char *change_name(model::SweepChange change);
 [[nodiscard]] std::vector<std::string> entries_of(const model::SweepAxis &axis);
-/// What an axis is called: the entry, or the first of those that change together.
+/// The axis with what became of its entries where it is over a dimensionless number.
+[[nodiscard]] Json axis_json(const model::SweepAxis &axis, const Json &changes, const Units &units);
+/// What an axis is called: the entry, or the first of those that change together; the dimensionless
+/// number, by what.
 [[nodiscard]] std::string axis_name(const model::SweepAxis &axis);
 
 } // namespace whirl::report

@@ -460,10 +460,10 @@ ChartAxis along_speeds(const Units &units, const std::vector<double> &speeds) {
 }
 
 ChartAxis along_axis(const Units &units, const model::SweepAxis &of) {
-    return of.is_speed() ? along_speeds(units, of.values)
-                         : ChartAxis{.title = axis_name(of),
-                                     .low = of.values.front(),
-                                     .high = of.values.back()};
+    return of.is_speed() && !of.dimensionless ? along_speeds(units, of.values)
+                                              : ChartAxis{.title = axis_name(of),
+                                                          .low = of.values.front(),
+                                                          .high = of.values.back()};
 }
 
 ChartCurve chart_curve(const std::string &name, std::vector<PlotPoint> points, std::size_t index,

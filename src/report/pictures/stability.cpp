@@ -174,7 +174,7 @@ ChartPanel map_panel(const model::Case &scene, const Units &units,
                      const results::StabilityMap &map) {
     ChartPanel panel{410, along_axis(units, map.x), along_axis(units, map.y)};
     const auto places = [&units](const model::SweepAxis &of) {
-        return scaled(of.values, of.is_speed() ? units.factor(Quantity::speed) : 1);
+        return scaled(of.values, of.is_speed() ? units.factor(of.quantity) : 1);
     };
     std::vector<std::vector<double>> growth;
     for (const std::vector<double> &row : map.growth)

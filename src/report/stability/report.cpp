@@ -263,14 +263,8 @@ Json family_json(const results::ArrangementFamily &family, const Units &units) {
 }
 
 Json map_json(const results::StabilityMap &map, const Units &units) {
-    const auto axis = [&units](const model::SweepAxis &of) {
-        return Json{{"path", of.label},
-                    {"entries", entries_of(of)},
-                    {"change", change_name(of.change)},
-                    {"values", written(units, of.quantity, of.values)}};
-    };
-    return {{"x", axis(map.x)},
-            {"y", axis(map.y)},
+    return {{"x", axis_json(map.x, map.x_changes, units)},
+            {"y", axis_json(map.y, map.y_changes, units)},
             {"growth", written(units, Quantity::rate, map.growth)}};
 }
 
