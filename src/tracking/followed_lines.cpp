@@ -77,8 +77,8 @@ FollowedLines followed_lines(const modes::SpectrumSolver &solver, const std::vec
     std::vector<char> again(speeds.size(), 1);
     out.spectra.resize(known.empty() ? 0 : speeds.size());
     for (modes::Spectrum &spectrum : known) {
-        const auto k = static_cast<std::size_t>(
-            std::ranges::lower_bound(speeds, spectrum.speed) - speeds.begin());
+        const auto k = static_cast<std::size_t>(std::ranges::lower_bound(speeds, spectrum.speed) -
+                                                speeds.begin());
         out.spectra[k] = std::move(spectrum);
         again[k] = 0;
     }
