@@ -400,14 +400,14 @@ std::string table_of_bands(const BalanceResult &result, const Units &units) {
 std::string text_of(const model::Case &scene, const BalanceResult &result, const Units &units) {
     std::string text = heading(scene, "Auto-balancing, " + range_text(result.speeds, units)) +
                        table_of_bands(result, units);
+    if (result.placement) // asked for by --map
+        text += placement_text(*result.placement, units) + "\n";
     for (const SimulatedSpeed &run : result.simulated)
         text += fmt::format(
             "  motion in time at {}: {}{}\n", units.text(Quantity::speed, run.speed), run.outcome,
             run.residual_ratio ? fmt::format(", residual {:.3g}", *run.residual_ratio) : "");
     for (const model::Sentence &finding : result.findings)
         text += (&finding == &result.findings.front() ? "\n" : "") + units.text(finding) + "\n";
-    if (result.placement)
-        text += placement_text(*result.placement, units);
     text += supply_text(result, units);
     for (const auto &pendulum : result.pendulum)
         text += pendulum_text(pendulum, units);
