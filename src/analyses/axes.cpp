@@ -167,7 +167,7 @@ class NumberSearch {
             look_around(last, tried(1), tried(2));
     }
 
-    bool look_between(const Tried &a, const Tried &b) {
+    bool look_between(const Tried &a, const Tried &b) try {
         if ((a.off < 0) == (b.off < 0))
             return false;
         constexpr double width = 1e-15; // all digits
@@ -177,20 +177,26 @@ class NumberSearch {
             return false; // it jumps past
         _found = root;
         return true;
+    } catch (const model::BadInput &why) { // between two rotors there is none: whole numbers
+        _refused = why.what();
+        return false;
     }
 
     /// A number that comes near and leaves again may get there in between.
-    void look_around(const Tried &a, const Tried &between, const Tried &b) {
+    void look_around(const Tried &a, const Tried &between, const Tried &b) try {
         if (std::abs(between.off) >= std::min(std::abs(a.off), std::abs(b.off)))
             return;
+        const double side = between.off < 0 ? -1 : 1; // the least is beyond zero, or touches it
         const double place =
-            linalg::least_place([this](double entry) { return std::abs(off(entry)); },
+            linalg::least_place([&](double entry) { return side * off(entry); },
                                 std::min(a.entry, b.entry), std::max(a.entry, b.entry));
         const Tried nearest{place, off(place)};
         if (reached(_wanted + nearest.off, _wanted))
             _found = place;
         else
             look_between(nearest, between);
+    } catch (const model::BadInput &why) {
+        _refused = why.what();
     }
 };
 

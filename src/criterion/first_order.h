@@ -42,9 +42,6 @@ class SlowMotions {
     /// none where they do not.
     [[nodiscard]] std::optional<double> least_drag(double speed);
 
-    /// Nothing in the rotor takes energy out or feeds it in.
-    [[nodiscard]] bool undamped() const { return _solver->conserves(); }
-
   private:
     /// z' = (rest + drag * of_drag) z, z the displacements of the balancers' parts that matter,
     /// times a rate, and their velocities.

@@ -456,12 +456,12 @@ class Answer {
     }
 };
 
-/// The largest frequency of the motion that the numbers are of.
+/// Of the motion that begins to grow first, where that takes cross coupling; else of that damped
+/// least. 0 where one grows without.
 double frequency_of(const results::Level1 &found) {
-    double out = found.critical_frequency.value_or(0);
-    for (const double frequency : found.frequency)
-        out = std::max(out, std::isfinite(frequency) ? frequency : 0);
-    return out;
+    if (found.critical_frequency)
+        return *found.critical_frequency;
+    return !found.log_dec.empty() && found.log_dec.front() >= 0 ? found.frequency.front() : 0;
 }
 
 /// Where the first motion to grow is too fast for the standard to mean it, the first of those that
@@ -474,10 +474,11 @@ void judge_slow_motions(const model::Case &scene, int order, results::Level1 &fo
         return;
     std::vector<results::Sentence> of_slow; // they repeat those of all motions
     results::Level1 slow = Answer(scene, order, up_to, of_slow).found();
-    notes.emplace_back("level1: the motion that begins to grow first, or is damped least, has {}, "
-                       "more than twice the spin speed and the first mode at rest: level I judges "
-                       "the first of the slower ones (`judged`)",
-                       results::as::frequency(frequency_of(found), 4));
+    notes.emplace_back(
+        "level1: the motion that begins to grow first, or is damped least, has {}, "
+        "more than twice the spin speed and twice the first mode at rest: level I judges "
+        "the first of the slower ones (`judged`)",
+        results::as::frequency(frequency_of(found), 4));
     found.judged = results::Level1Judged{slow.critical_cross_coupling, slow.critical_frequency,
                                          slow.anticipated_log_dec};
     found.checks = std::move(slow.checks);

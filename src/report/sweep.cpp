@@ -73,10 +73,8 @@ Json axes_json(const SweepResult &result, const Units &units) {
         std::vector<std::optional<double>> changes;
         for (const std::vector<double> &rotor : result.changes)
             changes.push_back(i < rotor.size() ? std::optional(rotor[i]) : std::nullopt);
-        axes[i]["changes"] =
-            result.axes[i].dimensionless
-                ? written(units, result.axes[i].of_changes, lists_of(result, changes))
-                : Json();
+        // In SI, as numbers in the case file: the unit of the axis is that of the number.
+        axes[i]["changes"] = result.axes[i].dimensionless ? lists_of(result, changes) : Json();
     }
     return axes;
 }

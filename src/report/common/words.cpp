@@ -145,7 +145,7 @@ Json axis_json(const model::SweepAxis &axis, const Json &changes, const Units &u
             {"dimensionless", number ? Json(number->name) : Json()},
             {"balancer", number && number->balancer ? Json(*number->balancer) : Json()},
             {"values", written(units, axis.quantity, axis.values)},
-            {"changes", number ? written(units, axis.of_changes, changes) : Json()}};
+            {"changes", number ? changes : Json()}}; // in SI, as numbers in the case file
 }
 
 std::string axis_name(const model::SweepAxis &axis) {
