@@ -206,6 +206,31 @@ TEST_F(Dimensionless, map_of_a_rotor_in_other_units_is_the_same) {
     }
 }
 
+/// Over the place of a bearing that begins near the other one p2 has its least in between, which
+/// both sides of a dip that is hardly deep enough must show: the rotor found has the number.
+TEST_F(Dimensionless, numbers_beyond_a_dip_are_found) {
+    std::string set = base_set(speeds);
+    const std::string bearing = "[[bearing]]\nz = 0.1\n";
+    ASSERT_NE(set.find(bearing), std::string::npos);
+    set.replace(set.find(bearing), bearing.size(), "[[bearing]]\nz = 0.5\n");
+    const input::CaseFile file =
+        case_file(set + "[map]\nx = {path = \"speed\", from = 100, to = 900, count = 2}\n"
+                        "y = {path = \"bearing[0].z\", dimensionless = \"p2\", from = 8.3, "
+                        "to = 8.73, count = 24}\n");
+    const auto with = [&file](const std::vector<std::string> &more) { return file.load(more); };
+    const results::StabilityMap map = analyses::stability(file.load(), with).map.value();
+    const auto p2_at = [&](double z) {
+        const auto shown = analyses::show(with({fmt::format("bearing[0].z={:.17g}", z)}));
+        return shown.dimensionless.p2.value();
+    };
+    // It dips: less in between than where the bearing begins and at the largest of the map.
+    EXPECT_LT(p2_at(map.y_changes.front()[0]), p2_at(0.5));
+    for (std::size_t j = 0; j < 24; ++j) {
+        ASSERT_TRUE(std::isfinite(map.y_changes[j][0])) << map.y.values[j];
+        EXPECT_NEAR(p2_at(map.y_changes[j][0]) / map.y.values[j], 1, found);
+    }
+}
+
 TEST_F(Dimensionless, sweep_over_the_polar_inertia) {
     const input::CaseFile file = case_file(base_set(
         speeds + "[sweep]\nof = [\"critical\"]\nx = {path = \"disc[0].Ip\", dimensionless = \"C\", "

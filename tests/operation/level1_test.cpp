@@ -9,6 +9,7 @@
 
 #include <complex>
 #include <numbers>
+#include <tuple>
 
 namespace {
 
@@ -180,6 +181,36 @@ TEST(Level1, JudgesTheFirstForwardModeOnEveryMesh) {
         EXPECT_NEAR(*found.judged->anticipated_log_dec / *slow.anticipated_log_dec, 1, 1e-5);
         EXPECT_EQ(found.level_two, std::optional(false)) << order;
     }
+}
+
+/// A long shaft held at its middle by a damper alone, with a seal that drives a bending mode at 674
+/// rad/s, eleven times the spin speed: what grows without added coupling is the verdict.
+TEST(Level1, JudgesWhatGrowsByItselfHoweverFast) {
+    model::Case scene;
+    scene.rotor = tests::two_disc_rotor(1e8, 1e8, 0, 2e4);
+    scene.rotor.shaft.segments = {{2, 0.06, 0.06, 0, 0, {"steel", 2.05e11, 2.05e11 / 2.58, 7850}}};
+    scene.rotor.shaft.order = 6;
+    scene.rotor.discs = {tests::disc(1, 60, 0.5, 1)};
+    scene.rotor.bearings[0].z = 0;
+    scene.rotor.bearings[1].z = 2;
+    for (const auto &[z, c, kxy] : {std::tuple(1.0, 2e4, 0.0), std::tuple(0.5, 0.0, 3e5)}) {
+        model::Bearing seal;
+        seal.seal = true;
+        seal.z = z;
+        seal.rows.emplace_back();
+        seal.rows.back().c.diagonal().setConstant(c);
+        seal.rows.back().k << 0, kxy, -kxy, 0;
+        scene.rotor.bearings.push_back(seal);
+    }
+    scene.operation = model::Operation{30, 60, {}};
+    scene.level1 = model::Level1Settings{1, {}, 2, {}, {}, {}};
+    scene.level1->anticipated = 1e4;
+    std::vector<results::Sentence> notes;
+    const results::Level1 found = level1(scene, notes);
+    EXPECT_LT(found.log_dec.front(), 0);
+    EXPECT_GT(found.frequency.front(), 10 * found.speed);
+    EXPECT_FALSE(found.judged);
+    EXPECT_EQ(found.level_two, std::optional(true));
 }
 
 constexpr double rpm = std::numbers::pi / 30;
