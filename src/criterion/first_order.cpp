@@ -91,7 +91,7 @@ Eigen::MatrixXd sums_of_roots(const Eigen::MatrixXd &A) {
 
 double largest_real_part(const Eigen::VectorXcd &roots) { return roots.real().maxCoeff(); }
 
-/// What rounding makes of a root that is zero.
+/// How far rounding moves an eigenvalue of A that is zero, 1/s.
 double noise(const Eigen::MatrixXd &A) {
     return 4 * std::numeric_limits<double>::epsilon() * A.norm();
 }

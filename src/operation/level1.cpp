@@ -132,6 +132,17 @@ struct Counted {
     double up_to = std::numeric_limits<double>::infinity();
 };
 
+/// Of the last of so many modes at rest, with the bearings of a speed, rad/s.
+/// @throws linalg::SolverError where bearings push away
+double frequency_at_rest(const assembly::Discretization &d, double speed, int modes) {
+    const auto pair = assembly::planar_pair(d, speed);
+    return linalg::DefinitePair(linalg::Matrix::from_sparse(pair.K),
+                                linalg::Matrix::from_sparse(pair.M))
+        .smallest(modes)
+        .back()
+        .value;
+}
+
 Counted counted_motions(const assembly::Discretization &d, double speed) {
     constexpr int small = 24; // planar unknowns
     constexpr int modes = 16; // at rest; beside them the deflections under what acts on the shaft
@@ -140,13 +151,8 @@ Counted counted_motions(const assembly::Discretization &d, double speed) {
         return out;
     if (d.planar_size() > small)
         try {
-            const auto pair = assembly::planar_pair(d, speed);
             constexpr double well = 0.5; // of the last mode's frequency
-            out.up_to = well * linalg::DefinitePair(linalg::Matrix::from_sparse(pair.K),
-                                                    linalg::Matrix::from_sparse(pair.M))
-                                   .smallest(modes)
-                                   .back()
-                                   .value;
+            out.up_to = well * frequency_at_rest(d, speed, modes);
             out.shapes = std::make_shared<const Eigen::MatrixXd>(
                 reduction::PlanarShapes(d, speed, modes).matrix());
         } catch (const linalg::SolverError &) { // bearings push away
@@ -165,12 +171,7 @@ double judged_up_to(const assembly::Discretization &d, double speed) {
         return std::numeric_limits<double>::infinity();
     double first = 0;
     try {
-        const auto pair = assembly::planar_pair(d, speed);
-        first = linalg::DefinitePair(linalg::Matrix::from_sparse(pair.K),
-                                     linalg::Matrix::from_sparse(pair.M))
-                    .smallest(1)
-                    .back()
-                    .value;
+        first = frequency_at_rest(d, speed, 1);
     } catch (const linalg::SolverError &) { // bearings push away
     }
     return 2 * std::max(speed, first);

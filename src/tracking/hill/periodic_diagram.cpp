@@ -57,7 +57,9 @@ Speeds spread_over(const Speeds &own, const modes::SpectrumSolver &reduced, int 
 /// Whether a line may come to a multiple between two speeds. A whirl frequency changes by no more
 /// than twice the speed's change (a thin disc's conical whirl), its distance from m times the speed
 /// by m + 2 times that; in a band on the multiple and beside it by less than the lines would that
-/// do not lock.
+/// do not lock. Where a bearing table is steeper a line may pass a
+/// multiple between speeds that are both far from it: that crossing shows by its sides, a narrow
+/// band in the same step may not.
 bool may_meet(const modes::Spectrum &a, const modes::Spectrum &b, const Speeds &multiples) {
     constexpr double safety = 1.5;
     const double step = b.speed - a.speed;
