@@ -99,7 +99,9 @@ class SpectrumSolver {
 
     /// Left and right vectors of the modes of a spectrum of this rotor, for overlaps with those at
     /// any other speed. Rates are those of the modes' eigenvalues in the fixed frame.
-    [[nodiscard]] ModeBasis basis(const Spectrum &spectrum) const;
+    /// @param rates  whether they are asked for: those of form hill cost another spectrum, and are
+    ///               not numbers without
+    [[nodiscard]] ModeBasis basis(const Spectrum &spectrum, bool rates = true) const;
 
     /// The matrices of the eigenproblem at a speed; form hill: without the part of the bearings
     /// that turns. In no form with complex matrices.
@@ -124,7 +126,7 @@ class SpectrumSolver {
     [[nodiscard]] Spectrum symmetric(double speed, int wanted) const;
     [[nodiscard]] Spectrum damped(double speed, int wanted, Errors errors) const;
     [[nodiscard]] Spectrum rotating(double speed, int wanted, Errors errors) const;
-    [[nodiscard]] ModeBasis hill_basis(const Spectrum &spectrum) const;
+    [[nodiscard]] ModeBasis hill_basis(const Spectrum &spectrum, bool with_rates) const;
     void classify(Spectrum &spectrum) const;
 };
 

@@ -89,10 +89,10 @@ ModeBasis basis_in(Form form, const FormMatrices &matrices, double speed, const 
 
 } // namespace
 
-ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
+ModeBasis SpectrumSolver::basis(const Spectrum &spectrum, bool rates) const {
     const Form form = _data->form;
     if (form == Form::hill)
-        return hill_basis(spectrum);
+        return hill_basis(spectrum, rates);
     const FormMatrices &matrices = _data->matrices();
     const Eigen::Index n = matrices.size();
     const auto count = std::ssize(spectrum.modes);
@@ -114,10 +114,10 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
         out.aliases = {out.complex_right.conjugate()};
         out.ways_back = {0};
     }
-    for (Eigen::VectorXcd *rates : {&out.rate_below, &out.rate_above})
+    for (Eigen::VectorXcd *side : {&out.rate_below, &out.rate_above})
         for (Eigen::Index i = 0; i < count; ++i)
-            (*rates)(i) = rate_of(spectrum.modes[static_cast<std::size_t>(i)], form, spectrum.speed,
-                                  (*rates)(i));
+            (*side)(i) = rate_of(spectrum.modes[static_cast<std::size_t>(i)], form, spectrum.speed,
+                                 (*side)(i));
     return out;
 }
 
@@ -129,13 +129,13 @@ Eigen::VectorXcd SpectrumSolver::rates(const Spectrum &spectrum) const {
     return rates_between(spectrum, known->second);
 }
 
-ModeBasis SpectrumSolver::hill_basis(const Spectrum &spectrum) const {
+ModeBasis SpectrumSolver::hill_basis(const Spectrum &spectrum, bool with_rates) const {
     const auto &shapes = _data->shapes;
     ModeBasis out = series_basis(
         _data->matrices().mass(), 2 * (shapes ? shapes->cols() : _data->d.planar_size()),
         _data->rotating->harmonics(), std::abs(spectrum.speed) <= slow(), spectrum);
     // Where a spectrum costs much, slopes are those between speeds (tracking).
-    if (!_data->floquet || spectrum.speed == 0 ||
+    if (!with_rates || !_data->floquet || spectrum.speed == 0 ||
         _data->floquet->loses_to_rounding(spectrum.speed, static_cast<int>(spectrum.modes.size())))
         return out;
     out.rate_below = rates(spectrum);

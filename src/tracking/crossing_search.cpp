@@ -192,16 +192,6 @@ void CrossingSearch::take_if_root(const Node &node, std::size_t place) {
          here.margin());
 }
 
-/// Between two speeds at which different whirls are the larger: the frequency seen from the rotor
-/// stays far from zero, so that it goes over from one side of the spin speed to the other in a
-/// jump. Where it comes down to zero its slope leads there within the step, next to the end of a
-/// band, where it is a root, within half of it.
-bool CrossingSearch::jumps(const StepEnd &a, const StepEnd &b) {
-    const double least = std::min(std::abs(a.distance), std::abs(b.distance));
-    const double steepest = std::max(std::abs(a.slope), std::abs(b.slope)); // NaN: not known
-    return steepest * (b.speed - a.speed) < 0.25 * least;
-}
-
 /// Speed at which this link has to be solved, or none.
 std::optional<double> CrossingSearch::next_speed(const Node &a, const Node &b, const Link &link,
                                                  int depth) {
@@ -218,11 +208,11 @@ std::optional<double> CrossingSearch::next_speed(const Node &a, const Node &b, c
     if (hold_a || hold_b)
         return std::nullopt;
     const std::optional<double> speed = next_probe(from, to, depth);
+    if (speed && results::in_rotating_axes(_solver.form()) && jumps_past(from, to, _multiple))
+        return std::nullopt;
     // At the spin speed itself one goes over into the other without a jump.
     if (speed && _multiple != 1 && upper_whirl(a, link.from) != upper_whirl(b, link.to))
         return depth < 12 ? std::optional((from.speed + to.speed) / 2) : std::nullopt;
-    if (speed && upper_whirl(a, link.from) != upper_whirl(b, link.to) && jumps(from, to))
-        return std::nullopt;
     if (speed && (short_enough || depth > 70)) {
         settle_short(a, b, link, from, to);
         return std::nullopt;

@@ -61,7 +61,6 @@ class CrossingSearch {
     [[nodiscard]] StepEnd end(const Node &node, std::size_t place, bool towards_higher) const;
     [[nodiscard]] bool held(const Node &node, std::size_t place) const;
     [[nodiscard]] bool upper_whirl(const Node &node, std::size_t place) const;
-    [[nodiscard]] static bool jumps(const StepEnd &a, const StepEnd &b);
     void take_if_root(const Node &node, std::size_t place);
     [[nodiscard]] std::optional<double> next_speed(const Node &a, const Node &b, const Link &link,
                                                    int depth);

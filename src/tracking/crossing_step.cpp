@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace whirl::tracking {
 
@@ -51,7 +52,50 @@ int sign_inside(const StepEnd &end, double inwards) {
     return std::isfinite(end.slope) ? sign_of(end.slope * inwards) : 0;
 }
 
+/// The frequency of the motion that lies next to another one.
+struct Alias {
+    double frequency = 0; ///< rad/s
+    StepEnd end;
+};
+Alias alias_next_to(double other, const StepEnd &end, double multiple) {
+    const double speed = std::abs(end.speed);
+    const double direction = std::signbit(end.speed) ? -1 : 1;
+    const double own = end.distance + multiple * speed;
+    Alias best{std::numeric_limits<double>::infinity(), end};
+    for (const double sign : {1.0, -1.0}) {
+        const double turns = 2 * std::round((other - sign * own) / (2 * speed));
+        const double frequency = sign * own + turns * speed;
+        if (!(std::abs(frequency - other) < std::abs(best.frequency - other)))
+            continue;
+        best.frequency = frequency;
+        best.end.distance = frequency - multiple * speed;
+        best.end.slope = sign * end.slope + direction * (turns + (sign - 1) * multiple);
+    }
+    return best;
+}
+
 } // namespace
+
+bool jumps_past(const StepEnd &a, const StepEnd &b, double multiple) {
+    // Of the jump: within a step a frequency changes far less.
+    constexpr double far_less = 0.1;
+    const double before = a.distance + multiple * std::abs(a.speed);
+    const double after = b.distance + multiple * std::abs(b.speed);
+    const double jump = std::abs(after - before);
+    const Alias b_before = alias_next_to(before, b, multiple);
+    const Alias a_after = alias_next_to(after, a, multiple);
+    // Next to the multiple aliases on both sides of it lie close to each other: slopes tell a jump
+    // from a crossing, without them the distance.
+    const bool slopes = std::isfinite(a.slope) && std::isfinite(b.slope);
+    const auto stays_off = [&](const StepEnd &from, const StepEnd &to) {
+        return slopes ? !next_probe(from, to, 0)
+                      : std::min(std::abs(from.distance), std::abs(to.distance)) >
+                            most_change(b.speed - a.speed, multiple);
+    };
+    return std::abs(b_before.frequency - before) < far_less * jump &&
+           std::abs(a_after.frequency - after) < far_less * jump && stays_off(a, b_before.end) &&
+           stays_off(a_after.end, b);
+}
 
 std::optional<double> next_probe(const StepEnd &a, const StepEnd &b, int depth) {
     const double h = b.speed - a.speed;

@@ -34,4 +34,17 @@ struct StepEnd {
 /// @param depth  steps that this one is part of: one that bends is halved a few times to make sure
 [[nodiscard]] std::optional<double> next_probe(const StepEnd &a, const StepEnd &b, int depth);
 
+/// How much the distance of a whirl frequency from a multiple of the spin speed changes at most
+/// over a step, rad/s. A frequency changes by no more than twice the speed's change (a thin disc's
+/// conical whirl); where a bearing table is steeper it may by more.
+[[nodiscard]] inline double most_change(double step, double multiple) {
+    constexpr double safety = 1.5;
+    return safety * (multiple + 2) * std::abs(step);
+}
+
+/// Of a motion in rotating axes, whose frequencies in the fixed frame are all ±ω + 2kΩ: whether
+/// another one of these is the largest at the other end of the step, so that the frequency shown
+/// jumps, and neither of the two comes to the multiple within the step.
+[[nodiscard]] bool jumps_past(const StepEnd &a, const StepEnd &b, double multiple);
+
 } // namespace whirl::tracking

@@ -252,7 +252,8 @@ class Sweep {
             const StepEnd there = end_of(second, _nodes.rates(k + 1).below, link.to, multiple);
             return locked_to_rotor(form, first.modes[link.from], first.speed, multiple) !=
                        locked_to_rotor(form, second.modes[link.to], second.speed, multiple) ||
-                   next_probe(here, there, 0).has_value();
+                   (next_probe(here, there, 0).has_value() &&
+                    !(results::in_rotating_axes(form) && jumps_past(here, there, multiple)));
         });
     }
 

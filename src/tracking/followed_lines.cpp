@@ -83,10 +83,11 @@ FollowedLines followed_lines(const modes::SpectrumSolver &solver, const std::vec
         again[k] = 0;
     }
     process::broadcast(again);
+    SpectraBetween between;
     for (int attempt = 1;; ++attempt) {
         solve_again(solver, speeds, again, computed, follow, out.spectra);
         if (process::process_rank() == 0) {
-            out.tracking = track(solver, out.spectra, modes, std::nullopt, nodes);
+            out.tracking = track(solver, out.spectra, modes, std::nullopt, nodes, &between);
             again = left_spectrum(out, modes);
         }
         process::broadcast(again);

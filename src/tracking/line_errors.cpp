@@ -194,29 +194,31 @@ LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &s
     std::set<std::size_t> probes{0, spectra.size() / 2, spectra.size() - 1};
     if (const std::size_t slow = slowest_probed(solver, spectra); series && slow < spectra.size())
         probes.insert(slow); // not at rest: needs most harmonics
+    const auto take = [&](std::size_t i, std::size_t k, const std::vector<double> &of_modes) {
+        if (!of_modes.empty() && lines[i].place[k] != Line::absent)
+            errors[i][k] = of_modes[static_cast<std::size_t>(lines[i].place[k])];
+    };
     for (const std::size_t k : probes) {
         if (many_terms(solver, spectra[k]))
             continue;
-        const auto take = [&](std::size_t i, const std::vector<double> &of_modes) {
-            if (!of_modes.empty() && lines[i].place[k] != Line::absent)
-                errors[i][k] = of_modes[static_cast<std::size_t>(lines[i].place[k])];
-        };
-        if (!all_confirmed(spectra[k])) { // each alone, beside others that are not
-            for (std::size_t i = 0; i < lines.size(); ++i)
-                if (confirmed(lines[i], spectra[k], k))
-                    take(i, refined_errors(finer, {lines[i]}, spectra[k], k));
-            continue;
-        }
         std::vector<double> all;
-        if (singly)
+        if (singly && all_confirmed(spectra[k]))
             all = refined_errors(finer, lines, spectra[k], k);
-        // Without those found singly Hill's series of the finer mesh is large; at rest there is
-        // none.
-        if (all.empty() && !(series && k > 0 && spectra.front().speed == 0))
+        if (all.empty() && !series && all_confirmed(spectra[k]))
             all = finer.errors(spectra[k]);
         for (std::size_t i = 0; i < lines.size(); ++i)
-            take(i, all);
+            if (!all.empty())
+                take(i, k, all);
+            else if (confirmed(lines[i], spectra[k], k)) // alone, beside others that are not found
+                take(i, k, refined_errors(finer, {lines[i]}, spectra[k], k));
     }
+    // Hill's series of a finer mesh is a large problem: only for lines of which nothing is known.
+    for (std::size_t i = 0; series && i < lines.size(); ++i)
+        if (std::ranges::none_of(errors[i], &std::optional<double>::has_value))
+            for (const std::size_t k : probes)
+                if (!errors[i][k] && confirmed(lines[i], spectra[k], k) &&
+                    !many_terms(solver, spectra[k]) && !(k > 0 && spectra.front().speed == 0))
+                    take(i, k, finer.errors(spectra[k]));
     const mesh_error::ShapeResidual residual(solver.discretization(), solver.form());
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (series || probes.size() < spectra.size())

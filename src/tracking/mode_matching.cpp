@@ -242,9 +242,21 @@ bool may_veer(const Snapshot &a, const Snapshot &b, const Matching &matching, in
     return false;
 }
 
+namespace {
+
+bool heavily_damped(std::complex<double> eigenvalue) {
+    constexpr double heavily = 0.3; // |Re| over Im
+    return -eigenvalue.real() > heavily * eigenvalue.imag();
+}
+
+} // namespace
+
+bool may_turn_real(const modes::Spectrum &spectrum) {
+    return std::ranges::any_of(spectrum.modes, heavily_damped, &modes::WhirlMode::eigenvalue);
+}
+
 bool may_turn_real(const Snapshot &a, const Snapshot &b, const Matching &matching) {
-    constexpr double heavily = 0.3; // |Re| over Im at both ends
-    constexpr int parts = 16;       // of the step, in which a cubic is tried
+    constexpr int parts = 16; // of the step, in which a cubic is tried
     const double step = b.spectrum.speed - a.spectrum.speed;
     for (std::size_t i = 0; i < matching.to.size(); ++i) {
         const int j = matching.to[i];
@@ -255,8 +267,8 @@ bool may_turn_real(const Snapshot &a, const Snapshot &b, const Matching &matchin
         const std::complex<double> to = value(b.spectrum, j);
         const double rate_a = (step > 0 ? a.basis.rate_above : a.basis.rate_below)(place).imag();
         const double rate_b = (step > 0 ? b.basis.rate_below : b.basis.rate_above)(j).imag();
-        if (!(-from.real() > heavily * from.imag() && -to.real() > heavily * to.imag()) ||
-            !std::isfinite(rate_a) || !std::isfinite(rate_b))
+        if (!heavily_damped(from) || !heavily_damped(to) || !std::isfinite(rate_a) ||
+            !std::isfinite(rate_b))
             continue;
         const double d0 = from.imag() * from.imag();
         const double d1 = to.imag() * to.imag();

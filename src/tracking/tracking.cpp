@@ -117,14 +117,16 @@ class ModeFollower {
     /// @param budget     speeds that may be solved beside those given, in all
     /// @param finest     steps that are no longer are not halved to distinguish crossings from
     ///          veerings
+    /// @param between    spectra solved in between before, and now
     /// @param out        where gaps are noted, and that the budget did not suffice
     ModeFollower(const modes::SpectrumSolver &solver, int important, int budget, double finest,
-                 Tracking &out)
-        : _solver(solver), _important(important), _budget(budget), _finest(finest), _out(out) {}
+                 SpectraBetween &between, Tracking &out)
+        : _solver(solver), _important(important), _budget(budget), _finest(finest),
+          _between(between), _out(out) {}
 
     /// With the vectors of its modes.
-    [[nodiscard]] SharedSnapshot node(modes::Spectrum spectrum) const {
-        modes::ModeBasis basis = _solver.basis(spectrum);
+    [[nodiscard]] SharedSnapshot node(modes::Spectrum spectrum, bool rates = true) const {
+        modes::ModeBasis basis = _solver.basis(spectrum, rates);
         return std::make_shared<const Snapshot>(Snapshot{std::move(spectrum), std::move(basis)});
     }
 
@@ -144,6 +146,7 @@ class ModeFollower {
     int _budget;
     double _finest; // rad/s
     int _left_in_step = 0;
+    SpectraBetween &_between;
     Tracking &_out;
 
     void follow(const SharedSnapshot &a, const SharedSnapshot &b, int depth, Chain &chain) {
@@ -179,15 +182,22 @@ class ModeFollower {
             return nullptr;
         --_budget;
         --_left_in_step;
-        // What is solved in between is not listed: the reduced rotor tells which mode becomes
-        // which.
-        const modes::Errors errors =
-            _solver.refines() ? modes::Errors::of_right_vectors : modes::Errors::with_left_vectors;
         try {
-            return node(_solver.at(middle, wanted, errors));
+            const auto [known, is_new] = _between.try_emplace(middle);
+            if (is_new || static_cast<int>(known->second.modes.size()) < wanted)
+                known->second = spectrum_between(middle, wanted);
+            return node(known->second, may_turn_real(known->second));
         } catch (const model::AnalysisFailure &) { // a speed that nobody asked for
+            _between.erase(middle);
             return nullptr;
         }
+    }
+
+    /// What is solved in between is not listed: the reduced rotor tells which mode becomes which.
+    [[nodiscard]] modes::Spectrum spectrum_between(double speed, int wanted) const {
+        const modes::Errors errors =
+            _solver.refines() ? modes::Errors::of_right_vectors : modes::Errors::with_left_vectors;
+        return _solver.at(speed, wanted, errors);
     }
 
     [[nodiscard]] static Followed settled(const Snapshot &a, const Snapshot &b) {
@@ -401,14 +411,16 @@ std::vector<char> are_nodes(const std::vector<modes::Spectrum> &spectra,
 } // namespace
 
 Tracking track(const modes::SpectrumSolver &solver, const std::vector<modes::Spectrum> &spectra,
-               int important, std::optional<int> most_between, const std::vector<double> &nodes) {
+               int important, std::optional<int> most_between, const std::vector<double> &nodes,
+               SpectraBetween *known) {
     const std::vector<char> is_node = are_nodes(spectra, nodes);
     const int budget =
         most_between.value_or(100 + 20 * static_cast<int>(std::ranges::count(is_node, 1)));
     constexpr double fine = 1.0 / 400; // of the range, whatever its grid
     const double finest = fine * std::abs(spectra.back().speed - spectra.front().speed);
     Tracking out;
-    ModeFollower follower(solver, important, budget, finest, out);
+    SpectraBetween own;
+    ModeFollower follower(solver, important, budget, finest, known != nullptr ? *known : own, out);
     std::vector<SharedSnapshot> snapshots;
     Chain chain;
     for (std::size_t k = 0; k < spectra.size(); ++k) {

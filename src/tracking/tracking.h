@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -36,6 +37,9 @@ struct Tracking {
     bool cut_short = false; ///< more speeds in between would have been solved than were allowed
 };
 
+/// Spectra by their speeds, rad/s, beside those that were asked for.
+using SpectraBetween = std::map<double, modes::Spectrum>;
+
 /// Lines through all spectra, by the left and right vectors of their modes. The number of speeds
 /// solved in between is bounded by a multiple of the speeds given.
 /// @param spectra       ascending by speed
@@ -43,9 +47,11 @@ struct Tracking {
 /// @param nodes         ascending; lines are followed from each of these speeds to the next, and
 ///                      others taken on the lines that pass there, so that these do not depend on
 ///                      which others there are. Empty: all are nodes; the first and the last always
+/// @param known         solved in between before, for some of the same spectra: completed
 [[nodiscard]] Tracking track(const modes::SpectrumSolver &solver,
                              const std::vector<modes::Spectrum> &spectra, int important,
                              std::optional<int> most_between = std::nullopt,
-                             const std::vector<double> &nodes = {});
+                             const std::vector<double> &nodes = {},
+                             SpectraBetween *known = nullptr);
 
 } // namespace whirl::tracking

@@ -36,7 +36,7 @@ class BandSearch {
         for (std::size_t k = 0; k < _nodes.size(); ++k) {
             if (is_locked(_nodes[k], _nodes[k].synchronous))
                 take(k, k, _nodes[k]);
-            if (k + 1 < _nodes.size())
+            if (k + 1 < _nodes.size() && !only_jumps(k))
                 if (const std::optional<Sides> inside = between(_nodes[k], _nodes[k + 1]))
                     take(k, k + 1, *inside);
         }
@@ -85,6 +85,28 @@ class BandSearch {
         return here.speed != 0 && is_on(here, synchronous) &&
                (is_on(at(here.speed * (1 + offset)), synchronous) ||
                 is_on(at(here.speed * (1 - offset)), synchronous));
+    }
+
+    /// No line comes to the multiple from this node to the next, whatever jumps across it. Of 1x
+    /// every step is searched: motions that stand there may come from 3x.
+    [[nodiscard]] bool only_jumps(std::size_t k) const {
+        if (_multiple == 1)
+            return false;
+        const modes::Spectrum &first = _sweep.spectrum(k);
+        const modes::Spectrum &second = _sweep.spectrum(k + 1);
+        std::ptrdiff_t below = _nodes[k].below;
+        std::ptrdiff_t below_next = _nodes[k + 1].below;
+        for (const Link &link : _sweep.links(k)) {
+            const StepEnd here =
+                tracking::end_of(first, _sweep.rates(k).above, link.from, _multiple);
+            const StepEnd next =
+                tracking::end_of(second, _sweep.rates(k + 1).below, link.to, _multiple);
+            if (here.distance * next.distance < 0 && jumps_past(here, next, _multiple)) {
+                below -= here.distance < 0 ? 1 : 0;
+                below_next -= next.distance < 0 ? 1 : 0;
+            }
+        }
+        return below == below_next;
     }
 
     /// A speed inside a band between two others where numbers below the multiple differ. (Where

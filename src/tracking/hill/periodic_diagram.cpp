@@ -3,6 +3,7 @@
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "process/processes.h"
+#include "tracking/crossing_step.h"
 #include "tracking/hill/whole_and_reduced.h"
 #include "tracking/spectra.h"
 
@@ -54,20 +55,17 @@ Speeds spread_over(const Speeds &own, const modes::SpectrumSolver &reduced, int 
     return out;
 }
 
-/// Whether a line may come to a multiple between two speeds. A whirl frequency changes by no more
-/// than twice the speed's change (a thin disc's conical whirl), its distance from m times the speed
-/// by m + 2 times that; in a band on the multiple and beside it by less than the lines would that
-/// do not lock. Where a bearing table is steeper a line may pass a
-/// multiple between speeds that are both far from it: that crossing shows by its sides, a narrow
-/// band in the same step may not.
+/// Whether a line may come to a multiple between two speeds: in a band on the multiple and beside
+/// it its distance changes by less than that of lines that do not lock. Where a bearing table is
+/// steeper than most_change() a line may pass a multiple between speeds that are both far from it:
+/// that crossing shows by its sides, a narrow band in the same step may not.
 bool may_meet(const modes::Spectrum &a, const modes::Spectrum &b, const Speeds &multiples) {
-    constexpr double safety = 1.5;
     const double step = b.speed - a.speed;
     return std::ranges::any_of(multiples, [&](double multiple) {
         const auto near = [&](const modes::Spectrum &at) {
             return std::ranges::any_of(at.modes, [&](const modes::WhirlMode &mode) {
                 const double off = mode.eigenvalue.imag() - multiple * std::abs(at.speed);
-                return std::abs(off) <= safety * (multiple + 2) * step;
+                return std::abs(off) <= most_change(step, multiple);
             });
         };
         return near(a) || near(b);
