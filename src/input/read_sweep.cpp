@@ -110,19 +110,17 @@ void read_values(CheckedTable &table, Quantity quantity, model::SweepAxis &axis)
             table.fail(other, "expected either `values` or `from`, `to` and `count`, got both");
 }
 
-/// What changes, without its values; no quantity with a mistake.
+/// What changes, without its values.
 /// @param besides  as of read_entries
-std::optional<Quantity> read_change(CheckedTable &table, const std::string &besides,
-                                    model::SweepAxis &axis) {
+/// @returns false with a mistake that leaves no entry
+bool read_change(CheckedTable &table, const std::string &besides, model::SweepAxis &axis) {
     axis.change =
         static_cast<model::SweepChange>(table.choice("change", {"value", "factor", "shift"}, 0));
     std::optional<Quantity> of_entries;
     read_entries(table, besides, axis, of_entries);
-    if (of_entries)
-        axis.of_changes =
-            axis.change == model::SweepChange::factor ? Quantity::number : *of_entries;
-    axis.quantity = axis.dimensionless ? Quantity::number : axis.of_changes;
-    return of_entries;
+    if (of_entries && axis.change != model::SweepChange::factor && !axis.dimensionless)
+        axis.quantity = *of_entries;
+    return of_entries.has_value();
 }
 
 std::string list_of(const auto &...names) {
@@ -198,8 +196,8 @@ model::SweepAxis read_map_axis(CheckedTable &table, const model::Rotor &rotor) {
     read_dimensionless(table, rotor, of_speed, axis);
     if (of_speed) {
         axis.label = *table.text("path");
-        axis.of_changes = Quantity::speed;
-        axis.quantity = axis.dimensionless ? Quantity::number : Quantity::speed;
+        if (!axis.dimensionless)
+            axis.quantity = Quantity::speed;
         if (table.choice("change", {"value", "factor", "shift"}, 0) != 0)
             table.fail("change", "expected \"value\" of the spin speed, which is no entry of the "
                                  "case, got " +
