@@ -157,12 +157,14 @@ std::vector<Answer> answers_of(const results::OperatingResponse &operating) {
     for (const results::OperatingRow &row : operating.rows) {
         const std::string key = fmt::format("operating {} {}", row.at, ++count[row.at]);
         const bool named = !row.name.empty();
+        // A bearing always is against what holds it; a probe where it is asked to be.
+        const bool against = row.of == "probe" && row.relative;
         const auto add = [&](const char *what, Quantity quantity, double value) {
             out.push_back({fmt::format("{} {}", key, what), "operating",
                            row.of + " " + (named ? row.name : "z = "),
                            named ? std::nullopt : std::optional(row.z),
-                           fmt::format("{}, {} speed, {}",
-                                       row.relative ? " against its pedestal" : "", row.at, what),
+                           fmt::format("{}, {} speed, {}", against ? " against its pedestal" : "",
+                                       row.at, what),
                            quantity, value, true, row.error});
         };
         add("amplitude", Quantity::amplitude, row.amplitude);
