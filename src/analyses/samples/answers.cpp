@@ -339,10 +339,13 @@ Answers::Answers(const model::Case &scene, model::WantedAnswers wanted, Naming n
 std::vector<Answer> Answers::of(const model::Case &scene) const {
     std::vector<Answer> out;
     if (_wanted.critical || _wanted.margins) {
-        model::Case more = with_order(scene, _critical_order);
+        const model::Case own = with_order(scene, _critical_order);
+        model::Case more = own;
         more.campbell.modes += spare_modes;
-        const results::CriticalResult result =
-            unjudged_critical_speeds(more, _shapes ? &*_shapes : nullptr, _wanted.margins);
+        results::CriticalResult result =
+            unjudged_critical_speeds(more, _shapes ? &*_shapes : nullptr);
+        if (_wanted.margins)
+            add_separation_margins(own, result);
         if (_wanted.critical)
             append(out, answers_of(result, scene, _naming));
         append(out, margins_of(result, _naming));
