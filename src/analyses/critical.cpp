@@ -386,15 +386,17 @@ std::vector<results::ResponsePeak> peaks_for_margins(const model::Case &scene,
     }
 }
 
-/// @param peaks  of the response, where they are known
-void add_margins(const model::Case &scene, results::CriticalResult &result,
-                 const std::vector<results::ResponsePeak> *peaks = nullptr) {
-    if (!scene.operation)
-        return;
-    result.margins = operation::separation_margins(
-        *scene.operation, result.critical_speeds,
-        peaks ? *peaks : peaks_for_margins(scene, result.model),
-        !scene.rotor.bearings_rotation_invariant(), result.model.notes);
+/// Those that `critical` lists for a case, out of more of them or of both directions of a motion.
+std::vector<results::CriticalSpeed> listed(const model::Case &scene,
+                                           const results::CriticalResult &found) {
+    std::vector<results::CriticalSpeed> out = found.critical_speeds;
+    if (found.model.formulation.form == results::Form::hill) // all of its range
+        return out;
+    results::Interval all{0, 0};
+    for (const SpinRange &range : spin_ranges(scene))
+        (range.spin > 0 ? all.to : all.from) = range.spin * range.top;
+    drop_second_directions(out, scene.campbell.modes, all);
+    return out;
 }
 
 } // namespace
@@ -423,7 +425,7 @@ results::CriticalResult critical_speeds(const model::Case &scene, bool map,
     const ModesBeside modes(scene, result.model.order);
     if (result.model.formulation.form != results::Form::hill)
         name_modes(result.critical_speeds, modes);
-    add_margins(scene, result, peaks);
+    add_separation_margins(scene, result, peaks);
     if (map)
         result.map = map_of(scene, result.model);
     note_growing_motions(modes, result.model);
@@ -431,12 +433,22 @@ results::CriticalResult critical_speeds(const model::Case &scene, bool map,
 }
 
 results::CriticalResult unjudged_critical_speeds(const model::Case &scene,
-                                                 const synchronous::SharedShapes *shapes,
-                                                 bool margins) {
-    results::CriticalResult result = critical_of(scene, false, shapes);
-    if (margins)
-        add_margins(scene, result);
-    return result;
+                                                 const synchronous::SharedShapes *shapes) {
+    return critical_of(scene, false, shapes);
+}
+
+std::vector<results::CriticalSpeed> listed_critical_speeds(const model::Case &scene) {
+    return listed(scene, unjudged_critical_speeds(scene));
+}
+
+void add_separation_margins(const model::Case &scene, results::CriticalResult &result,
+                            const std::vector<results::ResponsePeak> *peaks) {
+    if (!scene.operation)
+        return;
+    result.margins = operation::separation_margins(
+        *scene.operation, listed(scene, result),
+        peaks ? *peaks : peaks_for_margins(scene, result.model),
+        !scene.rotor.bearings_rotation_invariant(), result.model.notes);
 }
 
 std::optional<synchronous::SharedShapes> shapes_for_samples(const model::Case &scene, int order,

@@ -32,11 +32,19 @@ critical_speeds(const model::Case &scene, bool map = false,
 /// The same with elements of the order given, errors and completeness not judged: for many rotors
 /// that differ a little from one whose errors are known. Of asymmetric rotors each direction of a
 /// motion is listed, as equal ones need not stay equal, and twice as many.
-/// @param shapes   shapes_for_samples() of one of them; none: each rotor's own
-/// @param margins  with the separation margins, where the case has operating speeds
+/// @param shapes  shapes_for_samples() of one of them; none: each rotor's own
 [[nodiscard]] results::CriticalResult
 unjudged_critical_speeds(const model::Case &scene,
-                         const synchronous::SharedShapes *shapes = nullptr, bool margins = false);
+                         const synchronous::SharedShapes *shapes = nullptr);
+
+/// Those that critical_speeds() lists, not judged: separation margins are of these.
+[[nodiscard]] std::vector<results::CriticalSpeed> listed_critical_speeds(const model::Case &scene);
+
+/// The separation margins, where the case has operating speeds: of those critical speeds of the
+/// result that critical_speeds() lists for the case.
+/// @param peaks  of the response to imbalance; null: they are looked for here
+void add_separation_margins(const model::Case &scene, results::CriticalResult &result,
+                            const std::vector<results::ResponsePeak> *peaks = nullptr);
 
 /// Shapes that serve all rotors which differ a little from a case.
 /// @param order    of the elements

@@ -477,7 +477,7 @@ void add_operating(results::ResponseResult &result, const assembly::Discretizati
 void add_margins(results::ResponseResult &result, const model::Case &scene) {
     std::vector<results::CriticalSpeed> critical_speeds;
     try {
-        critical_speeds = unjudged_critical_speeds(scene).critical_speeds;
+        critical_speeds = listed_critical_speeds(scene);
     } catch (const model::AnalysisFailure &failure) {
         result.model.notes.emplace_back("margins of the peaks alone: {}", failure.sentence());
     }

@@ -237,6 +237,12 @@ results::StabilityMap stability_map(const model::MapSettings &settings, const Ca
         if (map.why.empty())
             map.why = outcomes[i].text;
     }
+    const auto known = [](double growth) { return !std::isnan(growth); };
+    if (!outcomes.empty() && std::ranges::none_of(map.growth, [&known](const auto &row) {
+            return std::ranges::any_of(row, known);
+        }))
+        throw model::AnalysisFailure(fmt::format("each of the {} points of the map is empty: {}",
+                                                 map.y.values.size() * columns, map.why));
     return map;
 }
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace whirl::analyses {
@@ -17,12 +17,16 @@ namespace {
 
 results::SteadyStates states_over(const model::SweepAxis &over, double speed,
                                   const RotorsOver &rotors) {
-    results::SteadyStates found = states::steady_states_over(
-        over, speed, [&rotors](double value) { return rotors.at({value}).scene; });
+    std::map<double, double> changes; // by values at which there is such a rotor
+    results::SteadyStates found = states::steady_states_over(over, speed, [&](double value) {
+        RotorsOver::Rotor rotor = rotors.at({value});
+        changes[value] = rotor.changes.front();
+        return std::move(rotor.scene);
+    });
     for (const double value : over.dimensionless ? over.values : std::vector<double>{}) {
-        const bool refused = std::ranges::find(found.refused, value) != found.refused.end();
-        found.changes.push_back(refused ? std::numeric_limits<double>::quiet_NaN()
-                                        : rotors.at({value}).changes.front());
+        const auto change = changes.find(value);
+        found.changes.push_back(change != changes.end() ? change->second
+                                                        : std::numeric_limits<double>::quiet_NaN());
     }
     if (!found.refused.empty())
         found.notes.emplace_back("no steady states with {} = {}, there is no such rotor: {}",

@@ -215,16 +215,17 @@ std::optional<double> SlowMotions::least_drag(double speed) {
     const Eigen::MatrixXd D = sums_of_roots(of->of_drag);
     const Eigen::MatrixXd at_first = sums_of_roots(of->rest + from * of->of_drag);
     const Eigen::VectorXcd inverse = linalg::general_eigenvalues(-at_first.partialPivLu().solve(D));
-    // Below the least the drag is as good as none; beyond the most the slowest of the roots is lost
-    // in the rounding of the fastest.
-    const double least_looked_at = 1e-6 * natural;
+    // Two equal eigenvalues part by the root of rounding (of R: `nothing` in at()). No drag at all
+    // is such a pair where nothing but drag holds a mass.
+    constexpr double parted = 1e-6;
+    const double as_good_as_none = parted * natural;
+    // Beyond, the slowest of the roots is lost in the rounding of the fastest.
     const double most_looked_at = 1e5 * natural;
-    constexpr double real = 1e-6; // two equal ones part by the root of rounding
     std::vector<double> borders;
     for (const Complex value : inverse) {
         const Complex drag = from + 1.0 / value;
-        if (drag.real() > least_looked_at && drag.real() < most_looked_at &&
-            std::abs(drag.imag()) <= real * std::abs(drag))
+        if (drag.real() > as_good_as_none && drag.real() < most_looked_at &&
+            std::abs(drag.imag()) <= parted * std::abs(drag))
             borders.push_back(drag.real());
     }
     borders.push_back(0);

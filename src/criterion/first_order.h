@@ -39,7 +39,8 @@ class SlowMotions {
     /// How far it can be off by rounding, 1/s.
     [[nodiscard]] double rounding(double speed);
     /// The least drag, times that of the case, from which on all roots die out however large it is;
-    /// none where they do not.
+    /// 0: from below a millionth of the drag that is as large as all else in the equations, which
+    /// is not told from none; none where they do not.
     [[nodiscard]] std::optional<double> least_drag(double speed);
 
   private:

@@ -76,11 +76,12 @@ std::size_t needed_choice(CheckedTable &table, const std::string &key,
 }
 
 /// Mistakes of entries that say something of another one that is not there.
+/// @param got  in place of that one
 void refuse_without(CheckedTable &table, bool there, const std::vector<const char *> &keys,
-                    const char *other) {
+                    const char *other, const std::string &got = "none") {
     for (const char *key : keys)
         if (table.has(key) && !there)
-            table.fail(key, fmt::format("expected only with {}, got none", other));
+            table.fail(key, fmt::format("expected only with {}, got {}", other, got));
 }
 
 } // namespace
@@ -164,7 +165,9 @@ void read_limits(CheckedTable &table, model::Case &scene) {
     if (zones)
         limits.zone = static_cast<model::Zone>(needed_choice(
             table, "zone", {"A/B", "B/C", "C/D"}, "the boundary that must not be crossed"));
-    refuse_without(table, zones, {"zone"}, "a standard that has zones, iso20816-3");
+    const Node *other = table.find("shaft_standard");
+    refuse_without(table, zones, {"zone"}, "a standard that has zones, iso20816-3",
+                   other != nullptr ? shown(*other) + " alone" : "none");
     limits.clearance = table.optional_number("clearance", Quantity::number, Range::positive());
     limits.scaled = table.flag_or("scaled", true);
     limits.scale_most =

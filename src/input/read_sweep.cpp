@@ -66,6 +66,13 @@ void read_entries(CheckedTable &table, const std::string &besides, model::SweepA
         quantity = found->quantity;
         if (axis.label.empty())
             axis.label = path;
+        const auto whole = std::ranges::find_if(found->paths, [&table](const std::string &own) {
+            return table.context().whole.contains(own);
+        });
+        if (number && whole != found->paths.end())
+            table.fail("path", fmt::format("expected an entry that may have any value, of which "
+                                           "one gives the rotor its {}, got {}, a whole number",
+                                           axis.dimensionless->name, in_quotes(*whole)));
         for (const std::string &own : found->paths) {
             if (!relative && !number) {
                 axis.entries.push_back({own, 0});
@@ -85,10 +92,20 @@ void read_entries(CheckedTable &table, const std::string &besides, model::SweepA
     }
 }
 
-void read_range(CheckedTable &table, Quantity quantity, model::SweepAxis &axis) {
-    const Range range = axis.logarithmic ? Range::positive() : Range{};
-    const double from = table.number("from", quantity, range);
-    const double to = table.number("to", quantity, range);
+/// Values that an axis may have.
+Range range_of(const model::SweepAxis &axis) {
+    Range range = axis.logarithmic ? Range::positive() : Range{};
+    if (axis.dimensionless &&
+        (axis.dimensionless->name == "m" || axis.dimensionless->name == "A_m")) {
+        range = Range::positive();
+        range.otherwise = ": the parts of every balancer have mass";
+    }
+    return range;
+}
+
+void read_range(CheckedTable &table, model::SweepAxis &axis) {
+    const double from = table.number("from", axis.quantity, range_of(axis));
+    const double to = table.number("to", axis.quantity, range_of(axis));
     const int count = table.whole("count", 2, largest_count);
     if (to <= from)
         table.fail("to", fmt::format("expected more than from = {}, got {}", from, to));
@@ -100,8 +117,8 @@ void read_range(CheckedTable &table, Quantity quantity, model::SweepAxis &axis) 
     }
 }
 
-void read_values(CheckedTable &table, Quantity quantity, model::SweepAxis &axis) {
-    axis.values = table.numbers("values", quantity);
+void read_values(CheckedTable &table, model::SweepAxis &axis) {
+    axis.values = table.numbers("values", axis.quantity, range_of(axis));
     const Node *list = table.find("values");
     if (list->is_list() && list->items.empty())
         table.fail("values", "expected at least one value, got none");
@@ -110,19 +127,17 @@ void read_values(CheckedTable &table, Quantity quantity, model::SweepAxis &axis)
             table.fail(other, "expected either `values` or `from`, `to` and `count`, got both");
 }
 
-/// What changes, without its values; no quantity with a mistake.
+/// What changes, without its values.
 /// @param besides  as of read_entries
-std::optional<Quantity> read_change(CheckedTable &table, const std::string &besides,
-                                    model::SweepAxis &axis) {
+/// @returns false with a mistake that leaves no entry
+bool read_change(CheckedTable &table, const std::string &besides, model::SweepAxis &axis) {
     axis.change =
         static_cast<model::SweepChange>(table.choice("change", {"value", "factor", "shift"}, 0));
     std::optional<Quantity> of_entries;
     read_entries(table, besides, axis, of_entries);
-    if (of_entries)
-        axis.of_changes =
-            axis.change == model::SweepChange::factor ? Quantity::number : *of_entries;
-    axis.quantity = axis.dimensionless ? Quantity::number : axis.of_changes;
-    return of_entries;
+    if (of_entries && axis.change != model::SweepChange::factor && !axis.dimensionless)
+        axis.quantity = *of_entries;
+    return of_entries.has_value();
 }
 
 std::string list_of(const auto &...names) {
@@ -179,10 +194,10 @@ model::SweepAxis read_sweep_axis(CheckedTable &table, const model::Rotor &rotor)
     if (!read_change(table, "", axis))
         return axis;
     if (table.has("values")) {
-        read_values(table, axis.quantity, axis);
+        read_values(table, axis);
     } else {
         axis.logarithmic = table.choice("spacing", {"linear", "log"}, 0) == 1;
-        read_range(table, axis.quantity, axis);
+        read_range(table, axis);
     }
     table.refuse_unknown();
     return axis;
@@ -198,8 +213,8 @@ model::SweepAxis read_map_axis(CheckedTable &table, const model::Rotor &rotor) {
     read_dimensionless(table, rotor, of_speed, axis);
     if (of_speed) {
         axis.label = *table.text("path");
-        axis.of_changes = Quantity::speed;
-        axis.quantity = axis.dimensionless ? Quantity::number : Quantity::speed;
+        if (!axis.dimensionless)
+            axis.quantity = Quantity::speed;
         if (table.choice("change", {"value", "factor", "shift"}, 0) != 0)
             table.fail("change", "expected \"value\" of the spin speed, which is no entry of the "
                                  "case, got " +
@@ -207,7 +222,7 @@ model::SweepAxis read_map_axis(CheckedTable &table, const model::Rotor &rotor) {
     } else if (!read_change(table, "speed", axis)) {
         return axis;
     }
-    read_range(table, axis.quantity, axis);
+    read_range(table, axis);
     table.refuse_unknown();
     return axis;
 }

@@ -127,6 +127,11 @@ class WeightsReader {
         _settings.scatter =
             _table.optional_number("scatter", Quantity::number, Range::inside(0, 1));
         _settings.stock = _table.numbers("stock", Quantity::mass, Range::positive());
+        if (_table.has("stock") && !_planes.empty() &&
+            std::ranges::none_of(_scene.rotor.planes,
+                                 [](const auto &plane) { return plane.radius.has_value(); }))
+            _table.fail("stock", "expected a [[plane]] with a radius, at which these masses would "
+                                 "be, got none");
         if (_table.has("grade"))
             _settings.grade = read_grade(_table);
         _settings.mass = _table.optional_number("mass", Quantity::mass, Range::positive());

@@ -60,6 +60,11 @@ Eigen::VectorXd scales_of(const HarmonicTerms &terms, bool pairs) {
     return scales;
 }
 
+bool same_entry(const Eigen::Triplet<std::complex<double>> &a,
+                const Eigen::Triplet<std::complex<double>> &b) {
+    return a.row() == b.row() && a.col() == b.col() && a.value() == b.value();
+}
+
 constexpr std::complex<double> i_unit(0, 1);
 
 /// A backward stable solution leaves some 1e-15. With the pivots of the A before, which serve as
@@ -146,7 +151,13 @@ Eigen::MatrixXcd HarmonicSolver::pairs_of(Eigen::MatrixXcd parts) const {
 }
 
 void HarmonicSolver::set(double spin, double frequency, const Entries &changes) {
-    _factors = {1, spin, spin * spin, -frequency * frequency, frequency, frequency * spin};
+    const std::array<double, factor_count> factors{
+        1, spin, spin * spin, -frequency * frequency, frequency, frequency * spin};
+    if (factors == _factors && std::ranges::equal(changes, _added, same_entry))
+        return;
+    _factors = factors;
+    _added = changes;
+    _factorized = false;
     _A.coeffs().setZero();
     for (std::size_t i = 0; i < factor_count; ++i)
         if (_factors[i] != 0 && _terms[i].size() > 0)
@@ -186,7 +197,8 @@ Eigen::VectorXcd HarmonicSolver::sizes_of(const Eigen::VectorXcd &f,
 
 double HarmonicSolver::solved(const Eigen::MatrixXcd &f, Eigen::MatrixXcd &q) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (!_lu.factorize(_A))
+    _factorized = _factorized || _lu.factorize(_A);
+    if (!_factorized)
         return infinity;
     q = f;
     _lu.solve(q);
@@ -216,6 +228,7 @@ Eigen::MatrixXcd HarmonicSolver::solve(double spin, double frequency,
     double residual = solved(f, q);
     if (!(residual <= residual_of_old_pivots)) {
         _lu.forget_pivots();
+        _factorized = false;
         residual = solved(f, q);
     }
     if (std::isinf(residual))

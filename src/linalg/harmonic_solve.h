@@ -82,7 +82,9 @@ class HarmonicSolver {
     std::array<Eigen::ArrayXcd, factor_count> _terms;
     Sparse _A;
     std::array<double, factor_count> _factors{}; ///< of the terms in A
-    Sparse _changes;                             ///< what else is in A
+    Entries _added;                              ///< what else is in A, as given
+    Sparse _changes;                             ///< the same, of the unknowns solved for
+    bool _factorized = false;                    ///< this A is
     mutable Sparse _sizes; ///< the moduli of all summands of A; without entries: not asked for
     SparseFactor<std::complex<double>> _lu{true};
 
@@ -91,6 +93,7 @@ class HarmonicSolver {
     /// Of scaled displacements or forces in pairs the parts with and against the rotation.
     [[nodiscard]] Eigen::MatrixXcd parts_of(Eigen::MatrixXcd scaled) const;
     [[nodiscard]] Eigen::MatrixXcd pairs_of(Eigen::MatrixXcd parts) const;
+    /// A as it is, with its factors, where it is asked for again.
     void set(double spin, double frequency, const Entries &changes);
     [[nodiscard]] const Sparse &sizes() const;
     /// Largest |f - A q| over the largest |A| |q| + |f| of the columns; infinite where A is

@@ -48,8 +48,6 @@ struct SweepAxis {
     bool logarithmic = false;             ///< evenly spaced in their logarithm
     /// None: the values are those of the entries, or of the spin speed.
     std::optional<DimensionlessNumber> dimensionless{};
-    /// Of what its entries or the spin speed get for it: as `quantity` where it is none.
-    Quantity of_changes = Quantity::number;
 
     /// The spin speed itself, where that is not an entry: of maps alone.
     [[nodiscard]] bool is_speed() const { return entries.empty(); }

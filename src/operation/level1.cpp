@@ -163,18 +163,18 @@ Counted counted_motions(const assembly::Discretization &d, double speed) {
     return out;
 }
 
-/// Frequency up to which a motion is one that the standard judges, the first forward mode as a
-/// rule: twice the spin speed, or twice the first mode at rest where that is more, rad/s. Bending
-/// modes of high order that supports hardly damp grow with less on paper; no gas drives them.
-double judged_up_to(const assembly::Discretization &d, double speed) {
-    if (d.rigid())
-        return std::numeric_limits<double>::infinity();
-    double first = 0;
+/// A motion is one that the standard judges, the first forward mode as a rule, up to so many times
+/// the spin speed, or the first mode at rest where that is more. Bending modes of high order that
+/// supports hardly damp grow with less on paper; no gas drives them.
+constexpr double judged_up_to = 2;
+
+/// The first mode at rest with the bearings of a speed, rad/s; 0 where they push away.
+double first_at_rest(const assembly::Discretization &d, double speed) {
     try {
-        first = frequency_at_rest(d, speed, 1);
-    } catch (const linalg::SolverError &) { // bearings push away
+        return frequency_at_rest(d, speed, 1);
+    } catch (const linalg::SolverError &) {
+        return 0;
     }
-    return 2 * std::max(speed, first);
 }
 
 /// The rotor under cross coupling over a range of it.
@@ -469,9 +469,14 @@ double frequency_of(const results::Level1 &found) {
 /// are not is judged.
 void judge_slow_motions(const model::Case &scene, int order, results::Level1 &found,
                         std::vector<results::Sentence> &notes) {
-    const double up_to =
-        judged_up_to(assembly::Discretization(scene.rotor, order), scene.operation->to);
-    if (!(frequency_of(found) > up_to))
+    const double speed = scene.operation->to;
+    const double frequency = frequency_of(found);
+    // Bending of a rigid shaft is none; else a mesh is made where the spin speed does not decide.
+    if (scene.rotor.shaft.rigid || !(frequency > judged_up_to * speed))
+        return;
+    const double first = first_at_rest(assembly::Discretization(scene.rotor, order), speed);
+    const double up_to = judged_up_to * std::max(speed, first);
+    if (!(frequency > up_to))
         return;
     std::vector<results::Sentence> of_slow; // they repeat those of all motions
     results::Level1 slow = Answer(scene, order, up_to, of_slow).found();
@@ -479,7 +484,7 @@ void judge_slow_motions(const model::Case &scene, int order, results::Level1 &fo
         "level1: the motion that begins to grow first, or is damped least, has {}, "
         "more than twice the spin speed and twice the first mode at rest: level I judges "
         "the first of the slower ones (`judged`)",
-        results::as::frequency(frequency_of(found), 4));
+        results::as::frequency(frequency, 4));
     found.judged = results::Level1Judged{slow.critical_cross_coupling, slow.critical_frequency,
                                          slow.anticipated_log_dec};
     found.checks = std::move(slow.checks);

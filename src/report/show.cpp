@@ -19,6 +19,7 @@ using results::AnisotropyChart;
 using results::BalancerNumbers;
 using results::CompositeCurves;
 using results::DimensionlessNumbers;
+using results::RotorNumbers;
 using results::SagBearing;
 using results::SagStation;
 using results::ShowResult;
@@ -143,37 +144,46 @@ const Columns<BalancerNumbers> balancer_columns{
 
 /// @param on_terminal  empty: on the page alone
 Column<BalancerNumbers> dimensionless(const char *key, const char *on_page, const char *on_terminal,
-                                      auto DimensionlessNumbers::*of) {
+                                      auto of) {
     const bool there = *on_terminal != '\0';
     return {key, OnPage(on_page, "{:.8g}", "∞"),
-            there ? InText(on_terminal, "{:.6g}", "infinite") : InText(), Quantity::number,
-            [of](const BalancerNumbers &b) { return b.dimensionless.*of; }};
+            there ? InText(on_terminal, "{:.6g}", "infinite") : InText(), Quantity::number, of};
+}
+Column<BalancerNumbers> dimensionless(const char *key, const char *on_page, const char *on_terminal,
+                                      auto DimensionlessNumbers::*of) {
+    return dimensionless(key, on_page, on_terminal,
+                         [of](const BalancerNumbers &b) { return b.dimensionless.*of; });
+}
+Column<BalancerNumbers> dimensionless(const char *key, const char *on_page, const char *on_terminal,
+                                      auto RotorNumbers::*of) {
+    return dimensionless(key, on_page, on_terminal,
+                         [of](const BalancerNumbers &b) { return b.dimensionless.rotor.*of; });
 }
 
 const Columns<BalancerNumbers> dimensionless_columns{
     {InText("balancer"), name_of},
-    dimensionless("C", "C", "C", &DimensionlessNumbers::C),
-    dimensionless("A", "A", "A", &DimensionlessNumbers::A),
+    dimensionless("C", "C", "C", &RotorNumbers::C),
+    dimensionless("A", "A", "A", &RotorNumbers::A),
     dimensionless("A_m", "A_m", "A_m", &DimensionlessNumbers::A_m),
     dimensionless("A_m0", "A_m0", "A_m0", &DimensionlessNumbers::A_m0),
     dimensionless("m", "m", "m", &DimensionlessNumbers::m),
     dimensionless("z_A", "z_A", "z_A", &DimensionlessNumbers::z_A),
-    dimensionless("p2", "p²", "p2", &DimensionlessNumbers::p2),
-    dimensionless("c_y", "c_y", "c_y", &DimensionlessNumbers::c_y),
-    dimensionless("h_x", "h_x", "h_x", &DimensionlessNumbers::h_x),
-    dimensionless("h_beta", "h_β", "", &DimensionlessNumbers::h_beta),
-    dimensionless("h_y", "h_y", "", &DimensionlessNumbers::h_y),
+    dimensionless("p2", "p²", "p2", &RotorNumbers::p2),
+    dimensionless("c_y", "c_y", "c_y", &RotorNumbers::c_y),
+    dimensionless("h_x", "h_x", "h_x", &RotorNumbers::h_x),
+    dimensionless("h_beta", "h_β", "", &RotorNumbers::h_beta),
+    dimensionless("h_y", "h_y", "", &RotorNumbers::h_y),
     dimensionless("h_s", "h_s", "h_s", &DimensionlessNumbers::h_s)};
 
-const Columns<results::RotorNumbers> rotor_columns{
-    {"C", OnPage("C", "{:.8g}"), Quantity::number, &results::RotorNumbers::C},
-    {"A", OnPage("A", "{:.8g}"), Quantity::number, &results::RotorNumbers::A},
-    {"p2", OnPage("p²", "{:.8g}"), Quantity::number, &results::RotorNumbers::p2},
-    {"c_y", OnPage("c_y", "{:.8g}"), Quantity::number, &results::RotorNumbers::c_y},
-    {"h_x", OnPage("h_x", "{:.8g}"), Quantity::number, &results::RotorNumbers::h_x},
-    {"h_beta", OnPage("h_β", "{:.8g}"), Quantity::number, &results::RotorNumbers::h_beta},
-    {"h_y", OnPage("h_y", "{:.8g}"), Quantity::number, &results::RotorNumbers::h_y},
-    {"omega_0", OnPage("ω₀", "{:.8g}"), Quantity::frequency, &results::RotorNumbers::omega_0}};
+const Columns<RotorNumbers> rotor_columns{
+    {"C", OnPage("C", "{:.8g}"), Quantity::number, &RotorNumbers::C},
+    {"A", OnPage("A", "{:.8g}"), Quantity::number, &RotorNumbers::A},
+    {"p2", OnPage("p²", "{:.8g}"), Quantity::number, &RotorNumbers::p2},
+    {"c_y", OnPage("c_y", "{:.8g}"), Quantity::number, &RotorNumbers::c_y},
+    {"h_x", OnPage("h_x", "{:.8g}"), Quantity::number, &RotorNumbers::h_x},
+    {"h_beta", OnPage("h_β", "{:.8g}"), Quantity::number, &RotorNumbers::h_beta},
+    {"h_y", OnPage("h_y", "{:.8g}"), Quantity::number, &RotorNumbers::h_y},
+    {"omega_0", OnPage("ω₀", "{:.8g}"), Quantity::frequency, &RotorNumbers::omega_0}};
 
 /// The anisotropy alone, before and after what there may be several of.
 const Columns<AnisotropyChart> chart_columns{

@@ -133,7 +133,7 @@ struct FirstOrder {
     std::vector<Interval> bands;     ///< where all of them die out
     std::vector<KnownErrors> errors; ///< of each band
     /// Over the speeds of the result, times the drag of the case: from here on they die out however
-    /// large it is. None where they do not.
+    /// large it is. 0: with any that is told from none. None where they do not.
     std::vector<std::optional<double>> least_drag;
 };
 

@@ -22,13 +22,12 @@ struct RotorNumbers {
 
 /// The same of one balancer and the rotor around it.
 struct DimensionlessNumbers {
-    double C = 0;            ///< polar inertia over the mean diametral one, A_Sigma
-    std::optional<double> A; ///< |A_m0 + A_m D|/2 over A_Sigma, with a balanced position
-    double A_m = 0;          ///< n m R^2 over A_Sigma
-    double A_m0 = 0;         ///< m0 R0^2 over A_Sigma
-    double m = 0;            ///< n m over M_s
-    double z_A = 0;          ///< plane of the balancer from the centre of mass
-    std::optional<double> p2, c_y, h_x, h_beta, h_y, h_s;
+    RotorNumbers rotor;        ///< its A: |A_m0 + A_m D|/2 over A_Sigma, with a balanced position
+    double A_m = 0;            ///< n m R^2 over A_Sigma
+    double A_m0 = 0;           ///< m0 R0^2 over A_Sigma
+    double m = 0;              ///< n m over M_s
+    double z_A = 0;            ///< plane of the balancer from the centre of mass
+    std::optional<double> h_s; ///< damping rate of its parts over omega_0
 };
 
 /// The rotor without one of its balancers and that one's point-mass imbalance.

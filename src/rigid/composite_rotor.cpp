@@ -129,22 +129,16 @@ results::DimensionlessNumbers dimensionless_numbers(const Parts &parts, const Pl
     const double M = composite.mass;
     const double A = composite.mean_inertia();
     results::DimensionlessNumbers numbers;
-    numbers.C = composite.polar_inertia / A;
+    numbers.rotor.C = composite.polar_inertia / A;
     if (D)
-        numbers.A = relative_anisotropy(composite, *D);
+        numbers.rotor.A = relative_anisotropy(composite, *D);
+    add_supports(numbers.rotor, rotor, M, A, parts.center, why);
     numbers.A_m = composite.ball_inertia / A;
     numbers.A_m0 = composite.imbalance_inertia / A;
     numbers.m = parts.balls.count * parts.balls.mass / M;
     numbers.z_A = composite.balancer_position / std::sqrt(A / M);
-    results::RotorNumbers on_supports;
-    add_supports(on_supports, rotor, M, A, parts.center, why);
-    numbers.p2 = on_supports.p2;
-    numbers.c_y = on_supports.c_y;
-    numbers.h_x = on_supports.h_x;
-    numbers.h_beta = on_supports.h_beta;
-    numbers.h_y = on_supports.h_y;
-    if (const auto rate = placed.kind()->rate(); rate && !placed.held && on_supports.omega_0)
-        numbers.h_s = *rate / *on_supports.omega_0;
+    if (const auto rate = placed.kind()->rate(); rate && !placed.held && numbers.rotor.omega_0)
+        numbers.h_s = *rate / *numbers.rotor.omega_0;
     return numbers;
 }
 
@@ -331,6 +325,18 @@ results::RotorNumbers rotor_numbers(const model::Rotor &rotor, const Inertia &wh
     return numbers;
 }
 
+namespace {
+
+using NumbersByName = std::map<std::string, std::optional<double>>;
+
+NumbersByName by_name(const results::RotorNumbers &of) {
+    return {
+        {"C", of.C},     {"A", of.A},     {"p2", of.p2},         {"c_y", of.c_y},
+        {"h_x", of.h_x}, {"h_y", of.h_y}, {"h_beta", of.h_beta}, {model::speed_number, of.omega_0}};
+}
+
+} // namespace
+
 double dimensionless_number(const model::Rotor &rotor, const model::DimensionlessNumber &number) {
     const Inertia whole = inertia_of(rotor);
     std::string why;
@@ -344,25 +350,19 @@ double dimensionless_number(const model::Rotor &rotor, const model::Dimensionles
         std::vector<results::Sentence> reasons;
         add_place(place, placed, reasons);
         const auto of = dimensionless_numbers(parts_of(placed, whole), placed, place.D, rotor, why);
-        if (number.name == "A" && !of.A && !reasons.empty())
+        if (number.name == "A" && !of.rotor.A && !reasons.empty())
             why = reasons.back().text();
         if (number.name == "h_s" && why.empty())
             why = "the balancer is held, or its parts have no damping of their own";
-        const std::map<std::string, std::optional<double>> all{
-            {"C", of.C},     {"A", of.A},     {"A_m", of.A_m}, {"A_m0", of.A_m0},
-            {"m", of.m},     {"z_A", of.z_A}, {"p2", of.p2},   {"c_y", of.c_y},
-            {"h_x", of.h_x}, {"h_y", of.h_y}, {"h_s", of.h_s}, {"h_beta", of.h_beta}};
+        NumbersByName all = by_name(of.rotor);
+        all.insert(
+            {{"A_m", of.A_m}, {"A_m0", of.A_m0}, {"m", of.m}, {"z_A", of.z_A}, {"h_s", of.h_s}});
         found = all.at(number.name);
     } else {
         const results::RotorNumbers of = rotor_numbers(rotor, whole, why);
         if (number.name == "A")
             why = "a balancer has no balanced position";
-        const std::map<std::string, std::optional<double>> all{
-            {"C", of.C},           {"A", of.A},
-            {"p2", of.p2},         {"c_y", of.c_y},
-            {"h_x", of.h_x},       {"h_y", of.h_y},
-            {"h_beta", of.h_beta}, {model::speed_number, of.omega_0}};
-        found = all.at(number.name);
+        found = by_name(of).at(number.name);
     }
     if (!found)
         throw model::BadInput(

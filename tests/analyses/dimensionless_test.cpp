@@ -242,7 +242,7 @@ TEST_F(Dimensionless, sweep_over_the_polar_inertia) {
         const double Ip = result.changes[i].at(0);
         EXPECT_NEAR(polar_over_diametral(Ip, 2), result.axes[0].values[i], found);
         const auto shown = analyses::show(with({fmt::format("disc[0].Ip={}", Ip)}));
-        EXPECT_NEAR(shown.balancers.at(0).dimensionless.C, result.axes[0].values[i], found);
+        EXPECT_NEAR(shown.balancers.at(0).dimensionless.rotor.C, result.axes[0].values[i], found);
     }
 }
 

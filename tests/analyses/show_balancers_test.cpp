@@ -166,7 +166,7 @@ TEST(ShowBalancers, paper_numbers_of_the_base_set) {
     EXPECT_NEAR(balancer.dimensionless.m, 0.063, half_digit);
     EXPECT_NEAR(balancer.dimensionless.A_m, 0.272, half_digit);
     EXPECT_NEAR(balancer.dimensionless.A_m0, 0.136, half_digit);
-    EXPECT_NEAR(balancer.dimensionless.C, 0.901, half_digit);
+    EXPECT_NEAR(balancer.dimensionless.rotor.C, 0.901, half_digit);
     EXPECT_NEAR(balancer.bare.Ip / balancer.bare.Id, 0.7, half_digit);
     EXPECT_NEAR(balancer.bare.z_GA, 0.1, rounding);
     EXPECT_NEAR(balancer.D->real(), -0.5, rounding);
@@ -178,7 +178,7 @@ TEST(ShowBalancers, two_balls_of_capacity_two_leave_the_rotor_isotropic) {
     EXPECT_NEAR(result.dI.value(), 0, 1e-16);
     EXPECT_NEAR(result.balancers.at(0).dA.value(), 0, 1e-16);
     EXPECT_NEAR(result.balancers.at(0).dA_interval.value().to, 0, 1e-16);
-    EXPECT_NEAR(result.balancers.at(0).dimensionless.A.value(), 0, 1e-16);
+    EXPECT_NEAR(result.balancers.at(0).dimensionless.rotor.A.value(), 0, 1e-16);
     EXPECT_NEAR(result.balancers.at(0).dA_paper.value(), 0.08, rounding);
 }
 
@@ -190,11 +190,11 @@ TEST(ShowBalancers, dimensionless_supports_of_two_equal_bearings) {
     closed_form::DimensionlessParameters expected;
     const double h_x = 1000 / std::sqrt(4e6 * result.mass);
     closed_form::set_equal_supports(expected, (result.center_of_mass - 0.1) / span, rho, h_x);
-    EXPECT_NEAR(d.p2.value(), expected.p * expected.p, 1e-12);
-    EXPECT_NEAR(d.c_y.value(), expected.c_y, 1e-12);
-    EXPECT_NEAR(d.h_x.value(), h_x, rounding);
-    EXPECT_NEAR(d.h_beta.value(), expected.h_beta, rounding);
-    EXPECT_NEAR(d.h_y.value(), expected.h_y, rounding);
+    EXPECT_NEAR(d.rotor.p2.value(), expected.p * expected.p, 1e-12);
+    EXPECT_NEAR(d.rotor.c_y.value(), expected.c_y, 1e-12);
+    EXPECT_NEAR(d.rotor.h_x.value(), h_x, rounding);
+    EXPECT_NEAR(d.rotor.h_beta.value(), expected.h_beta, rounding);
+    EXPECT_NEAR(d.rotor.h_y.value(), expected.h_y, rounding);
     EXPECT_NEAR(d.h_s.value(), 3 / 2.0 / std::sqrt(4e6 / result.mass), rounding);
     EXPECT_NEAR(d.z_A, (0.5 - result.center_of_mass) / (rho * span), rounding);
 }
@@ -204,9 +204,10 @@ TEST(ShowBalancers, bearings_without_isotropic_coefficients_leave_the_masses) {
     scene.rotor.bearings[1].rows[0].k(1, 1) *= 2;
     const results::ShowResult result = analyses::show(scene);
     const results::DimensionlessNumbers &d = result.balancers.at(0).dimensionless;
-    EXPECT_FALSE(d.p2 || d.c_y || d.h_x || d.h_beta || d.h_y || d.h_s);
-    EXPECT_NEAR(d.C, 0.901, 0.0005);
-    EXPECT_TRUE(d.A);
+    EXPECT_FALSE(d.rotor.p2 || d.rotor.c_y || d.rotor.h_x || d.rotor.h_beta || d.rotor.h_y ||
+                 d.h_s);
+    EXPECT_NEAR(d.rotor.C, 0.901, 0.0005);
+    EXPECT_TRUE(d.rotor.A);
     bool said = false;
     for (const auto &note : result.model.notes)
         said = said || note.find("bearing is not isotropic") != std::string::npos;
@@ -231,7 +232,7 @@ TEST(ShowBalancers, without_a_balanced_position_masses_remain) {
     const results::BalancerNumbers &balancer = result.balancers.at(0);
     EXPECT_NEAR(balancer.E, 0.8, rounding);
     EXPECT_FALSE(balancer.D || balancer.dA || balancer.D_interval || balancer.curves || result.dI);
-    EXPECT_FALSE(balancer.dimensionless.A);
+    EXPECT_FALSE(balancer.dimensionless.rotor.A);
     EXPECT_NEAR(result.mass, 57.83 + 2 + 2.5, 1e-12);
     EXPECT_FALSE(result.model.notes.empty());
 }
@@ -282,9 +283,9 @@ TEST(ShowBalancers, curves_are_those_of_rotors_with_scaled_masses) {
         const results::ShowResult there = analyses::show(scaled);
         const results::BalancerNumbers &balancer = there.balancers.at(0);
         EXPECT_NEAR(balancer.dimensionless.m, curves.m[i], rounding);
-        EXPECT_NEAR(balancer.dimensionless.C, curves.C[i], 1e-12);
+        EXPECT_NEAR(balancer.dimensionless.rotor.C, curves.C[i], 1e-12);
         EXPECT_NEAR(balancer.dimensionless.A_m, curves.A_m[i], 1e-12);
-        EXPECT_NEAR(balancer.dimensionless.A.value(), curves.A[i], 1e-12);
+        EXPECT_NEAR(balancer.dimensionless.rotor.A.value(), curves.A[i], 1e-12);
         EXPECT_NEAR(balancer.dA_paper.value() / there.Id, curves.A_paper[i], 1e-12);
         EXPECT_NEAR(balancer.dA_interval->from / there.Id, curves.A_least[i], 1e-11);
         EXPECT_NEAR(balancer.dA_interval->to / there.Id, curves.A_largest[i], 1e-11);

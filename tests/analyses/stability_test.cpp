@@ -21,6 +21,7 @@
 #include <complex>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace whirl::analyses {
 namespace {
@@ -374,6 +375,11 @@ TEST(StabilityMap, ImpossibleRotorsAreEmptyPoints) {
     EXPECT_GT(result.map->growth[1][1], 0); // 0.5 at speed 3
     for (const double growth : result.map->growth[2])
         EXPECT_TRUE(std::isnan(growth));
+    // Of which there is none at all no answer is one.
+    scene.map->y.values = {1, 2};
+    EXPECT_THROW((void)stability(scene, with), model::AnalysisFailure);
+    std::swap(scene.map->x, scene.map->y);
+    EXPECT_THROW((void)stability(scene, with), model::AnalysisFailure);
 }
 
 // The anisotropy that `show` gives with two balancers whose imbalances point differently: sum of

@@ -62,6 +62,7 @@ TEST_F(Compare, AmplitudesAtOperatingSpeedsAndMargins) {
     EXPECT_EQ(first_of("probe " + row.at("name").get<std::string>() +
                        " against its pedestal, minimum speed: amplitude"),
               row.at("amplitude").get<double>());
+    EXPECT_GT(first_of("bearing drive end, minimum speed: amplitude"), 0);
     const json &margin = own.at("margins")[0];
     EXPECT_EQ(first_of("separation margin 1, " + margin.at("of").get<std::string>() + " " +
                        margin.at("name").get<std::string>() + ", %"),

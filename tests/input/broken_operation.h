@@ -66,6 +66,8 @@ inline std::vector<BrokenCase> broken_operation() {
          running + "[limits]\nclearance = 1\ngroup = 1\n"},
         {"zone of a standard without zones", 13, "limits.zone", "a standard that has zones",
          running + "[limits]\nshaft_standard = \"api617\"\nzone = \"A/B\"\n"},
+        {"unknown zone of a standard without zones", 13, "limits.zone", "got \"api617\" alone",
+         running + "[limits]\nshaft_standard = \"api617\"\nzone = \"D\"\n"},
         {"standard that is not known", 12, "limits.shaft_standard", "expected \"api617\"",
          running + "[limits]\nshaft_standard = \"api618\"\n"},
         {"scale of no clearance", 14, "limits.scaled", "only with clearance",

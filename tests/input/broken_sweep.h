@@ -12,6 +12,9 @@ inline std::vector<BrokenCase> broken_sweep() {
         return "x = {path = \"shaft.segments[0].outer\"" + rest + "}\n";
     };
     const std::string range = ", from = 0.04, to = 0.06, count = 3";
+    const std::string balanced = sound_case + "[[balancer]]\nz = 0.2\nn = 2\nmass = 0.1\n"
+                                              "radius = 0.1\n[sweep]\n"; // next is line 14
+    const std::string of_mass = "x = {path = \"balancer[0].mass\", dimensionless = ";
     return {
         {"nothing changes", 8, "sweep.x", "missing, expected a table {path", begin},
         {"no such swept entry", 9, "sweep.x.path",
@@ -58,6 +61,16 @@ inline std::vector<BrokenCase> broken_sweep() {
              "[[balancer]]\nz = 0.2\nmass = 0.1\nradius = 0.1\n[[balancer]]\nz = 0.5\n"
              "mass = 0.1\nradius = 0.1\n[sweep]\n" +
              over(", dimensionless = \"m\"" + range)},
+        {"a balancer without mass", 14, "sweep.x.from",
+         "greater than 0, got 0: the parts of every balancer have mass",
+         balanced + of_mass + "\"m\", from = 0, to = 0.1, count = 3}\n"},
+        {"one of several balancers without inertia", 14, "sweep.x.values[1]",
+         "greater than 0, got 0: the parts of every balancer have mass",
+         balanced + of_mass + "\"A_m\", values = [0.1, 0]}\n"},
+        {"a dimensionless number of balls", 14, "sweep.x.path",
+         "expected an entry that may have any value, of which one gives the rotor its m, got "
+         "\"balancer[0].n\", a whole number",
+         balanced + "x = {path = \"balancer[*].n\", dimensionless = \"m\"" + range + "}\n"},
         {"a number of the speed", 9, "map.x.dimensionless", "expected \"Omega\" of the spin speed",
          sound_case +
              "[map]\nx = {path = \"speed\", dimensionless = \"m\", from = 0, to = 2, count "

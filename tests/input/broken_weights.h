@@ -45,6 +45,11 @@ inline std::vector<BrokenCase> broken_weights() {
          "[[plane]]\nname = \"a\"\n" +
              trial,
          readings(both)},
+        {"stock for planes without a radius", 4, "weights.stock", "a [[plane]] with a radius",
+         "format = 1\n[weights]\nreadings = \"r.csv\"\nstock = [0.01]\n"
+         "[[plane]]\nname = \"a\"\n" +
+             trial,
+         readings(both)},
         {"readings without a column", 1, "run", "expected a column of that name", one + trial,
          readings("probe,amplitude,phase\np,1,2\n"), "r.csv"},
         {"reading that is no number", 2, "amplitude", "expected an amplitude in m", one + trial,

@@ -158,6 +158,43 @@ TEST(HarmonicSolve, parts_that_nothing_couples_stay_apart) {
     EXPECT_LT((A * found - forward).norm(), 1e-14 * forward.norm());
 }
 
+/// The factors that are kept for further loads are those of this spin speed, this frequency and
+/// these changes alone.
+TEST(HarmonicSolve, one_after_another_at_a_speed_have_the_solutions_of_their_own_matrices) {
+    const int n = 8;
+    const Eigen::MatrixXd M = numbers(n, 0.3);
+    const Eigen::MatrixXd C = numbers(n, 0.7);
+    const Eigen::MatrixXd G = numbers(n, 1.1);
+    const Eigen::MatrixXd K = numbers(n, 1.9) + 8 * Eigen::MatrixXd::Identity(n, n);
+    const Eigen::MatrixXd Kc = numbers(n, 2.9);
+    const std::complex<double> i(0, 1);
+    const HarmonicSolver::Entries none;
+    const HarmonicSolver::Entries some{{3, 2, 0.7 + 0.2 * i}, {0, 6, 1.5}};
+    const HarmonicSolver::Entries others{{3, 2, 0.7 + 0.2 * i}, {0, 6, 1.25}};
+    HarmonicSolver solver({sparse(M), sparse(C), sparse(G), sparse(K), sparse(Kc)}, true, some);
+    struct At {
+        double spin, frequency;
+        const HarmonicSolver::Entries &changes;
+    };
+    double seed = 4.1;
+    for (const At &at :
+         {At{0.4, 0.7, none}, At{0.4, 0.7, none}, At{0.4, 0.7, some}, At{0.4, 0.7, others},
+          At{0.4, 0.7, others}, At{0.4, 0.7, none}, At{0.7, 0.4, none}, At{-0.7, 0.4, none},
+          At{-0.7, -0.4, none}, At{0, -0.4, none}, At{0, 0, none}, At{0, 0, none}}) {
+        Eigen::MatrixXcd A = (K + at.spin * Kc - at.frequency * at.frequency * M) +
+                             i * at.frequency * (C + at.spin * G);
+        for (const auto &change : at.changes)
+            A(change.row(), change.col()) += change.value();
+        const Eigen::MatrixXcd f = numbers(n, seed += 0.6).leftCols(2).cast<std::complex<double>>();
+        const Eigen::MatrixXcd found = solver.solve(at.spin, at.frequency, f, at.changes);
+        const Eigen::PartialPivLU<Eigen::MatrixXcd> dense(A);
+        const Eigen::MatrixXcd expected = dense.solve(f);
+        // What rounding of the entries of A does to either solution.
+        EXPECT_LT((found - expected).norm(), 1e-15 / dense.rcond() * expected.norm())
+            << at.spin << ' ' << at.frequency;
+    }
+}
+
 TEST(HarmonicSolve, singular_matrix_is_refused_or_seen_in_the_rounding) {
     Eigen::MatrixXd stiffness(2, 2);
     stiffness << 2, -1, -1, 2; // eigenvalues 1 and 3
@@ -167,6 +204,7 @@ TEST(HarmonicSolve, singular_matrix_is_refused_or_seen_in_the_rounding) {
     EXPECT_TRUE(solver.conserves());
     const Eigen::MatrixXcd f = Eigen::MatrixXcd::Identity(2, 1);
     EXPECT_THROW((void)solver.solve(1.0, f), SolverError);
+    EXPECT_THROW((void)solver.solve(1.0, f), SolverError); // nor are its factors kept
     const auto rounding_at = [&](double speed) {
         const Eigen::VectorXcd found = solver.solve(speed, f);
         return solver.rounding(f, found);

@@ -157,12 +157,14 @@ std::vector<Answer> answers_of(const results::OperatingResponse &operating) {
     for (const results::OperatingRow &row : operating.rows) {
         const std::string key = fmt::format("operating {} {}", row.at, ++count[row.at]);
         const bool named = !row.name.empty();
+        // A bearing always is against what holds it; a probe where it is asked to be.
+        const bool against = row.of == "probe" && row.relative;
         const auto add = [&](const char *what, Quantity quantity, double value) {
             out.push_back({fmt::format("{} {}", key, what), "operating",
                            row.of + " " + (named ? row.name : "z = "),
                            named ? std::nullopt : std::optional(row.z),
-                           fmt::format("{}, {} speed, {}",
-                                       row.relative ? " against its pedestal" : "", row.at, what),
+                           fmt::format("{}, {} speed, {}", against ? " against its pedestal" : "",
+                                       row.at, what),
                            quantity, value, true, row.error});
         };
         add("amplitude", Quantity::amplitude, row.amplitude);
@@ -337,10 +339,13 @@ Answers::Answers(const model::Case &scene, model::WantedAnswers wanted, Naming n
 std::vector<Answer> Answers::of(const model::Case &scene) const {
     std::vector<Answer> out;
     if (_wanted.critical || _wanted.margins) {
-        model::Case more = with_order(scene, _critical_order);
+        const model::Case own = with_order(scene, _critical_order);
+        model::Case more = own;
         more.campbell.modes += spare_modes;
-        const results::CriticalResult result =
-            unjudged_critical_speeds(more, _shapes ? &*_shapes : nullptr, _wanted.margins);
+        results::CriticalResult result =
+            unjudged_critical_speeds(more, _shapes ? &*_shapes : nullptr);
+        if (_wanted.margins)
+            add_separation_margins(own, result);
         if (_wanted.critical)
             append(out, answers_of(result, scene, _naming));
         append(out, margins_of(result, _naming));

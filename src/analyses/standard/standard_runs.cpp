@@ -54,7 +54,7 @@ model::Case for_shapes(model::Case scene) {
 /// With the nodes that the weights of a run make.
 void find_critical_speeds(const model::Case &scene, StandardRun &run) {
     try {
-        run.critical_speeds = unjudged_critical_speeds(scene).critical_speeds;
+        run.critical_speeds = listed_critical_speeds(scene);
     } catch (const model::AnalysisFailure &failure) {
         run.notes.emplace_back("margins of the peaks alone: {}", failure.sentence());
     } catch (const linalg::SolverError &failure) {

@@ -67,7 +67,8 @@ void add_margins(const Json &json, Numbers &all) {
 /// Amplitudes, forces and shares of clearances where the machine runs.
 void add_operating(const Json &json, Numbers &all) {
     for (const Json &row : list(json, "operating")) {
-        const bool against = row.value("relative", Json()) == true;
+        // A bearing always is against what holds it; a probe where it is asked to be.
+        const bool against = text(row, "of") == "probe" && row.value("relative", Json()) == true;
         const Sentence place("{} {}{}, {} speed", text(row, "of"), name_or_place(row),
                              against ? " against its pedestal" : "", text(row, "at"));
         add(all, Sentence("{}: amplitude", place), Quantity::amplitude, number(row, "amplitude"),

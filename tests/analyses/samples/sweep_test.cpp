@@ -2,6 +2,7 @@
 
 #include "analyses/sweep.h"
 
+#include "analyses/critical.h"
 #include "model/errors.h"
 #include "results/sweep.h"
 #include "support/scenes.h"
@@ -118,6 +119,10 @@ TEST(Sweep, MarginsAreToTheNearerEndOfTheOperatingSpeeds) {
     const SampledAnswer &nearest = swept_answer(result, "the nearest");
     EXPECT_NEAR(nearest.values[0].value(), 100 * (1 - std::sqrt(1e6 / swept_mass) / 500), 1e-6);
     EXPECT_NEAR(nearest.values[1].value(), 100 * (std::sqrt(8e6 / swept_mass) / 800 - 1), 1e-6);
+    // And that of the one forward mode, as `critical` has it: not of the tilt modes, which the case
+    // does not ask for.
+    EXPECT_EQ(analyses::critical_speeds(scene).margins.value().size(), 1U);
+    EXPECT_EQ(result.answers.size(), 2U);
 }
 
 // m x'' + c x' + k x = U W^2 exp(i W t): |x| = U W^2 / |k - m W^2 + i c W|, and the spring and
@@ -150,6 +155,8 @@ TEST(Sweep, AmplitudesAndForcesWhereTheMachineRuns) {
         EXPECT_NEAR(named("bearing", "amplitude") / x, 1, swept_rounding);
         EXPECT_NEAR(named("bearing", "force") / (std::hypot(k, c * W) * x), 1, swept_rounding);
     }
+    for (const SampledAnswer &answer : result.answers) // which this rotor has none of
+        EXPECT_EQ(answer.name.text().find("pedestal"), std::string::npos) << answer.name;
     scene.rotor.imbalances.clear();
     EXPECT_THROW((void)analyses::sweep(scene, swept(scene)), model::BadInput);
 }
