@@ -13,6 +13,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,56 @@ TEST(CrossingStep, FindsNoRootWhereALineTurnsBack) {
                              [](double x) { return 2 * (x - 0.4); })
                         .empty());
     EXPECT_TRUE(roots_of([](double x) { return 2 + x; }, [](double) { return 1; }).empty());
+}
+
+/// A motion that turns at nu + rate (speed - first) in the rotor, as one of its frequencies in the
+/// fixed frame: sign * that + turns * speed, turns odd.
+struct Alias {
+    double nu, rate, first, sign, turns;
+    [[nodiscard]] double distance(double speed, double multiple) const {
+        return sign * (nu + rate * (speed - first)) + (turns - multiple) * speed;
+    }
+    [[nodiscard]] tracking::StepEnd end(double speed, double multiple, bool with_slope) const {
+        const double slope =
+            with_slope ? sign * rate + turns - multiple : std::numeric_limits<double>::quiet_NaN();
+        return {speed, distance(speed, multiple), slope, 1e-12 * speed};
+    }
+};
+
+TEST(CrossingStep, AJumpHidesNoCrossing) {
+    std::mt19937 random(5);
+    const auto between = [&random](double a, double b) {
+        return std::uniform_real_distribution<double>(a, b)(random);
+    };
+    const auto odd = [&random] {
+        return 2 * std::uniform_int_distribution<int>(-1, 3)(random) + 1;
+    };
+    const double from = 100;
+    int past = 0;
+    int crossings = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const double to = from + between(0.1, 3);
+        // Standing in the rotor is on odd multiples, turning at the speed on even ones.
+        const double nu = trial % 4 == 0   ? between(0, 6)
+                          : trial % 4 == 1 ? from - between(0, 6)
+                                           : between(0, from);
+        const double rate = between(-2, 2);
+        const Alias a{nu, rate, from, trial % 2 == 0 ? 1.0 : -1.0, static_cast<double>(odd())};
+        const Alias b{nu, rate, from, trial % 3 == 0 ? 1.0 : -1.0, static_cast<double>(odd())};
+        const double multiple = 1 + trial % 3;
+        const bool crosses = a.distance(from, multiple) * a.distance(to, multiple) <= 0 ||
+                             b.distance(from, multiple) * b.distance(to, multiple) <= 0;
+        for (const bool with_slope : {true, false}) {
+            const auto first = a.end(from, multiple, with_slope);
+            const auto second = b.end(to, multiple, with_slope);
+            const bool jump = tracking::jumps_past(first, second, multiple);
+            EXPECT_FALSE(jump && crosses) << nu << ' ' << rate << ' ' << to - from;
+            past += jump ? 1 : 0;
+        }
+        crossings += crosses ? 1 : 0;
+    }
+    EXPECT_GT(past, 20000); // with slopes or without, of 40000
+    EXPECT_GT(crossings, 100);
 }
 
 TEST(CrossingStep, ARootAtAnEndHidesNoneInside) {
