@@ -72,8 +72,10 @@ struct WholeRotor::AtSpeed {
     Sparse C_cosine, C_sine, K_cosine, K_sine;
 
     void scale(const Eigen::VectorXd &d) {
-        for (Sparse *A : {&M, &D, &K, &C_cosine, &C_sine, &K_cosine, &K_sine})
+        for (Sparse *A : {&M, &D, &K, &C_cosine, &C_sine, &K_cosine, &K_sine}) {
             *A = linalg::scaled(*A, d);
+            A->prune(0.0); // stored zeros would couple each unknown with itself in other terms
+        }
     }
 };
 
