@@ -544,11 +544,13 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
         result = periodic_response(scene);
         if (result.nodes.empty() && !result.gravity)
             return {}; // not process 0
+        const ModesBeside modes(scene, result.model.order);
+        name_modes(result.peaks, modes, {1, 0, true, 3});
         add_resonances(result);
         note_balancers(scene.rotor, result);
         if (scene.operation && !result.nodes.empty())
             add_margins(result, scene);
-        note_growing_motions(ModesBeside(scene, result.model.order), result.model);
+        note_growing_motions(modes, result.model);
         return result;
     }
     result.speeds = model::required_speeds(scene).values();

@@ -1,6 +1,7 @@
 #include "analyses/names/mode_naming.h"
 
 #include "assembly/discretization.h"
+#include "linalg/check.h"
 #include "model/errors.h"
 #include "modes/formulation.h"
 #include "modes/spectrum.h"
@@ -51,12 +52,15 @@ std::optional<double> next_to(const std::vector<double> &speeds, double speed) {
 bool has_lines(const model::Case &scene) { return scene.speeds && scene.rotor.balancers.empty(); }
 
 /// The form in which lines are followed to give names; none where they are not.
-std::optional<results::Form> form_for_names(const model::Case &scene) {
+/// @param periodic  of periodic equations too
+std::optional<results::Form> form_for_names(const model::Case &scene, bool periodic) {
     if (!has_lines(scene))
         return std::nullopt;
     try {
         const results::Form form = modes::choose_formulation(scene).form;
-        return results::in_rotating_axes(form) ? std::nullopt : std::optional(form);
+        const bool followed =
+            !results::in_rotating_axes(form) || (periodic && form == results::Form::hill);
+        return followed ? std::optional(form) : std::nullopt;
     } catch (const model::BadInput &) { // a form that describes the response, not the modes
         return std::nullopt;
     }
@@ -68,10 +72,14 @@ constexpr int most_more = 60;
 std::optional<tracking::ModeNames> names_of(const ModesBeside &modes, results::Form form,
                                             tracking::ModesToName wanted) {
     const model::Case &scene = modes.scene();
-    if (form == results::Form::general)
+    const modes::SpectrumSolver &solver = modes.in(form);
+    const bool periodic = form == results::Form::hill;
+    if (periodic && !solver.by_matrix()) // a Hill series at each speed
+        return std::nullopt;
+    if (form == results::Form::general || periodic)
         wanted.most_more = most_more;
-    return tracking::mode_names(modes.in(form), *scene.speeds, scene.campbell.modes,
-                                scene.reduction, wanted);
+    return tracking::mode_names(solver, *scene.speeds, scene.campbell.modes, scene.reduction,
+                                wanted);
 }
 
 } // namespace
@@ -87,12 +95,27 @@ const modes::SpectrumSolver &ModesBeside::in(results::Form form) const {
             _solver->take_reduced_roots();
         else
             _solver->take_all_unknowns();
+        _whole.reset();
+        if (form == results::Form::hill && _scene.reduction && _scene.speeds)
+            try {
+                const auto [from, to] = std::minmax(_scene.speeds->from, _scene.speeds->to);
+                auto reduced = _solver->by_monodromy(from, to, _scene.campbell.modes);
+                _whole = std::exchange(_solver, std::move(reduced));
+            } catch (const linalg::SolverError &) { // by Hill's series then
+            } catch (const model::AnalysisFailure &) {
+            }
     }
     return *_solver;
 }
 
+std::optional<modes::WhirlMode> ModesBeside::refined(double speed,
+                                                     const modes::WhirlMode &mode) const {
+    std::vector<modes::WhirlMode> found = (_whole ? *_whole : *_solver).near(speed, {mode});
+    return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
+}
+
 void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const ModesBeside &modes) {
-    const auto form = critical_speeds.empty() ? std::nullopt : form_for_names(modes.scene());
+    const auto form = critical_speeds.empty() ? std::nullopt : form_for_names(modes.scene(), false);
     if (!form)
         return;
     const auto names =
@@ -106,14 +129,17 @@ void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const Mode
 
 void name_modes(std::vector<results::ResponsePeak> &peaks, const ModesBeside &modes,
                 const PeakDrive &drive) {
-    const auto form = peaks.empty() ? std::nullopt : form_for_names(modes.scene());
+    const auto form = peaks.empty() ? std::nullopt : form_for_names(modes.scene(), true);
     if (!form)
         return;
     const std::vector<double> solved = few_speeds(speeds_of(peaks));
     const auto near_drive = [&drive](const modes::Spectrum &spectrum, std::size_t place) {
-        const std::complex<double> driven(0, drive.frequency_at(spectrum.speed));
-        return std::abs(spectrum.modes[place].eigenvalue - driven) <
-               tracking::resonant * driven.imag();
+        const auto near = [&](double frequency) {
+            return std::abs(spectrum.modes[place].eigenvalue - std::complex(0.0, frequency)) <
+                   tracking::resonant * frequency;
+        };
+        return near(drive.frequency_at(spectrum.speed)) ||
+               near(drive.also * std::abs(spectrum.speed));
     };
     const auto names = names_of(modes, *form, {solved, false, near_drive});
     if (!names)
@@ -124,10 +150,22 @@ void name_modes(std::vector<results::ResponsePeak> &peaks, const ModesBeside &mo
         return !forward || mode.whirl == results::Whirl::forward;
     };
     for (results::ResponsePeak &peak : peaks) {
+        const auto near = next_to(solved, peak.speed);
+        if (!near)
+            continue;
+        const auto named = [&](double frequency, double within) {
+            if (peak.mode.empty() && frequency > 0)
+                peak.mode = names->nearest(
+                    *near, {peak.speed, {0, frequency}, within * frequency, 1, driven});
+        };
         const double frequency = drive.frequency_at(peak.speed);
-        if (const auto near = next_to(solved, peak.speed))
-            peak.mode = names->nearest(
-                *near, {peak.speed, {0, frequency}, tracking::resonant * frequency, 1, driven});
+        constexpr double unknown = 1e5; // amplification: without damping
+        const double width = std::min(1 / peak.amplification.value_or(unknown), tracking::resonant);
+        if (drive.also > 0) {
+            named(frequency, width);
+            named(drive.also * std::abs(peak.speed), width);
+        }
+        named(frequency, tracking::resonant);
     }
 }
 

@@ -41,7 +41,9 @@ std::vector<double> some_speeds(const model::SpeedRange &range) {
 }
 
 /// Largest real part of the slow motions beyond what rounding can be, 1/s; 0: none grows.
-double growth_at(const modes::SpectrumSolver &solver, double speed, int wanted) {
+double growth_at(const ModesBeside &beside, const modes::SpectrumSolver &solver, double speed,
+                 int wanted) {
+    constexpr double by_matrix = 1e-5; // of the moduli: what a reduced rotor leaves out there
     const modes::Spectrum spectrum = solver.at(speed, wanted);
     double out = 0;
     for (const double real : spectrum.growing)
@@ -49,15 +51,21 @@ double growth_at(const modes::SpectrumSolver &solver, double speed, int wanted) 
     for (const modes::WhirlMode &found : spectrum.modes) {
         const double left_out = solver.left_out() * std::abs(found.eigenvalue);
         modes::WhirlMode mode = found;
-        if (left_out > 0 && mode.eigenvalue.real() > -left_out)
-            for (modes::WhirlMode &refined : solver.near(speed, {found}))
-                mode = std::move(refined);
         // Of frequency or speed, where the solver states hardly any error: an undamped
         // rotor must not grow.
         constexpr double always = 1e-9;
-        const double noise = (always + 10 * (mode.residual + mode.rounding)) *
-                             std::max(std::abs(mode.eigenvalue), std::abs(speed));
-        if (mode.eigenvalue.real() > noise)
+        const auto noise = [&] {
+            return (always + 10 * (mode.residual + mode.rounding)) *
+                   std::max(std::abs(mode.eigenvalue), std::abs(speed));
+        };
+        const double real = mode.eigenvalue.real();
+        // Without damping the reduced rotor's motions are on the axis as well.
+        const bool unsure = solver.by_matrix() ? std::abs(real) > noise() &&
+                                                     real > -by_matrix * std::abs(mode.eigenvalue)
+                                               : left_out > 0 && real > -left_out;
+        if (unsure)
+            mode = beside.refined(speed, found).value_or(found);
+        if (mode.eigenvalue.real() > noise())
             out = std::max(out, mode.eigenvalue.real());
     }
     return out;
@@ -79,7 +87,7 @@ void note_growing_motions(const ModesBeside &beside, results::ModelSummary &mode
         const modes::SpectrumSolver &solver = beside.in(modes::choose_formulation(free).form);
         solver.expect(speeds, scene.campbell.modes);
         for (const double speed : speeds) {
-            const double growth = growth_at(solver, speed, scene.campbell.modes);
+            const double growth = growth_at(beside, solver, speed, scene.campbell.modes);
             if (growth > 0)
                 growing.push_back(speed);
             if (growth > largest) {
