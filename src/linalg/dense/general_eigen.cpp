@@ -19,10 +19,11 @@ void zgehrd_(const PetscBLASInt *n, const PetscBLASInt *low, const PetscBLASInt 
 void zunghr_(const PetscBLASInt *n, const PetscBLASInt *low, const PetscBLASInt *high,
              std::complex<double> *A, const PetscBLASInt *lda, const std::complex<double> *tau,
              std::complex<double> *work, const PetscBLASInt *room, PetscBLASInt *failed);
-void zhseqr_(const char *schur, const char *vectors, const PetscBLASInt *n, const PetscBLASInt *low,
-             const PetscBLASInt *high, std::complex<double> *H, const PetscBLASInt *ldh,
-             std::complex<double> *values, std::complex<double> *Z, const PetscBLASInt *ldz,
-             std::complex<double> *work, const PetscBLASInt *room, PetscBLASInt *failed);
+void zlahqr_(const PetscBLASInt *schur, const PetscBLASInt *vectors, const PetscBLASInt *n,
+             const PetscBLASInt *low, const PetscBLASInt *high, std::complex<double> *H,
+             const PetscBLASInt *ldh, std::complex<double> *values, const PetscBLASInt *first,
+             const PetscBLASInt *last, std::complex<double> *Z, const PetscBLASInt *ldz,
+             PetscBLASInt *failed);
 void ztrevc_(const char *side, const char *which, const PetscBLASInt *selected,
              const PetscBLASInt *n, std::complex<double> *T, const PetscBLASInt *ldt,
              std::complex<double> *left, const PetscBLASInt *ldl, std::complex<double> *right,
@@ -135,8 +136,8 @@ ComplexEigen general_eigen(Eigen::MatrixXcd A) {
         A.col(j).tail(n - j - 2).setZero();
     ComplexEigen out{Eigen::VectorXcd(n), Eigen::MatrixXcd(n, n), Eigen::MatrixXcd(n, n), {}};
     if (failed == 0)
-        zhseqr_("S", "V", &n, &one, &n, A.data(), &n, out.values.data(), Q.data(), &n, work.data(),
-                &room, &failed);
+        zlahqr_(&one, &one, &n, &one, &n, A.data(), &n, out.values.data(), &one, &n, Q.data(), &n,
+                &failed);
     PetscBLASInt found = 0;
     Eigen::VectorXd real_work(std::max<PetscBLASInt>(n, 1));
     if (failed == 0)

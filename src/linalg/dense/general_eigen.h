@@ -38,7 +38,7 @@ struct ComplexEigen {
     Eigen::VectorXcd products;    ///< u^H v of each value
 };
 
-/// The same of a complex matrix (LAPACK's zhseqr), right and left vectors.
+/// The same of a complex matrix (LAPACK's zlahqr), right and left vectors.
 /// @throws SolverError where it does not converge
 [[nodiscard]] ComplexEigen general_eigen(Eigen::MatrixXcd A);
 
