@@ -400,29 +400,9 @@ model::Case scene_with_fit(model::Case scene, model::BearingFit fit) {
     return scene;
 }
 
-namespace {
-
-/// Those of the case, and between them the ends of the operating speeds, where growth is judged.
-std::vector<double> speeds_of_growth(const model::Case &scene) {
-    std::vector<double> speeds = model::required_speeds(scene).values();
-    if (!scene.operation)
-        return speeds;
-    constexpr double same = 1e-9;
-    const model::Operation &of = *scene.operation;
-    for (const double end : {of.from, of.to, of.trip.value_or(of.to)}) {
-        const auto next = std::ranges::lower_bound(speeds, end * (1 - same));
-        const bool inside = next != speeds.begin() && next != speeds.end();
-        if (inside && *next > end * (1 + same))
-            speeds.insert(next, end);
-    }
-    return speeds;
-}
-
-} // namespace
-
 results::StabilityResult stability(const model::Case &scene, const CaseWith &with) {
     results::StabilityResult result;
-    result.speeds = speeds_of_growth(scene);
+    result.speeds = model::required_speeds(scene).values();
     const std::vector<double> grid = stability::search_speeds(*scene.speeds);
     stability::StabilityModel model = stability::stability_model(scene, grid);
     result.model.formulation = model.formulation;

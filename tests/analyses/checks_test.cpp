@@ -332,26 +332,6 @@ TEST(Checks, StabilityThatDoesNotCoverTheOperatingSpeeds) {
     }
 }
 
-/// Wherever the speeds of the case are: growth is read where each end is the only speed.
-TEST(Checks, GrowthAtTheEndsOfTheOperatingSpeeds) {
-    Analysed analysed(sound());
-    analysed.scene.speeds = model::SpeedRange{0, 1000, 3};
-    analysed.scene.operation = model::Operation{510, 560, 580};
-    const results::StabilityResult stability = analyses::stability(analysed.scene, {});
-    analyses::Computed computed = analysed.computed;
-    computed.stability = &stability;
-    const auto all = analyses::assess(analysed.scene, computed);
-    const Check check = named(all, growth).front();
-    EXPECT_EQ(check.pass, std::optional(true)) << check.why;
-    double largest = -std::numeric_limits<double>::infinity();
-    for (const double end : {510, 560, 580}) {
-        model::Case there = analysed.scene;
-        there.speeds = model::SpeedRange{end, end, 1};
-        largest = std::max(largest, analyses::stability(there, {}).growth.front());
-    }
-    EXPECT_NEAR(*check.value, largest, 1e-9 * 580); // of the fastest motions
-}
-
 TEST(Checks, NeitherGrowthNorDecay) {
     TwoMassMachine machine;
     machine.c = machine.pedestal_c = 0;
