@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -212,13 +213,22 @@ LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &s
             else if (confirmed(lines[i], spectra[k], k)) // alone, beside others that are not found
                 take(i, k, refined_errors(finer, {lines[i]}, spectra[k], k));
     }
-    // Hill's series of a finer mesh is a large problem: only for lines of which nothing is known.
+    // Hill's series of a finer mesh is a large problem: only for lines of which nothing is known,
+    // once a speed.
+    std::vector<std::size_t> unknown;
     for (std::size_t i = 0; series && i < lines.size(); ++i)
         if (std::ranges::none_of(errors[i], &std::optional<double>::has_value))
-            for (const std::size_t k : probes)
-                if (!errors[i][k] && confirmed(lines[i], spectra[k], k) &&
-                    !many_terms(solver, spectra[k]) && !(k > 0 && spectra.front().speed == 0))
-                    take(i, k, finer.errors(spectra[k]));
+            unknown.push_back(i);
+    for (const std::size_t k : probes) {
+        std::vector<std::size_t> here;
+        std::ranges::copy_if(unknown, std::back_inserter(here),
+                             [&](std::size_t i) { return confirmed(lines[i], spectra[k], k); });
+        if (here.empty() || many_terms(solver, spectra[k]) || (k > 0 && spectra.front().speed == 0))
+            continue;
+        const std::vector<double> all = finer.errors(spectra[k]);
+        for (const std::size_t i : here)
+            take(i, k, all);
+    }
     const mesh_error::ShapeResidual residual(solver.discretization(), solver.form());
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (series || probes.size() < spectra.size())

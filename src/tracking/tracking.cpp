@@ -193,7 +193,8 @@ class ModeFollower {
         }
     }
 
-    /// What is solved in between is not listed: the reduced rotor tells which mode becomes which.
+    /// At a speed between two nodes. No result lists its modes, so that it need not be refined on
+    /// the whole rotor: the reduced one tells well enough which mode becomes which.
     [[nodiscard]] modes::Spectrum spectrum_between(double speed, int wanted) const {
         const modes::Errors errors =
             _solver.refines() ? modes::Errors::of_right_vectors : modes::Errors::with_left_vectors;

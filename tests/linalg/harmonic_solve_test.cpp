@@ -30,6 +30,27 @@ Eigen::MatrixXd numbers(int n, double seed) {
     return A;
 }
 
+/// K + spin Kc - w^2 M + i w (C + spin G), all of them full.
+struct FullTerms {
+    Eigen::MatrixXd M, C, G, K, Kc;
+
+    explicit FullTerms(int n)
+        : M(numbers(n, 0.3)), C(numbers(n, 0.7)), G(numbers(n, 1.1)),
+          K(numbers(n, 1.9) + 8 * Eigen::MatrixXd::Identity(n, n)), Kc(numbers(n, 2.9)) {}
+
+    [[nodiscard]] HarmonicTerms terms() const {
+        return {sparse(M), sparse(C), sparse(G), sparse(K), sparse(Kc)};
+    }
+    [[nodiscard]] Eigen::MatrixXcd at(double spin, double w,
+                                      const HarmonicSolver::Entries &changes) const {
+        Eigen::MatrixXcd A =
+            (K + spin * Kc - w * w * M) + std::complex<double>(0, w) * (C + spin * G);
+        for (const auto &change : changes)
+            A(change.row(), change.col()) += change.value();
+        return A;
+    }
+};
+
 TEST(HarmonicSolve, agrees_with_a_dense_complex_solution_at_every_speed) {
     const int n = 7;
     const Eigen::MatrixXd M = numbers(n, 0.3);
@@ -97,27 +118,19 @@ TEST(HarmonicSolve, agrees_with_a_dense_solution_at_any_spin_speed_and_frequency
 /// couples them, and with entries that are added to the terms, it is the same solution.
 TEST(HarmonicSolve, pairs_have_the_solution_of_the_unknowns_as_they_are) {
     const int n = 8;
-    const Eigen::MatrixXd M = numbers(n, 0.3);
-    const Eigen::MatrixXd C = numbers(n, 0.7);
-    const Eigen::MatrixXd G = numbers(n, 1.1);
-    const Eigen::MatrixXd K = numbers(n, 1.9) + 8 * Eigen::MatrixXd::Identity(n, n);
-    const Eigen::MatrixXd Kc = numbers(n, 2.9);
+    const FullTerms full(n);
     const std::complex<double> i(0, 1);
     const HarmonicSolver::Entries changes{{3, 2, 0.7 + 0.2 * i}, {3, 3, -0.4 * i}, {0, 6, 1.5}};
-    HarmonicSolver solver({sparse(M), sparse(C), sparse(G), sparse(K), sparse(Kc)}, true, changes);
+    HarmonicSolver solver(full.terms(), true, changes);
     Eigen::MatrixXcd f(n, 2);
     f.real() = numbers(n, 4.1).leftCols(2);
     f.imag() = numbers(n, 5.3).leftCols(2);
     for (const bool changed : {false, true})
         for (const double spin : {0.0, 0.4, -1.3})
             for (const double w : {0.0, 0.7, -2.0}) {
-                Eigen::MatrixXcd A = (K + spin * Kc - w * w * M) + i * w * (C + spin * G);
-                if (changed)
-                    for (const auto &change : changes)
-                        A(change.row(), change.col()) += change.value();
-                const Eigen::MatrixXcd found =
-                    solver.solve(spin, w, f, changed ? changes : HarmonicSolver::Entries{});
-                const Eigen::PartialPivLU<Eigen::MatrixXcd> dense(A);
+                const auto added = changed ? changes : HarmonicSolver::Entries{};
+                const Eigen::MatrixXcd found = solver.solve(spin, w, f, added);
+                const Eigen::PartialPivLU<Eigen::MatrixXcd> dense(full.at(spin, w, added));
                 const Eigen::MatrixXcd expected = dense.solve(f);
                 // What rounding of the entries of A does to either solution.
                 EXPECT_LT((found - expected).norm(), 1e-15 / dense.rcond() * expected.norm())
@@ -162,16 +175,12 @@ TEST(HarmonicSolve, parts_that_nothing_couples_stay_apart) {
 /// these changes alone.
 TEST(HarmonicSolve, one_after_another_at_a_speed_have_the_solutions_of_their_own_matrices) {
     const int n = 8;
-    const Eigen::MatrixXd M = numbers(n, 0.3);
-    const Eigen::MatrixXd C = numbers(n, 0.7);
-    const Eigen::MatrixXd G = numbers(n, 1.1);
-    const Eigen::MatrixXd K = numbers(n, 1.9) + 8 * Eigen::MatrixXd::Identity(n, n);
-    const Eigen::MatrixXd Kc = numbers(n, 2.9);
+    const FullTerms full(n);
     const std::complex<double> i(0, 1);
     const HarmonicSolver::Entries none;
     const HarmonicSolver::Entries some{{3, 2, 0.7 + 0.2 * i}, {0, 6, 1.5}};
     const HarmonicSolver::Entries others{{3, 2, 0.7 + 0.2 * i}, {0, 6, 1.25}};
-    HarmonicSolver solver({sparse(M), sparse(C), sparse(G), sparse(K), sparse(Kc)}, true, some);
+    HarmonicSolver solver(full.terms(), true, some);
     struct At {
         double spin, frequency;
         const HarmonicSolver::Entries &changes;
@@ -181,13 +190,10 @@ TEST(HarmonicSolve, one_after_another_at_a_speed_have_the_solutions_of_their_own
          {At{0.4, 0.7, none}, At{0.4, 0.7, none}, At{0.4, 0.7, some}, At{0.4, 0.7, others},
           At{0.4, 0.7, others}, At{0.4, 0.7, none}, At{0.7, 0.4, none}, At{-0.7, 0.4, none},
           At{-0.7, -0.4, none}, At{0, -0.4, none}, At{0, 0, none}, At{0, 0, none}}) {
-        Eigen::MatrixXcd A = (K + at.spin * Kc - at.frequency * at.frequency * M) +
-                             i * at.frequency * (C + at.spin * G);
-        for (const auto &change : at.changes)
-            A(change.row(), change.col()) += change.value();
         const Eigen::MatrixXcd f = numbers(n, seed += 0.6).leftCols(2).cast<std::complex<double>>();
         const Eigen::MatrixXcd found = solver.solve(at.spin, at.frequency, f, at.changes);
-        const Eigen::PartialPivLU<Eigen::MatrixXcd> dense(A);
+        const Eigen::PartialPivLU<Eigen::MatrixXcd> dense(
+            full.at(at.spin, at.frequency, at.changes));
         const Eigen::MatrixXcd expected = dense.solve(f);
         // What rounding of the entries of A does to either solution.
         EXPECT_LT((found - expected).norm(), 1e-15 / dense.rcond() * expected.norm())
