@@ -1,10 +1,10 @@
 #include "analyses/periodic_response.h"
 
-#include "analyses/campbell.h"
 #include "analyses/operating/operating.h"
+#include "forced/bent_supports.h"
+#include "forced/curve_peaks.h"
 #include "forced/periodic_motion.h"
 #include "forced/response_places.h"
-#include "linalg/roots.h"
 #include "mesh_error/estimate.h"
 #include "mesh_error/safety.h"
 #include "model/errors.h"
@@ -15,12 +15,10 @@
 #include "results/sentence.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -92,10 +90,14 @@ class Motions {
         const forced::Phasor still = parts.part(0);
         const double size = std::hypot(still.x.real(), still.y.real());
         TurnParts out = parts.moving();
-        constexpr double rounding = 1e-14; // of the sums behind it, at the least
-        if (out.largest() <= 10 * std::max(_motion.rounding(), rounding) * size)
+        if (out.largest() <= 10 * least_rounding() * size)
             out.parts.clear();
         return out;
+    }
+    /// Relative to what stands still and what moves together.
+    [[nodiscard]] double least_rounding() const {
+        constexpr double of_sums = 1e-14; // behind every deflection
+        return std::max(_motion.rounding(), of_sums);
     }
     [[nodiscard]] int unknowns() const { return _motion.unknowns(); }
 
@@ -123,10 +125,6 @@ class Motions {
     }
 };
 
-/// Of the spin speed: imbalances drive at odd ones, the weight at even ones; higher ones are driven
-/// by the square and more of what the bearings differ by.
-constexpr std::array multiples_looked_at{1.0, 2.0, 3.0, 4.0};
-
 /// A place or a bearing whose largest distance over a turn is looked at.
 struct Watched {
     results::ResponsePeak peak; ///< what and where it is
@@ -134,126 +132,144 @@ struct Watched {
     std::function<double(const Motions &, const TurnParts &)> error;
 };
 
-/// Speeds at which peaks are looked for: those asked for, an even grid, and those about which a
-/// free motion is near resonance, where a peak can be narrower than both: its frequency, or that of
-/// its line between two speeds of the diagram, passes one of the first multiples that drive it.
-/// @param odd  the multiples of imbalances, not those of the weight
-std::vector<double> looked_at(const model::SpeedRange &range,
-                              const results::CampbellResult &free_motions, bool odd) {
-    constexpr int even = 200;
-    const double low = std::min(range.from, range.to);
-    const double high = std::max(range.from, range.to);
-    std::vector<double> all = range.values();
-    for (int i = 0; i <= even; ++i)
-        all.push_back(low + (high - low) * i / even);
-    const auto about = [&](double speed, double ratio) {
-        const double width = std::max(std::abs(ratio), 1e-9) * speed;
-        for (const double widths : {-8.0, -4.0, -2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 4.0, 8.0})
-            all.push_back(speed + widths * width);
-    };
-    const auto drives = [odd](double multiple) { return (std::fmod(multiple, 2) != 0) == odd; };
-    for (const results::Crossing &crossing : free_motions.crossings)
-        if (drives(crossing.multiple))
-            about(crossing.speed, crossing.damping.ratio.value_or(0));
-    for (const results::CampbellMode &mode : free_motions.modes)
-        for (std::size_t k = 0; k + 1 < free_motions.speeds.size(); ++k)
-            for (const double multiple : multiples_looked_at) {
-                if (!drives(multiple) || !mode.frequency[k] || !mode.frequency[k + 1])
-                    continue;
-                const double here = *mode.frequency[k] - multiple * free_motions.speeds[k];
-                const double there = *mode.frequency[k + 1] - multiple * free_motions.speeds[k + 1];
-                if ((here < 0) != (there < 0))
-                    about(free_motions.speeds[k] +
-                              (free_motions.speeds[k + 1] - free_motions.speeds[k]) * here /
-                                  (here - there),
-                          mode.damping_ratio[k].value_or(0));
-            }
-    std::erase_if(all, [&](double speed) { return speed < low || speed > high; });
-    std::ranges::sort(all);
-    // Nearer to each other than the curve can tell.
-    constexpr double same = 1e-9;
-    const auto last = std::unique(all.begin(), all.end(),
-                                  [](double a, double b) { return b - a <= same * std::abs(b); });
-    all.erase(last, all.end());
-    return all;
+/// What is looked at of it: under the weight what moves.
+/// @param first  multiple of the spin speed that a load drives
+TurnParts seen(const Motions &motions, const Watched &watched, int first) {
+    const TurnParts parts = watched.parts(motions);
+    return first > 1 ? motions.moving(parts) : parts;
 }
 
-/// Free motions over the range, with crossings of the multiples that loads have.
-results::CampbellResult free_motions_of(const model::Case &scene) {
-    model::Case bare = without_balancers(scene);
-    bare.campbell.multiples = {multiples_looked_at.begin(), multiples_looked_at.end()};
-    return hill_crossings(bare).diagram;
+/// A row of numbers a quantity: x and y of each of its parts.
+Eigen::RowVectorXcd numbers_of(const TurnParts &motion) {
+    Eigen::RowVectorXcd out(2 * std::ssize(motion.parts));
+    Eigen::Index place = 0;
+    for (const forced::Phasor &part : motion.parts) {
+        out(place++) = part.x;
+        out(place++) = part.y;
+    }
+    return out;
+}
+
+TurnParts parts_of(const Eigen::RowVectorXcd &numbers, int first) {
+    TurnParts out{first, {}};
+    for (Eigen::Index i = 0; i + 1 < numbers.size(); i += 2)
+        out.parts.push_back({numbers(i), numbers(i + 1)});
+    return out;
+}
+
+/// The ends of a range of speeds of one sign, and the rows of bearing tables between; of a range on
+/// both sides of rest two.
+std::vector<std::vector<double>> cuts_of(const model::Rotor &rotor,
+                                         const model::SpeedRange &range) {
+    const double high = std::max(range.from, range.to);
+    const double low = std::min(range.from, range.to);
+    constexpr double slowest = 1e-6; // of the fastest speed: at rest nothing moves
+    std::vector<std::vector<double>> out;
+    const auto add = [&](double from, double to) {
+        out.push_back({from});
+        for (const double row : forced::rows_of_straight_pieces(rotor))
+            if (row > from && row < to)
+                out.back().push_back(row);
+        out.back().push_back(to);
+    };
+    if (low < 0)
+        add(low, std::min(high, slowest * low));
+    if (high > 0)
+        add(std::max(low, slowest * high), high);
+    return out;
+}
+
+/// Amplitudes over a range of speeds.
+/// @param first  multiple of the spin speed
+forced::CurvePeaks amplitudes(Motions &motions, const std::vector<Watched> &watched, int first,
+                              const std::vector<double> &cuts) {
+    const auto solve = [&](double speed) -> std::optional<linalg::RationalCurve::Values> {
+        motions.solve(speed, false);
+        if (!motions.limited())
+            return std::nullopt;
+        std::vector<Eigen::RowVectorXcd> rows;
+        Eigen::Index columns = 0;
+        for (const Watched &one : watched) {
+            rows.push_back(numbers_of(seen(motions, one, first)));
+            columns = std::max(columns, rows.back().size());
+        }
+        linalg::RationalCurve::Values out;
+        out.numbers.setZero(std::ssize(rows), columns);
+        out.rounding.setZero(std::ssize(rows));
+        for (Eigen::Index i = 0; i < std::ssize(rows); ++i) {
+            const Eigen::RowVectorXcd &row = rows[static_cast<std::size_t>(i)];
+            out.numbers.row(i).head(row.size()) = row;
+            out.rounding(i) = motions.least_rounding() *
+                              watched[static_cast<std::size_t>(i)].parts(motions).largest();
+        }
+        return out;
+    };
+    return {cuts, solve, [first](std::size_t, const Eigen::RowVectorXcd &numbers) {
+                return parts_of(numbers, first).largest();
+            }};
 }
 
 /// Largest values of the quantities over the range, and their curves.
 class PeakSearch {
   public:
-    PeakSearch(Motions &motions, const std::vector<Watched> &watched,
-               const results::CampbellResult &free_motions, std::vector<double> speeds)
-        : _motions(motions), _watched(watched), _free(free_motions), _speeds(std::move(speeds)) {}
+    /// @param first  multiple of the spin speed that the motion has
+    PeakSearch(Motions &motions, const std::vector<Watched> &watched, int first)
+        : _motions(motions), _watched(watched), _first(first) {}
 
-    void find(std::vector<results::ResponsePeak> &peaks, results::ResponseCurves &curves) {
-        curves.speeds = _speeds;
+    /// @param ranges  ends of pieces, rad/s
+    void find(const std::vector<std::vector<double>> &ranges,
+              std::vector<results::ResponsePeak> &peaks, results::ResponseCurves &curves) {
         curves.values.resize(_watched.size());
         curves.phases.resize(_watched.size());
-        std::vector<double> noise;
-        for (const double speed : _speeds) {
-            _motions.solve(speed, false);
-            noise.push_back(10 * std::max(_motions.rounding(), 1e-14));
-            for (std::size_t i = 0; i < _watched.size(); ++i) {
-                const TurnParts parts = _watched[i].parts(_motions);
-                curves.values[i].push_back(_motions.limited() ? parts.largest() : unlimited);
-                curves.phases[i].push_back(_motions.limited() ? phase(parts) : no_value);
+        std::vector<forced::Top> tops;
+        for (const std::vector<double> &cuts : ranges) {
+            const forced::CurvePeaks found = amplitudes(_motions, _watched, _first, cuts);
+            tops.insert(tops.end(), found.tops().begin(), found.tops().end());
+            for (const forced::CurvePeaks::Sample &sample : found.drawn()) {
+                curves.speeds.push_back(sample.speed);
+                for (std::size_t i = 0; i < _watched.size(); ++i) {
+                    curves.values[i].push_back(sample.values[i]);
+                    curves.phases[i].push_back(std::arg(sample.numbers(static_cast<int>(i), 0)));
+                }
             }
         }
-        for (std::size_t i = 0; i < _watched.size(); ++i)
-            for (std::size_t k = 1; k + 1 < _speeds.size(); ++k) {
-                const std::vector<double> &v = curves.values[i];
-                const double least = (1 - noise[k]) * v[k]; // what rises above rounding
-                if (v[k - 1] < least && v[k + 1] <= v[k] && v[k] > 0)
-                    peaks.push_back(peak(i, k, v));
-            }
+        std::ranges::stable_sort(tops, {}, &forced::Top::quantity);
+        for (const forced::Top &top : tops)
+            peaks.push_back(peak(top));
     }
 
   private:
     Motions &_motions;
     const std::vector<Watched> &_watched;
-    const results::CampbellResult &_free;
-    std::vector<double> _speeds;
-
-    static double phase(const TurnParts &parts) {
-        const forced::Phasor lowest = parts.part(parts.first == 0 ? 2 : parts.first);
-        return std::arg(lowest.x);
-    }
+    int _first;
 
     double value(std::size_t i, double speed, bool finer = false) {
         _motions.solve(speed, finer);
-        return _motions.limited() ? _watched[i].parts(_motions).largest() : unlimited;
+        return _motions.limited() ? seen(_motions, _watched[i], _first).largest() : unlimited;
     }
 
-    results::ResponsePeak peak(std::size_t i, std::size_t k, const std::vector<double> &values) {
-        const double speed = linalg::least_place([&](double s) { return -value(i, s); },
-                                                 _speeds[k - 1], _speeds[k + 1]);
+    results::ResponsePeak peak(const forced::Top &top) {
+        const std::size_t i = top.quantity;
         results::ResponsePeak out = _watched[i].peak;
-        out.speed = speed;
-        out.value = value(i, speed, true);
-        const TurnParts parts = _watched[i].parts(_motions);
+        out.speed = top.speed;
+        out.value = value(i, top.speed, true);
+        const TurnParts parts = seen(_motions, _watched[i], _first);
         const bool limited = _motions.limited();
-        out.phase = phase(parts);
+        out.phase = std::arg(parts.part(_first).x);
         out.error = _watched[i].error(_motions, parts);
         out.error_parts.mesh = out.error;
         if (limited) {
-            out.lower = half_power(i, k, values, speed, out.value, -1);
-            out.upper = half_power(i, k, values, speed, out.value, 1);
+            out.lower = top.lower;
+            out.upper = top.upper;
         }
         if (out.lower && out.upper)
-            out.amplification = speed / (*out.upper - *out.lower);
+            out.amplification = std::abs(out.speed) / (*out.upper - *out.lower);
         constexpr double sharp = 1e5; // a damping ratio of 5e-6: only then it can have no limit
         const auto at = !limited || (out.amplification && *out.amplification > sharp)
-                            ? pole(i, speed)
+                            ? pole(i, out.speed)
                             : std::nullopt;
         if (at || !limited) {
-            out.speed = at.value_or(speed);
+            out.speed = at.value_or(out.speed);
             out.value = unlimited;
             out.phase = out.error = no_value;
             out.error_parts = {};
@@ -265,7 +281,6 @@ class PeakSearch {
         // which is the difference to the finer elements.
         const double width = out.amplification.value_or(1);
         out.speed_error = std::max(1e-8, std::min(out.error, 1.0) / (2 * width));
-        out.mode = nearest_mode(speed, out.amplification);
         return out;
     }
 
@@ -285,45 +300,6 @@ class PeakSearch {
             if (!(value(i, speed * (1 + side * far / 10)) > 9 * value(i, speed * (1 + side * far))))
                 return std::nullopt;
         return speed;
-    }
-
-    /// Where the curve has fallen to 1/sqrt(2) of a peak, before it rises above the peak.
-    std::optional<double> half_power(std::size_t i, std::size_t k,
-                                     const std::vector<double> &values, double speed, double top,
-                                     int side) {
-        const double level = top / std::numbers::sqrt2;
-        double inside = speed;
-        for (auto j = static_cast<std::ptrdiff_t>(k) + side; j >= 0 && j < std::ssize(_speeds);
-             j += side) {
-            const double s = _speeds[static_cast<std::size_t>(j)];
-            const double v = values[static_cast<std::size_t>(j)];
-            if (v > top)
-                return std::nullopt;
-            if ((s - speed) * side <= 0)
-                continue;
-            if (v > level) {
-                inside = s;
-                continue;
-            }
-            const auto above = [&](double at) { return value(i, at) - level; };
-            constexpr double close = 1e-8; // of a width
-            return linalg::root_between(above, inside, above(inside), s, v - level, close);
-        }
-        return std::nullopt;
-    }
-
-    /// The line that crosses the spin speed next to a peak, within its width.
-    [[nodiscard]] std::string nearest_mode(double speed,
-                                           std::optional<double> amplification) const {
-        const double width = speed / amplification.value_or(1e4);
-        std::string out;
-        double least = width;
-        for (const results::Crossing &crossing : _free.crossings)
-            if (const double away = std::abs(crossing.speed - speed); away <= least) {
-                least = away;
-                out = _free.modes[static_cast<std::size_t>(crossing.mode)].label;
-            }
-        return out;
     }
 };
 
@@ -364,7 +340,6 @@ struct Scene {
     const model::Case &scene;
     const assembly::Discretization &d;
     const assembly::Discretization *fine;
-    const results::CampbellResult &free_motions;
     std::map<int, std::string> nodes;
 
     [[nodiscard]] double place(int node) const {
@@ -373,8 +348,7 @@ struct Scene {
 };
 
 /// Stations, bearings and probes.
-/// @param moving  without what stands still
-std::vector<Watched> watched_in(const Scene &all, bool moving, bool probes) {
+std::vector<Watched> watched_in(const Scene &all, bool probes) {
     std::vector<Watched> out;
     const auto of = [&](const char *what, int place, double z, const std::string &name) {
         results::ResponsePeak peak;
@@ -384,14 +358,11 @@ std::vector<Watched> watched_in(const Scene &all, bool moving, bool probes) {
         peak.name = name;
         return peak;
     };
-    const auto part = [moving](const Motions &m, const TurnParts &parts) {
-        return moving ? m.moving(parts) : parts;
-    };
     int place = 0;
     for (const auto &[node, name] : all.nodes) {
         const double z = all.place(node);
         out.push_back(
-            {of("station", place++, z, name), [=](const Motions &m) { return part(m, m.at(z)); },
+            {of("station", place++, z, name), [=](const Motions &m) { return m.at(z); },
              [=](const Motions &m, const TurnParts &) { return m.error_at(z, m.at(z)); }});
     }
     place = 0;
@@ -399,7 +370,7 @@ std::vector<Watched> watched_in(const Scene &all, bool moving, bool probes) {
         const int i = place++;
         out.push_back(
             {of("bearing", i, bearing.z, bearing.name),
-             [=](const Motions &m) { return part(m, m.force(i)); },
+             [=](const Motions &m) { return m.force(i); },
              [=](const Motions &m, const TurnParts &) { return m.error_of_force(i, m.force(i)); }});
     }
     place = 0;
@@ -461,10 +432,10 @@ void add_imbalance_response(const Scene &all, results::ResponseResult &result) {
     note_resonances(result, result.nodes.front().amplitude);
     if (result.speeds.size() < 2)
         return;
-    const std::vector<Watched> watched = watched_in(all, false, true);
-    PeakSearch(motions, watched, all.free_motions,
-               looked_at(model::required_speeds(all.scene), all.free_motions, true))
-        .find(result.peaks, result.curves);
+    const std::vector<Watched> watched = watched_in(all, true);
+    PeakSearch(motions, watched, 1)
+        .find(cuts_of(all.d.rotor(), model::required_speeds(all.scene)), result.peaks,
+              result.curves);
 }
 
 /// One drive of such a rotor, at the operating speeds.
@@ -481,13 +452,11 @@ class PeriodicMover : public Mover {
 
     [[nodiscard]] Moving of(const forced::Quantity &quantity) const override {
         const TurnParts whole = _motions.of(quantity);
-        TurnParts parts = quantity.angle ? whole.read(*quantity.angle) : whole;
-        if (!_odd)
-            parts = _motions.moving(parts);
+        const TurnParts parts = seen(_motions, watched(quantity), first());
         Moving out;
         out.amplitude = parts.largest();
         if (out.amplitude > 0)
-            out.phase = std::arg(parts.part(_odd ? 1 : 2).x);
+            out.phase = std::arg(parts.part(first()).x);
         double squares = 0; // of the velocities: an upper bound of the largest over all directions
         const TurnParts velocity = over_time(parts, &squares);
         out.velocity = velocity.largest();
@@ -502,11 +471,16 @@ class PeriodicMover : public Mover {
     }
 
     [[nodiscard]] Look look(double from, double to,
-                            const std::vector<forced::Quantity> &) const override {
-        model::Case there = _all.scene;
-        constexpr int lines = 60; // between which free motions are followed
-        there.speeds = model::SpeedRange{from, to, lines};
-        return {looked_at(*there.speeds, free_motions_of(there), _odd), {}};
+                            const std::vector<forced::Quantity> &quantities) const override {
+        std::vector<Watched> all;
+        for (const forced::Quantity &quantity : quantities)
+            all.push_back(watched(quantity));
+        Look out;
+        Motions motions(_all.d, nullptr, _odd ? 0 : _all.scene.response.gravity);
+        for (const std::vector<double> &cuts : cuts_of(_all.d.rotor(), {from, to, 2}))
+            for (const auto &sample : amplitudes(motions, all, first(), cuts).drawn())
+                out.speeds.push_back(sample.speed);
+        return out;
     }
 
   private:
@@ -514,6 +488,16 @@ class PeriodicMover : public Mover {
     Motions _motions;
     bool _odd;
     double _speed = 0;
+
+    [[nodiscard]] int first() const { return _odd ? 1 : 2; }
+
+    [[nodiscard]] static Watched watched(const forced::Quantity &quantity) {
+        const auto parts = [&quantity](const Motions &motions) {
+            const TurnParts whole = motions.of(quantity);
+            return quantity.angle ? whole.read(*quantity.angle) : whole;
+        };
+        return {{}, parts, {}};
+    }
 
     /// The derivative. @param squares  of the semi-major axes of its parts, summed up
     [[nodiscard]] TurnParts over_time(TurnParts parts, double *squares) const {
@@ -577,10 +561,9 @@ void add_gravity_response(const Scene &all, results::ResponseResult &result) {
     result.model.unknowns = motions.unknowns();
     if (result.speeds.size() < 2)
         return;
-    const std::vector<Watched> watched = watched_in(all, true, false);
-    PeakSearch(motions, watched, all.free_motions,
-               looked_at(model::required_speeds(all.scene), all.free_motions, false))
-        .find(out.peaks, out.curves);
+    const std::vector<Watched> watched = watched_in(all, false);
+    PeakSearch(motions, watched, 2)
+        .find(cuts_of(all.d.rotor(), model::required_speeds(all.scene)), out.peaks, out.curves);
 }
 
 } // namespace
@@ -605,13 +588,10 @@ results::ResponseResult periodic_response(const model::Case &scene) {
     std::optional<assembly::Discretization> fine;
     if (!d.rigid())
         fine.emplace(bare.rotor, std::min(mesh_error::finer_order(result.model.order), highest));
-    std::optional<process::Stage> stage(std::in_place, "free motions", 0.0, 0.3);
-    const results::CampbellResult free_motions =
-        result.speeds.size() < 2 ? results::CampbellResult{} : free_motions_of(bare);
     if (process::process_rank() != 0)
         return {};
-    stage.emplace("response", 0.3, 0.9);
-    const Scene all{bare, d, fine ? &*fine : nullptr, free_motions, forced::attached_nodes(d)};
+    const process::Stage stage("response", 0.0, 0.9);
+    const Scene all{bare, d, fine ? &*fine : nullptr, forced::attached_nodes(d)};
     if (!bare.rotor.imbalances.empty())
         add_imbalance_response(all, result);
     if (bare.response.gravity != 0)

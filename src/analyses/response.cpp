@@ -546,6 +546,8 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
             return {}; // not process 0
         const ModesBeside modes(scene, result.model.order);
         name_modes(result.peaks, modes, {1, 0, true, 3});
+        if (result.gravity)
+            name_modes(result.gravity->peaks, modes, {2, 0, false, 4});
         add_resonances(result);
         note_balancers(scene.rotor, result);
         if (scene.operation && !result.nodes.empty())

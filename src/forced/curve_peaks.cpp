@@ -1,0 +1,176 @@
+#include "forced/curve_peaks.h"
+
+#include "linalg/roots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <utility>
+
+namespace whirl::forced {
+
+namespace {
+
+/// Misfit of the interpolated motion at new speeds that is accepted, relative: a hundred times what
+/// solutions leave beside usual resonances.
+constexpr double enough = 1e-9;
+/// Step over the distance to the nearest pole: an analytic function is a cubic there to 1e-4.
+constexpr double step_over_distance = 0.2;
+constexpr int steps_at_least = 200; // for pictures
+/// Smallest step, of the speed: narrower resonances are as without damping.
+constexpr double smallest_step = 1e-7;
+
+} // namespace
+
+CurvePeaks::CurvePeaks(const std::vector<double> &cuts, const linalg::RationalCurve::Solve &solve,
+                       Size size)
+    : _size(std::move(size)) {
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+        _pieces.emplace_back(cuts[i], cuts[i + 1], solve, enough);
+    constexpr int most_rounds = 6; // a guard: each solves for the motion at the maxima found
+    for (int round = 0; round < most_rounds; ++round) {
+        _samples.clear();
+        for (const linalg::RationalCurve &piece : _pieces)
+            sample_piece(piece);
+        find();
+        if (confirmed())
+            break;
+    }
+}
+
+const linalg::RationalCurve &CurvePeaks::piece_of(double speed) const {
+    const auto after = std::ranges::upper_bound(_pieces, speed, {}, &linalg::RationalCurve::from);
+    return after == _pieces.begin() ? _pieces.front() : *std::prev(after);
+}
+
+linalg::RationalCurve &CurvePeaks::piece_of(double speed) {
+    return const_cast<linalg::RationalCurve &>(std::as_const(*this).piece_of(speed));
+}
+
+double CurvePeaks::misfit() const {
+    double worst = 0;
+    for (const linalg::RationalCurve &piece : _pieces)
+        worst = std::max(worst, piece.misfit());
+    return worst;
+}
+
+CurvePeaks::Sample CurvePeaks::sample(double speed) const {
+    Sample out{speed, piece_of(speed).at(speed), {}};
+    for (Eigen::Index i = 0; i < out.numbers.rows(); ++i)
+        out.values.push_back(_size(static_cast<std::size_t>(i), out.numbers.row(i)));
+    return out;
+}
+
+double CurvePeaks::value(std::size_t quantity, double speed) const {
+    return _size(quantity, piece_of(speed).at(speed).row(static_cast<Eigen::Index>(quantity)));
+}
+
+void CurvePeaks::sample_piece(const linalg::RationalCurve &piece) {
+    const double range = _pieces.back().to() - _pieces.front().from();
+    double speed = piece.from();
+    while (true) {
+        if (_samples.empty() || _samples.back().speed < speed)
+            _samples.push_back(sample(speed));
+        if (speed >= piece.to())
+            return;
+        double step = range / steps_at_least;
+        for (const std::complex<double> pole : piece.poles())
+            step = std::min(step, step_over_distance * std::abs(pole - speed));
+        step = std::max(step, smallest_step * std::abs(speed));
+        // No minute last step.
+        speed = speed + 1.2 * step >= piece.to() ? piece.to() : speed + step;
+    }
+}
+
+void CurvePeaks::find() {
+    _tops.clear();
+    // Less than that are no maxima of a motion that changes on the scale of the steps.
+    const double noise = 10 * std::max(misfit(), enough);
+    for (std::size_t q = 0; q < _samples.front().values.size(); ++q)
+        for (std::size_t k = 1; k + 1 < _samples.size(); ++k) {
+            const double here = _samples[k].values[q];
+            const double least = (1 - std::min(noise, 0.1)) * here;
+            if (here > 0 && _samples[k - 1].values[q] < here && _samples[k + 1].values[q] <= here &&
+                std::min(_samples[k - 1].values[q], _samples[k + 1].values[q]) < least)
+                _tops.push_back(top_about(q, k));
+        }
+}
+
+/// Solves for the motion at the maxima. @returns whether it is as interpolated
+bool CurvePeaks::confirmed() {
+    std::vector<double> speeds;
+    for (const Top &top : _tops)
+        speeds.push_back(top.speed);
+    std::ranges::sort(speeds);
+    std::vector<std::vector<double>> places(_pieces.size());
+    std::optional<double> last;
+    for (const double speed : speeds) {
+        linalg::RationalCurve &piece = piece_of(speed);
+        double width = piece.to() - piece.from();
+        for (const std::complex<double> pole : piece.poles())
+            width = std::min(width, std::abs(pole - speed));
+        constexpr double near_enough = 0.1; // of the distance to the pole
+        if (last && speed - *last < near_enough * width)
+            continue;
+        last = speed;
+        places[static_cast<std::size_t>(&piece - _pieces.data())].push_back(speed);
+    }
+    double worst = 0;
+    for (std::size_t i = 0; i < _pieces.size(); ++i)
+        if (!places[i].empty())
+            worst = std::max(worst, _pieces[i].take_in(places[i]));
+    return worst <= enough;
+}
+
+Top CurvePeaks::top_about(std::size_t quantity, std::size_t middle) const {
+    Top out;
+    out.quantity = quantity;
+    out.speed = linalg::least_place([&](double speed) { return -value(quantity, speed); },
+                                    _samples[middle - 1].speed, _samples[middle + 1].speed);
+    out.value = value(quantity, out.speed);
+    out.lower = half_power(out, middle, -1);
+    out.upper = half_power(out, middle, 1);
+    return out;
+}
+
+/// Where the curve has fallen to 1/sqrt(2) of a maximum, before it rises above that.
+std::optional<double> CurvePeaks::half_power(const Top &top, std::size_t start,
+                                             int direction) const {
+    const double level = top.value / std::numbers::sqrt2;
+    const auto above = [&](double speed) { return value(top.quantity, speed) - level; };
+    double inside = top.speed;
+    for (auto j = static_cast<std::ptrdiff_t>(start); j >= 0 && j < std::ssize(_samples);
+         j += direction) {
+        const Sample &s = _samples[static_cast<std::size_t>(j)];
+        const double there = s.values[top.quantity];
+        constexpr double rounding = 1e-7;
+        if (there > (1 + rounding) * top.value)
+            return std::nullopt;
+        if ((s.speed - top.speed) * direction <= 0)
+            continue;
+        if (there > level) {
+            inside = s.speed;
+            continue;
+        }
+        constexpr double close = 1e-12; // of the speed
+        return linalg::root_between(above, inside, above(inside), s.speed, there - level, close);
+    }
+    return std::nullopt;
+}
+
+std::vector<CurvePeaks::Sample> CurvePeaks::drawn() const {
+    constexpr double seen = 0.03; // of a value
+    const double step = (_samples.back().speed - _samples.front().speed) / steps_at_least;
+    std::vector<Sample> out;
+    for (const Sample &s : _samples) {
+        bool keep = out.empty() || s.speed - out.back().speed >= step;
+        for (std::size_t i = 0; !keep && i < s.values.size(); ++i)
+            keep = std::abs(s.values[i] - out.back().values[i]) > seen * s.values[i];
+        if (keep)
+            out.push_back(s);
+    }
+    return out;
+}
+
+} // namespace whirl::forced

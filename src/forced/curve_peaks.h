@@ -1,0 +1,71 @@
+#pragma once
+
+#include "linalg/rational_curve.h"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace whirl::forced {
+
+/// A local maximum of a quantity over the spin speed.
+struct Top {
+    std::size_t quantity = 0;
+    double speed = 0;            ///< rad/s, to half of the digits
+    double value = 0;            ///< interpolated
+    std::optional<double> lower; ///< where it is 1/sqrt(2) of that below, rad/s; none: not reached
+    std::optional<double> upper; ///< and above
+};
+
+/// Amplitudes of quantities over a range of speeds, and all their local maxima strictly inside: the
+/// motion of the whole rotor, interpolated between the speeds at which it was solved for, those of
+/// the maxima among them. Steps are a part of the distance to the nearest pole of the motion, the
+/// scale on which it changes.
+class CurvePeaks {
+  public:
+    /// Amplitude of a quantity from its numbers.
+    using Size = std::function<double(std::size_t quantity, const Eigen::RowVectorXcd &numbers)>;
+
+    /// @param cuts   rad/s, ascending, at least two: what the motion follows is analytic between
+    /// @param solve  a row of numbers a quantity; nothing where it has no limit
+    /// @throws linalg::SolverError where nothing is solved between two cuts
+    CurvePeaks(const std::vector<double> &cuts, const linalg::RationalCurve::Solve &solve,
+               Size size);
+
+    struct Sample {
+        double speed = 0;
+        Eigen::MatrixXcd numbers; ///< a row a quantity
+        std::vector<double> values;
+    };
+    /// Ascending by quantity, then by speed.
+    [[nodiscard]] const std::vector<Top> &tops() const { return _tops; }
+    /// The speeds looked at, ascending: between two of them no quantity has a maximum that neither
+    /// of them shows.
+    [[nodiscard]] const std::vector<Sample> &samples() const { return _samples; }
+    /// Those that a picture needs.
+    [[nodiscard]] std::vector<Sample> drawn() const;
+    /// Largest relative misfit of the interpolated motion at the last speeds that it was compared
+    /// at.
+    [[nodiscard]] double misfit() const;
+
+  private:
+    std::vector<linalg::RationalCurve> _pieces;
+    Size _size;
+    std::vector<Sample> _samples;
+    std::vector<Top> _tops;
+
+    [[nodiscard]] linalg::RationalCurve &piece_of(double speed);
+    [[nodiscard]] const linalg::RationalCurve &piece_of(double speed) const;
+    [[nodiscard]] Sample sample(double speed) const;
+    [[nodiscard]] double value(std::size_t quantity, double speed) const;
+    void sample_piece(const linalg::RationalCurve &piece);
+    void find();
+    [[nodiscard]] bool confirmed();
+    [[nodiscard]] Top top_about(std::size_t quantity, std::size_t middle) const;
+    [[nodiscard]] std::optional<double> half_power(const Top &top, std::size_t start,
+                                                   int direction) const;
+};
+
+} // namespace whirl::forced

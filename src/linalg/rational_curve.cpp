@@ -1,0 +1,304 @@
+#include "linalg/rational_curve.h"
+
+#include "linalg/check.h"
+#include "linalg/dense/general_eigen.h"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <utility>
+
+namespace whirl::linalg {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Places solved for to begin with.
+constexpr int first_places = 17;
+/// A guard: functions that need more are not what this is for.
+constexpr std::size_t most_places = 300;
+/// Part of the misfit accepted at new places that the fit of known ones is allowed.
+constexpr double share_of_fit = 0.1;
+/// Part of its usual size that a quantity which passes zero is measured by there.
+constexpr double passing_zero = 1e-2;
+
+/// With columns of zeros behind its own.
+Eigen::MatrixXcd widened(const Eigen::MatrixXcd &values, Eigen::Index columns) {
+    Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(values.rows(), columns);
+    out.leftCols(values.cols()) = values;
+    return out;
+}
+
+Eigen::MatrixXcd difference(const Eigen::MatrixXcd &a, const Eigen::MatrixXcd &b) {
+    const Eigen::Index columns = std::max(a.cols(), b.cols());
+    return widened(a, columns) - widened(b, columns);
+}
+
+/// Geometric mean of the size of each quantity over the places: what peaks do not decide.
+Eigen::VectorXd usual_sizes(const std::map<double, RationalCurve::Values> &solved) {
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(solved.begin()->second.numbers.rows());
+    Eigen::VectorXd counts = sums;
+    for (const auto &[place, values] : solved)
+        for (Eigen::Index i = 0; i < sums.size(); ++i)
+            if (const double size = values.numbers.row(i).norm(); size > 0) {
+                sums(i) += std::log(size);
+                counts(i) += 1;
+            }
+    return (sums.array() / counts.array().max(1)).exp();
+}
+
+/// Largest difference of a quantity over its size, beyond its rounding.
+double relative(const Eigen::MatrixXcd &differences, const RationalCurve::Values &of,
+                const Eigen::VectorXd &usual) {
+    constexpr double of_fit = 10; // the fit adds up rounding of many places
+    double worst = 0;
+    for (Eigen::Index i = 0; i < usual.size(); ++i) {
+        const double size = of.numbers.row(i).norm() + passing_zero * usual(i);
+        const double beyond = differences.row(i).norm() - of_fit * of.rounding(i);
+        if (beyond > 0)
+            worst = std::max(worst, beyond / size);
+    }
+    return worst;
+}
+
+/// A few combinations of all functions, each by its usual size: their poles are those of all.
+Eigen::MatrixXcd mixtures(const std::map<double, RationalCurve::Values> &solved,
+                          Eigen::Index columns, const Eigen::VectorXd &usual) {
+    constexpr Eigen::Index count = 6;
+    std::mt19937 random; // any phases do, the same at every call
+    std::uniform_real_distribution<double> phase(0, 2 * std::numbers::pi);
+    Eigen::MatrixXcd mix(count, usual.size() * columns);
+    for (Complex &entry : mix.reshaped())
+        entry = std::polar(1.0, phase(random));
+    Eigen::MatrixXcd out(count, static_cast<Eigen::Index>(solved.size()));
+    Eigen::Index column = 0;
+    for (const auto &[place, values] : solved) {
+        const Eigen::MatrixXcd scaled =
+            usual.cwiseMax(std::numeric_limits<double>::min()).cwiseInverse().asDiagonal() *
+            widened(values.numbers, columns);
+        out.col(column++) = mix * scaled.reshaped();
+    }
+    return out;
+}
+
+/// x of length 1 with the least |A x|: inverse iteration with the triangular factor of A, which has
+/// no fewer rows than columns.
+Eigen::VectorXcd least_direction(const Eigen::MatrixXcd &A) {
+    const Eigen::HouseholderQR<Eigen::MatrixXcd> factors(A);
+    Eigen::MatrixXcd R = factors.matrixQR().topRows(A.cols());
+    const double rounding = std::numeric_limits<double>::epsilon() * A.norm();
+    for (Complex &entry : R.diagonal())
+        if (std::abs(entry) < rounding)
+            entry = rounding;
+    const auto upper = R.triangularView<Eigen::Upper>();
+    Eigen::VectorXcd x = Eigen::VectorXcd::Ones(A.cols()).normalized();
+    constexpr int steps =
+        4; // two where one direction is much less than the others; any of these do
+    for (int i = 0; i < steps; ++i) {
+        upper.adjoint().solveInPlace(x);
+        x.normalize();
+        upper.solveInPlace(x);
+        x.normalize();
+    }
+    return x;
+}
+
+} // namespace
+
+RationalCurve::RationalCurve(double from, double to, Solve solve, double enough)
+    : _from(from), _to(to), _solve(std::move(solve)), _enough(enough) {
+    for (int i = 0; i < first_places; ++i) { // Chebyshev's points of the second kind
+        const double part = (1 - std::cos(std::numbers::pi * i / (first_places - 1))) / 2;
+        this->solve(from + (to - from) * part);
+    }
+    if (_solved.empty())
+        throw SolverError("no value of a curve was solved for");
+    fit();
+    while (take_in(places_between()) > _enough)
+        if (_solved.size() + _none.size() > most_places)
+            return;
+}
+
+bool RationalCurve::solve(double place) {
+    if (_solved.contains(place) || _none.contains(place))
+        return false;
+    std::optional<Values> values = _solve(place);
+    if (values && values->numbers.allFinite())
+        _solved.emplace(place, std::move(*values));
+    else
+        _none.insert(place);
+    return _solved.contains(place);
+}
+
+double RationalCurve::take_in(const std::vector<double> &places) {
+    const Eigen::VectorXd usual = usual_sizes(_solved);
+    _misfit = 0;
+    bool news = false;
+    for (const double place : places) {
+        const Eigen::MatrixXcd before = at(place);
+        if (!solve(place))
+            continue;
+        news = true;
+        const Values &values = _solved.at(place);
+        _misfit = std::max(_misfit, relative(difference(before, values.numbers), values, usual));
+    }
+    if (news)
+        fit();
+    return _misfit;
+}
+
+Eigen::MatrixXcd RationalCurve::at(double place) const {
+    Eigen::MatrixXcd sum;
+    Complex weights = 0;
+    for (std::size_t k = 0; k < _support.size(); ++k) {
+        const Eigen::MatrixXcd &values = _solved.at(_support[k]).numbers;
+        if (place == _support[k])
+            return values;
+        const Complex weight = _weights(static_cast<Eigen::Index>(k)) / (place - _support[k]);
+        weights += weight;
+        if (sum.cols() < values.cols())
+            sum = sum.size() == 0 ? Eigen::MatrixXcd::Zero(values.rows(), values.cols()).eval()
+                                  : widened(sum, values.cols());
+        sum.leftCols(values.cols()) += weight * values;
+    }
+    return sum / weights;
+}
+
+/// The weights by which the linear misfit at the other places is least: rows and columns by the
+/// sizes that the functions have there, which differ by many orders beside poles.
+Eigen::VectorXcd RationalCurve::weights(const std::vector<double> &others,
+                                        const Eigen::MatrixXcd &mixed,
+                                        const std::vector<double> &places) const {
+    const auto column_of = [&places](double place) {
+        return static_cast<Eigen::Index>(std::ranges::lower_bound(places, place) - places.begin());
+    };
+    Eigen::VectorXd sizes = mixed.colwise().norm();
+    for (double &size : sizes)
+        size = size > 0 ? size : 1;
+    const Eigen::Index count = mixed.rows();
+    Eigen::MatrixXcd loewner(count * std::ssize(others), std::ssize(_support));
+    Eigen::VectorXd by_size(_support.size());
+    for (Eigen::Index k = 0; k < by_size.size(); ++k) {
+        const double support = _support[static_cast<std::size_t>(k)];
+        const Eigen::Index there = column_of(support);
+        by_size(k) = 1 / sizes(there);
+        for (Eigen::Index j = 0; j < std::ssize(others); ++j) {
+            const double other = others[static_cast<std::size_t>(j)];
+            const Eigen::Index here = column_of(other);
+            loewner.block(count * j, k, count, 1) = (mixed.col(here) - mixed.col(there)) *
+                                                    (by_size(k) / sizes(here)) *
+                                                    ((_to - _from) / (other - support));
+        }
+    }
+    return by_size.asDiagonal() * least_direction(loewner);
+}
+
+void RationalCurve::fit() {
+    const Eigen::VectorXd usual = usual_sizes(_solved);
+    Eigen::Index columns = 0;
+    std::vector<double> places;
+    for (const auto &[place, values] : _solved) {
+        columns = std::max(columns, values.numbers.cols());
+        places.push_back(place);
+    }
+    const Eigen::MatrixXcd mixed = mixtures(_solved, columns, usual);
+    if (_support.empty())
+        _support = {places.front()};
+    while (true) {
+        std::vector<double> others;
+        for (const double place : places)
+            if (std::ranges::find(_support, place) == _support.end())
+                others.push_back(place);
+        if (others.empty()) {
+            _weights = Eigen::VectorXcd::Ones(std::ssize(_support));
+            break;
+        }
+        _weights = weights(others, mixed, places);
+        double worst = 0;
+        double where = others.front();
+        for (const double place : others) {
+            const Values &values = _solved.at(place);
+            const double misfit = relative(difference(at(place), values.numbers), values, usual);
+            if (!(misfit <= worst)) {
+                worst = misfit;
+                where = place;
+            }
+        }
+        if (worst <= share_of_fit * _enough || 2 * _support.size() >= places.size())
+            break;
+        _support.push_back(where);
+    }
+    find_poles();
+}
+
+/// Zeros of the sum of w_k / (s - s_k): eigenvalues of an arrow pencil A - s B, of which B has two
+/// zeros; as those of (A - shift B)^-1 B.
+void RationalCurve::find_poles() {
+    const Eigen::Index n = std::ssize(_support) + 1;
+    const double middle = (_from + _to) / 2;
+    const double half = (_to - _from) / 2;
+    const Complex shift(0, 3); // in half ranges: off the places asked for
+    Eigen::MatrixXcd A = Eigen::MatrixXcd::Zero(n, n);
+    Eigen::MatrixXcd B = Eigen::MatrixXcd::Identity(n, n);
+    B(0, 0) = 0;
+    for (Eigen::Index k = 1; k < n; ++k) {
+        A(0, k) = _weights(k - 1);
+        A(k, 0) = 1;
+        A(k, k) = (_support[static_cast<std::size_t>(k - 1)] - middle) / half - shift;
+    }
+    _poles.clear();
+    constexpr double far = 10; // half ranges
+    const Eigen::MatrixXcd inverse = Eigen::PartialPivLU<Eigen::MatrixXcd>(A).solve(B);
+    for (const Complex value : general_eigen(inverse).values)
+        if (std::abs(value) * far > 1)
+            _poles.push_back(middle + half * (shift + 1.0 / value));
+}
+
+/// Where the curve has not been confirmed: in the middle of the largest step between places solved
+/// for, between any two that it is interpolated at, and about its poles.
+std::vector<double> RationalCurve::places_between() const {
+    std::vector<double> places;
+    for (const auto &[place, values] : _solved)
+        places.push_back(place);
+    places.insert(places.end(), _none.begin(), _none.end());
+    std::ranges::sort(places);
+    std::vector<double> ends = _support;
+    ends.push_back(_from);
+    ends.push_back(_to);
+    std::ranges::sort(ends);
+    const double least = 1e-9 * (_to - _from);
+    std::vector<double> out;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        double widest = least;
+        double middle = 0;
+        const auto last = std::ranges::lower_bound(places, ends[i + 1]);
+        for (auto at = std::ranges::lower_bound(places, ends[i]); at < last; ++at)
+            if (*(at + 1) - *at > widest) {
+                widest = *(at + 1) - *at;
+                middle = (*at + *(at + 1)) / 2;
+            }
+        if (widest > least)
+            out.push_back(middle);
+    }
+    constexpr double nearest = 1e-4; // of the range, to a pole
+    for (const Complex pole : _poles) {
+        const double apart = std::max(std::abs(pole.imag()), nearest * (_to - _from));
+        for (const int side : {-1, 1}) {
+            const double place = pole.real() + side * apart;
+            const auto next = std::ranges::lower_bound(places, place);
+            const bool known = (next != places.end() && *next - place < apart / 2) ||
+                               (next != places.begin() && place - *std::prev(next) < apart / 2);
+            if (place > _from && place < _to && !known)
+                out.push_back(place);
+        }
+    }
+    return out;
+}
+
+} // namespace whirl::linalg
