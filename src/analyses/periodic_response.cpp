@@ -188,7 +188,7 @@ forced::CurvePeaks amplitudes(Motions &motions, const std::vector<Watched> &watc
         if (!motions.limited())
             return std::nullopt;
         std::vector<Eigen::RowVectorXcd> rows;
-        Eigen::Index columns = 0;
+        Eigen::Index columns = 2; // of what does not move
         for (const Watched &one : watched) {
             rows.push_back(numbers_of(seen(motions, one, first)));
             columns = std::max(columns, rows.back().size());
@@ -265,9 +265,10 @@ class PeakSearch {
         if (out.lower && out.upper)
             out.amplification = std::abs(out.speed) / (*out.upper - *out.lower);
         constexpr double sharp = 1e5; // a damping ratio of 5e-6: only then it can have no limit
-        const auto at = !limited || (out.amplification && *out.amplification > sharp)
-                            ? pole(i, out.speed)
-                            : std::nullopt;
+        const auto at =
+            !limited || std::isinf(top.value) || (out.amplification && *out.amplification > sharp)
+                ? pole(i, out.speed)
+                : std::nullopt;
         if (at || !limited) {
             out.speed = at.value_or(out.speed);
             out.value = unlimited;

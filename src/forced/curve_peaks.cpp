@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -101,7 +102,8 @@ void CurvePeaks::find() {
 bool CurvePeaks::confirmed() {
     std::vector<double> speeds;
     for (const Top &top : _tops)
-        speeds.push_back(top.speed);
+        if (std::isfinite(top.value))
+            speeds.push_back(top.speed);
     std::ranges::sort(speeds);
     std::vector<std::vector<double>> places(_pieces.size());
     std::optional<double> last;
@@ -126,8 +128,17 @@ bool CurvePeaks::confirmed() {
 Top CurvePeaks::top_about(std::size_t quantity, std::size_t middle) const {
     Top out;
     out.quantity = quantity;
-    out.speed = linalg::least_place([&](double speed) { return -value(quantity, speed); },
-                                    _samples[middle - 1].speed, _samples[middle + 1].speed);
+    const double from = _samples[middle - 1].speed;
+    const double to = _samples[middle + 1].speed;
+    for (const std::complex<double> pole : piece_of(_samples[middle].speed).poles())
+        if (pole.real() > from && pole.real() < to &&
+            std::abs(pole.imag()) < smallest_step * std::abs(pole.real())) {
+            out.speed = pole.real();
+            out.value = std::numeric_limits<double>::infinity();
+            return out;
+        }
+    out.speed =
+        linalg::least_place([&](double speed) { return -value(quantity, speed); }, from, to);
     out.value = value(quantity, out.speed);
     out.lower = half_power(out, middle, -1);
     out.upper = half_power(out, middle, 1);

@@ -14,7 +14,7 @@ namespace whirl::forced {
 struct Top {
     std::size_t quantity = 0;
     double speed = 0;            ///< rad/s, to half of the digits
-    double value = 0;            ///< interpolated
+    double value = 0;            ///< interpolated; infinite: a pole next to the real speeds
     std::optional<double> lower; ///< where it is 1/sqrt(2) of that below, rad/s; none: not reached
     std::optional<double> upper; ///< and above
 };

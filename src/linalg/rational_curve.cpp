@@ -1,7 +1,7 @@
 #include "linalg/rational_curve.h"
 
 #include "linalg/check.h"
-#include "linalg/dense/general_eigen.h"
+#include "linalg/dense/complex_schur.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -92,7 +92,8 @@ Eigen::MatrixXcd mixtures(const std::map<double, RationalCurve::Values> &solved,
 Eigen::VectorXcd least_direction(const Eigen::MatrixXcd &A) {
     const Eigen::HouseholderQR<Eigen::MatrixXcd> factors(A);
     Eigen::MatrixXcd R = factors.matrixQR().topRows(A.cols());
-    const double rounding = std::numeric_limits<double>::epsilon() * A.norm();
+    const double rounding = std::max(std::numeric_limits<double>::epsilon() * A.norm(),
+                                     std::numeric_limits<double>::min());
     for (Complex &entry : R.diagonal())
         if (std::abs(entry) < rounding)
             entry = rounding;
@@ -240,6 +241,9 @@ void RationalCurve::fit() {
 /// Zeros of the sum of w_k / (s - s_k): eigenvalues of an arrow pencil A - s B, of which B has two
 /// zeros; as those of (A - shift B)^-1 B.
 void RationalCurve::find_poles() {
+    _poles.clear();
+    if (_support.size() < 2) // constant
+        return;
     const Eigen::Index n = std::ssize(_support) + 1;
     const double middle = (_from + _to) / 2;
     const double half = (_to - _from) / 2;
@@ -252,10 +256,9 @@ void RationalCurve::find_poles() {
         A(k, 0) = 1;
         A(k, k) = (_support[static_cast<std::size_t>(k - 1)] - middle) / half - shift;
     }
-    _poles.clear();
     constexpr double far = 10; // half ranges
     const Eigen::MatrixXcd inverse = Eigen::PartialPivLU<Eigen::MatrixXcd>(A).solve(B);
-    for (const Complex value : general_eigen(inverse).values)
+    for (const Complex value : complex_schur(inverse).T.diagonal())
         if (std::abs(value) * far > 1)
             _poles.push_back(middle + half * (shift + 1.0 / value));
 }
