@@ -13,9 +13,9 @@ namespace whirl::forced {
 
 namespace {
 
-/// Misfit of the interpolated motion at new speeds that is accepted, relative: a hundred times what
-/// solutions leave beside usual resonances.
-constexpr double enough = 1e-9;
+/// Misfit of the interpolated motion at new speeds that is accepted, relative: lower peaks than
+/// that beside what else moves are none. Values of peaks are solved for.
+constexpr double enough = 1e-8;
 /// Step over the distance to the nearest pole: an analytic function is a cubic there to 1e-4.
 constexpr double step_over_distance = 0.2;
 constexpr int steps_at_least = 200; // for pictures

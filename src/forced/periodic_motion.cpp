@@ -6,38 +6,51 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
+#include <limits>
 #include <numbers>
 
 namespace whirl::forced {
 
 Eigen::Vector2d TurnParts::at(double angle) const {
     Eigen::Vector2d out(0, 0);
-    int multiple = first;
+    std::complex<double> turn = std::polar(1.0, first * angle);
+    const std::complex<double> twice = std::polar(1.0, 2 * angle);
     for (const Phasor &part : parts) {
-        const std::complex<double> turn = std::polar(1.0, multiple * angle);
         out += Eigen::Vector2d((part.x * turn).real(), (part.y * turn).real());
-        multiple += 2;
+        turn *= twice;
     }
     return out;
 }
 
 double TurnParts::largest() const {
-    if (parts.empty())
+    const auto size = [](const Phasor &part) { return std::abs(part.x) + std::abs(part.y); };
+    double sum = 0;
+    for (const Phasor &part : parts)
+        sum += size(part);
+    std::size_t count = parts.size(); // without those that the last digits do not show
+    double left_out = 0;
+    while (count > 0 &&
+           (left_out += size(parts[count - 1])) <= std::numeric_limits<double>::epsilon() * sum)
+        --count;
+    if (count == 0)
         return 0;
     // A polynomial of so many harmonics has no more bumps than twice their number: this many points
     // leave one a place next to which it falls off on both sides.
-    const auto points = static_cast<int>(8 * (first + 2 * parts.size()));
+    const auto points = static_cast<int>(8 * (first + 2 * count));
+    const TurnParts main{first,
+                         {parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(count)}};
     const double step = 2 * std::numbers::pi / points;
     int best = 0;
     double most = -1;
     for (int i = 0; i < points; ++i)
-        if (const double here = at(i * step).norm(); here > most) {
+        if (const double here = main.at(i * step).norm(); here > most) {
             most = here;
             best = i;
         }
-    const double angle = linalg::least_place([this](double a) { return -at(a).norm(); },
+    const double angle = linalg::least_place([&main](double a) { return -main.at(a).norm(); },
                                              (best - 1) * step, (best + 1) * step);
-    return std::max(most, at(angle).norm());
+    return std::max(most, main.at(angle).norm());
 }
 
 TurnParts TurnParts::read(double angle) const {

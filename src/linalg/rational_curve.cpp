@@ -221,19 +221,20 @@ void RationalCurve::fit() {
             break;
         }
         _weights = weights(others, mixed, places);
-        double worst = 0;
-        double where = others.front();
+        std::vector<std::pair<double, double>> misfits; // and places
         for (const double place : others) {
             const Values &values = _solved.at(place);
-            const double misfit = relative(difference(at(place), values.numbers), values, usual);
-            if (!(misfit <= worst)) {
-                worst = misfit;
-                where = place;
-            }
+            misfits.emplace_back(relative(difference(at(place), values.numbers), values, usual),
+                                 place);
         }
-        if (worst <= share_of_fit * _enough || 2 * _support.size() >= places.size())
+        std::ranges::sort(misfits, std::greater());
+        if (misfits.front().first <= share_of_fit * _enough || 2 * _support.size() >= places.size())
             break;
-        _support.push_back(where);
+        // One more at a time of few, so that none is in vain; of many the worst together.
+        const std::size_t more = std::min(1 + _support.size() / 16, misfits.size());
+        for (std::size_t i = 0; i < more; ++i)
+            if (misfits[i].first > share_of_fit * _enough)
+                _support.push_back(misfits[i].second);
     }
     find_poles();
 }
