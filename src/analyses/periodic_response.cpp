@@ -204,9 +204,14 @@ forced::CurvePeaks amplitudes(Motions &motions, const std::vector<Watched> &watc
         }
         return out;
     };
-    return {cuts, solve, [first](std::size_t, const Eigen::RowVectorXcd &numbers) {
-                return parts_of(numbers, first).largest();
-            }};
+    const auto size = [first](const Eigen::RowVectorXcd &numbers) {
+        return parts_of(numbers, first).largest();
+    };
+    const auto change = [first](const Eigen::RowVectorXcd &numbers,
+                                const Eigen::RowVectorXcd &changes) {
+        return parts_of(numbers, first).change_of_largest(parts_of(changes, first));
+    };
+    return {cuts, solve, {size, change}};
 }
 
 /// Largest values of the quantities over the range, and their curves.

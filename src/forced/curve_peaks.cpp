@@ -59,12 +59,18 @@ double CurvePeaks::misfit() const {
 CurvePeaks::Sample CurvePeaks::sample(double speed) const {
     Sample out{speed, piece_of(speed).at(speed), {}};
     for (Eigen::Index i = 0; i < out.numbers.rows(); ++i)
-        out.values.push_back(_size(static_cast<std::size_t>(i), out.numbers.row(i)));
+        out.values.push_back(_size.of(out.numbers.row(i)));
     return out;
 }
 
 double CurvePeaks::value(std::size_t quantity, double speed) const {
-    return _size(quantity, piece_of(speed).at(speed).row(static_cast<Eigen::Index>(quantity)));
+    return _size.of(piece_of(speed).at(speed).row(static_cast<Eigen::Index>(quantity)));
+}
+
+double CurvePeaks::slope(std::size_t quantity, double speed) const {
+    const linalg::RationalCurve &piece = piece_of(speed);
+    const auto row = static_cast<Eigen::Index>(quantity);
+    return _size.change(piece.at(speed).row(row), piece.slope(speed).row(row));
 }
 
 void CurvePeaks::sample_piece(const linalg::RationalCurve &piece) {
@@ -137,8 +143,13 @@ Top CurvePeaks::top_about(std::size_t quantity, std::size_t middle) const {
             out.value = std::numeric_limits<double>::infinity();
             return out;
         }
+    const auto slope_at = [&](double speed) { return slope(quantity, speed); };
+    const double before = slope_at(from);
+    const double after = slope_at(to);
     out.speed =
-        linalg::least_place([&](double speed) { return -value(quantity, speed); }, from, to);
+        before > 0 && after < 0
+            ? linalg::root_between(slope_at, from, before, to, after)
+            : linalg::least_place([&](double speed) { return -value(quantity, speed); }, from, to);
     out.value = value(quantity, out.speed);
     out.lower = half_power(out, middle, -1);
     out.upper = half_power(out, middle, 1);

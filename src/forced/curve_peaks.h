@@ -13,7 +13,7 @@ namespace whirl::forced {
 /// A local maximum of a quantity over the spin speed.
 struct Top {
     std::size_t quantity = 0;
-    double speed = 0;            ///< rad/s, to half of the digits
+    double speed = 0;            ///< rad/s
     double value = 0;            ///< interpolated; infinite: a pole next to the real speeds
     std::optional<double> lower; ///< where it is 1/sqrt(2) of that below, rad/s; none: not reached
     std::optional<double> upper; ///< and above
@@ -25,8 +25,13 @@ struct Top {
 /// scale on which it changes.
 class CurvePeaks {
   public:
-    /// Amplitude of a quantity from its numbers.
-    using Size = std::function<double(std::size_t quantity, const Eigen::RowVectorXcd &numbers)>;
+    /// Amplitude of a quantity from its numbers, and what it changes with these.
+    struct Size {
+        std::function<double(const Eigen::RowVectorXcd &numbers)> of;
+        std::function<double(const Eigen::RowVectorXcd &numbers,
+                             const Eigen::RowVectorXcd &changes)>
+            change;
+    };
 
     /// @param cuts   rad/s, ascending, at least two: what the motion follows is analytic between
     /// @param solve  a row of numbers a quantity; nothing where it has no limit
@@ -60,6 +65,7 @@ class CurvePeaks {
     [[nodiscard]] const linalg::RationalCurve &piece_of(double speed) const;
     [[nodiscard]] Sample sample(double speed) const;
     [[nodiscard]] double value(std::size_t quantity, double speed) const;
+    [[nodiscard]] double slope(std::size_t quantity, double speed) const;
     void sample_piece(const linalg::RationalCurve &piece);
     void find();
     [[nodiscard]] bool confirmed();

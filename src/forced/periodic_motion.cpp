@@ -23,7 +23,16 @@ Eigen::Vector2d TurnParts::at(double angle) const {
     return out;
 }
 
-double TurnParts::largest() const {
+double TurnParts::largest() const { return at(farthest()).norm(); }
+
+double TurnParts::change_of_largest(const TurnParts &changes) const {
+    const double angle = farthest();
+    const Eigen::Vector2d there = at(angle);
+    const double size = there.norm();
+    return size > 0 ? there.dot(changes.at(angle)) / size : changes.largest();
+}
+
+double TurnParts::farthest() const {
     const auto size = [](const Phasor &part) { return std::abs(part.x) + std::abs(part.y); };
     double sum = 0;
     for (const Phasor &part : parts)
@@ -50,7 +59,7 @@ double TurnParts::largest() const {
         }
     const double angle = linalg::least_place([&main](double a) { return -main.at(a).norm(); },
                                              (best - 1) * step, (best + 1) * step);
-    return std::max(most, main.at(angle).norm());
+    return main.at(angle).norm() >= most ? angle : best * step;
 }
 
 TurnParts TurnParts::read(double angle) const {

@@ -20,12 +20,18 @@ struct TurnParts {
     [[nodiscard]] Eigen::Vector2d at(double angle) const;
     /// The largest distance from (0, 0) over a turn.
     [[nodiscard]] double largest() const;
+    /// What that changes where the parts change by these.
+    [[nodiscard]] double change_of_largest(const TurnParts &changes) const;
     /// What a probe reads that looks along `angle`: a motion in x.
     [[nodiscard]] TurnParts read(double angle) const;
     /// Without what stands still.
     [[nodiscard]] TurnParts moving() const;
     /// At `multiple` times the spin speed.
     [[nodiscard]] Phasor part(int multiple) const;
+
+  private:
+    /// The angle at which it is farthest from (0, 0), rad.
+    [[nodiscard]] double farthest() const;
 };
 
 /// Steady motion of an asymmetric rotor on bearings that differ between their directions, under

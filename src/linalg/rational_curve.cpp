@@ -171,6 +171,25 @@ Eigen::MatrixXcd RationalCurve::at(double place) const {
     return sum / weights;
 }
 
+/// r' = sum of w_k / (s - s_k) (r - f_k) / (s - s_k), over the sum of w_k / (s - s_k): C.
+/// Schneider, W. Werner, Math. Comp. 47 (1986) 285.
+Eigen::MatrixXcd RationalCurve::slope(double place) const {
+    const double beside = std::sqrt(std::numeric_limits<double>::epsilon()) * (_to - _from);
+    if (std::ranges::find(_support, place) != _support.end())
+        place += place + beside < _to ? beside : -beside;
+    const Eigen::MatrixXcd values = at(place);
+    Eigen::MatrixXcd sum = Eigen::MatrixXcd::Zero(values.rows(), values.cols());
+    Complex weights = 0;
+    for (std::size_t k = 0; k < _support.size(); ++k) {
+        const double apart = place - _support[k];
+        const Complex weight = _weights(static_cast<Eigen::Index>(k)) / apart;
+        weights += weight;
+        const Eigen::MatrixXcd change = difference(values, _solved.at(_support[k]).numbers);
+        sum += (weight / apart) * change;
+    }
+    return sum / weights;
+}
+
 /// The weights by which the linear misfit at the other places is least: rows and columns by the
 /// sizes that the functions have there, which differ by many orders beside poles.
 Eigen::VectorXcd RationalCurve::weights(const std::vector<double> &others,

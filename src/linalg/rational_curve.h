@@ -38,6 +38,8 @@ class RationalCurve {
 
     /// The interpolated values.
     [[nodiscard]] Eigen::MatrixXcd at(double place) const;
+    /// Their derivatives; at places that the functions are interpolated at to half of the digits.
+    [[nodiscard]] Eigen::MatrixXcd slope(double place) const;
     /// Where the functions have no limit: complex places about the range; those far off are what
     /// the sum of all others looks like from it.
     [[nodiscard]] const std::vector<std::complex<double>> &poles() const { return _poles; }
