@@ -157,8 +157,9 @@ TurnParts parts_of(const Eigen::RowVectorXcd &numbers, int first) {
     return out;
 }
 
-/// The ends of a range of speeds of one sign, and the rows of bearing tables between; of a range on
-/// both sides of rest two.
+/// The ends of a range of speeds of one sign, the rows of bearing tables between and halves of the
+/// fastest: multiples of the spin speed crowd resonances towards rest. Of a range on both sides of
+/// rest two.
 std::vector<std::vector<double>> cuts_of(const model::Rotor &rotor,
                                          const model::SpeedRange &range) {
     const double high = std::max(range.from, range.to);
@@ -166,11 +167,21 @@ std::vector<std::vector<double>> cuts_of(const model::Rotor &rotor,
     constexpr double slowest = 1e-6; // of the fastest speed: at rest nothing moves
     std::vector<std::vector<double>> out;
     const auto add = [&](double from, double to) {
-        out.push_back({from});
+        std::vector<double> &cuts = out.emplace_back();
+        cuts = {from, to};
+        constexpr int halves = 6;
+        double half = std::abs(from) > std::abs(to) ? from : to;
+        for (int i = 0; i < halves; ++i)
+            cuts.push_back(half /= 2);
         for (const double row : forced::rows_of_straight_pieces(rotor))
-            if (row > from && row < to)
-                out.back().push_back(row);
-        out.back().push_back(to);
+            cuts.push_back(row);
+        std::erase_if(cuts, [=](double cut) { return cut < from || cut > to; });
+        std::ranges::sort(cuts);
+        constexpr double same = 1e-6; // of the fastest
+        const auto last = std::unique(cuts.begin(), cuts.end(), [=](double a, double b) {
+            return b - a < same * std::max(std::abs(from), std::abs(to)) && b != to;
+        });
+        cuts.erase(last, cuts.end());
     };
     if (low < 0)
         add(low, std::min(high, slowest * low));
@@ -247,6 +258,7 @@ class PeakSearch {
     Motions &_motions;
     const std::vector<Watched> &_watched;
     int _first;
+    std::map<double, double> _poles; ///< exact place by the interpolated one
 
     double value(std::size_t i, double speed, bool finer = false) {
         _motions.solve(speed, finer);
@@ -256,38 +268,49 @@ class PeakSearch {
     results::ResponsePeak peak(const forced::Top &top) {
         const std::size_t i = top.quantity;
         results::ResponsePeak out = _watched[i].peak;
+        if (std::isinf(top.value))
+            if (const auto at = common_pole(i, top.speed))
+                return without_limit(out, *at, 1e-9);
         out.speed = top.speed;
         out.value = value(i, top.speed, true);
+        if (!_motions.limited()) {
+            const auto at = pole(i, top.speed);
+            return without_limit(out, at.value_or(top.speed), at ? 1e-9 : 1e-8);
+        }
         const TurnParts parts = seen(_motions, _watched[i], _first);
-        const bool limited = _motions.limited();
         out.phase = std::arg(parts.part(_first).x);
         out.error = _watched[i].error(_motions, parts);
         out.error_parts.mesh = out.error;
-        if (limited) {
-            out.lower = top.lower;
-            out.upper = top.upper;
-        }
+        out.lower = top.lower;
+        out.upper = top.upper;
         if (out.lower && out.upper)
             out.amplification = std::abs(out.speed) / (*out.upper - *out.lower);
-        constexpr double sharp = 1e5; // a damping ratio of 5e-6: only then it can have no limit
-        const auto at =
-            !limited || std::isinf(top.value) || (out.amplification && *out.amplification > sharp)
-                ? pole(i, out.speed)
-                : std::nullopt;
-        if (at || !limited) {
-            out.speed = at.value_or(out.speed);
-            out.value = unlimited;
-            out.phase = out.error = no_value;
-            out.error_parts = {};
-            out.lower = out.upper = out.amplification = std::nullopt;
-            out.speed_error = at ? 1e-9 : 1e-8;
-            return out;
-        }
         // A resonance that is off by a part e of its speed turns the phase of the motion by 2 AF e,
         // which is the difference to the finer elements.
         const double width = out.amplification.value_or(1);
-        out.speed_error = std::max(1e-8, std::min(out.error, 1.0) / (2 * width));
+        out.speed_error = std::max(1e-9, std::min(out.error, 1.0) / (2 * width));
         return out;
+    }
+
+    static results::ResponsePeak without_limit(results::ResponsePeak peak, double speed,
+                                               double speed_error) {
+        peak.speed = speed;
+        peak.value = unlimited;
+        peak.phase = peak.error = no_value;
+        peak.error_parts = {};
+        peak.speed_error = speed_error;
+        return peak;
+    }
+
+    /// pole() of what all quantities have there.
+    std::optional<double> common_pole(std::size_t i, double speed) {
+        const auto known = _poles.find(speed);
+        if (known != _poles.end())
+            return known->second;
+        const std::optional<double> at = pole(i, speed);
+        if (at)
+            _poles[speed] = *at;
+        return at;
     }
 
     /// Where it grows like 1 / distance to the end, as next to the end of an unstable range, at

@@ -124,11 +124,13 @@ bool CurvePeaks::confirmed() {
         last = speed;
         places[static_cast<std::size_t>(&piece - _pieces.data())].push_back(speed);
     }
-    double worst = 0;
-    for (std::size_t i = 0; i < _pieces.size(); ++i)
-        if (!places[i].empty())
-            worst = std::max(worst, _pieces[i].take_in(places[i]));
-    return worst <= enough;
+    bool news = false;
+    for (std::size_t i = 0; i < _pieces.size(); ++i) {
+        const bool settled = _pieces[i].misfit() <= enough; // else it never is
+        if (settled && !places[i].empty() && _pieces[i].take_in(places[i]) > enough)
+            news = true;
+    }
+    return !news;
 }
 
 Top CurvePeaks::top_about(std::size_t quantity, std::size_t middle) const {

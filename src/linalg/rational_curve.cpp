@@ -20,9 +20,9 @@ namespace {
 using Complex = std::complex<double>;
 
 /// Places solved for to begin with.
-constexpr int first_places = 17;
+constexpr int first_places = 9;
 /// A guard: functions that need more are not what this is for.
-constexpr std::size_t most_places = 300;
+constexpr std::size_t most_places = 150;
 /// Part of the misfit accepted at new places that the fit of known ones is allowed.
 constexpr double share_of_fit = 0.1;
 /// Part of its usual size that a quantity which passes zero is measured by there.

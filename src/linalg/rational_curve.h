@@ -27,6 +27,7 @@ class RationalCurve {
     /// The values at a place; nothing where there is no solution.
     using Solve = std::function<std::optional<Values>(double)>;
 
+    /// Functions with so many poles that 150 places do not do are left as they are then: misfit().
     /// @param enough  misfit at new places, relative to the size of a quantity, that is accepted
     /// beyond
     ///                rounding

@@ -77,6 +77,14 @@ TEST(RationalCurve, AgreesBetweenItsPlaces) {
                           10 * enough * exact.row(q).norm() + 1e-9)
                     << trial << " " << s;
         }
+        for (int i = 0; i < 50; ++i) { // slopes against differences over a part of the least width
+            const double s = random(1.01, 9.9);
+            double width = 1e-2;
+            for (const Complex pole : of.poles)
+                width = std::min(width, 1e-3 * std::abs(pole - s));
+            const Eigen::MatrixXcd exact = (of.at(s + width) - of.at(s - width)) / (2 * width);
+            EXPECT_LT((curve.slope(s) - exact).norm(), 1e-5 * exact.norm()) << trial << " " << s;
+        }
         for (const Complex pole : of.poles) // those in the range, both signs of the damping
             if (pole.real() > 1 && pole.real() < 10 && pole.imag() < 0.02 * pole.real()) {
                 const auto off = [pole](Complex found) { return std::abs(found - pole); };
