@@ -234,13 +234,20 @@ class PeakSearch {
 
     /// @param ranges  ends of pieces, rad/s
     void find(const std::vector<std::vector<double>> &ranges,
-              std::vector<results::ResponsePeak> &peaks, results::ResponseCurves &curves) {
+              std::vector<results::ResponsePeak> &peaks, results::ResponseCurves &curves,
+              std::vector<model::Sentence> &notes) {
         curves.values.resize(_watched.size());
         curves.phases.resize(_watched.size());
         std::vector<forced::Top> tops;
         for (const std::vector<double> &cuts : ranges) {
             const forced::CurvePeaks found = amplitudes(_motions, _watched, _first, cuts);
             tops.insert(tops.end(), found.tops().begin(), found.tops().end());
+            for (const auto &[from, to] : found.unsettled())
+                notes.emplace_back(
+                    model::Weight::warning,
+                    "peaks from {} to {} may be missing: resonances with more and "
+                    "more multiples of the spin speed, of a rotor with little damping",
+                    as::speed(from), as::speed(to));
             for (const forced::CurvePeaks::Sample &sample : found.drawn()) {
                 curves.speeds.push_back(sample.speed);
                 for (std::size_t i = 0; i < _watched.size(); ++i) {
@@ -464,7 +471,7 @@ void add_imbalance_response(const Scene &all, results::ResponseResult &result) {
     const std::vector<Watched> watched = watched_in(all, true);
     PeakSearch(motions, watched, 1)
         .find(cuts_of(all.d.rotor(), model::required_speeds(all.scene)), result.peaks,
-              result.curves);
+              result.curves, result.model.notes);
 }
 
 /// One drive of such a rotor, at the operating speeds.
@@ -592,7 +599,8 @@ void add_gravity_response(const Scene &all, results::ResponseResult &result) {
         return;
     const std::vector<Watched> watched = watched_in(all, false);
     PeakSearch(motions, watched, 2)
-        .find(cuts_of(all.d.rotor(), model::required_speeds(all.scene)), out.peaks, out.curves);
+        .find(cuts_of(all.d.rotor(), model::required_speeds(all.scene)), out.peaks, out.curves,
+              result.model.notes);
 }
 
 } // namespace

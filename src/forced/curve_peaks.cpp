@@ -49,11 +49,16 @@ linalg::RationalCurve &CurvePeaks::piece_of(double speed) {
     return const_cast<linalg::RationalCurve &>(std::as_const(*this).piece_of(speed));
 }
 
-double CurvePeaks::misfit() const {
-    double worst = 0;
+std::vector<std::pair<double, double>> CurvePeaks::unsettled() const {
+    std::vector<std::pair<double, double>> out;
     for (const linalg::RationalCurve &piece : _pieces)
-        worst = std::max(worst, piece.misfit());
-    return worst;
+        if (piece.misfit() > enough) {
+            if (!out.empty() && out.back().second == piece.from())
+                out.back().second = piece.to();
+            else
+                out.emplace_back(piece.from(), piece.to());
+        }
+    return out;
 }
 
 CurvePeaks::Sample CurvePeaks::sample(double speed) const {
@@ -92,11 +97,11 @@ void CurvePeaks::sample_piece(const linalg::RationalCurve &piece) {
 
 void CurvePeaks::find() {
     _tops.clear();
-    // Less than that are no maxima of a motion that changes on the scale of the steps.
-    const double noise = 10 * std::max(misfit(), enough);
     for (std::size_t q = 0; q < _samples.front().values.size(); ++q)
         for (std::size_t k = 1; k + 1 < _samples.size(); ++k) {
             const double here = _samples[k].values[q];
+            // Less than that are no maxima of a motion that changes on the scale of the steps.
+            const double noise = 10 * std::max(piece_of(_samples[k].speed).misfit(), enough);
             const double least = (1 - std::min(noise, 0.1)) * here;
             if (here > 0 && _samples[k - 1].values[q] < here && _samples[k + 1].values[q] <= here &&
                 std::min(_samples[k - 1].values[q], _samples[k + 1].values[q]) < least)

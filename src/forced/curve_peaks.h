@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace whirl::forced {
@@ -51,9 +52,9 @@ class CurvePeaks {
     [[nodiscard]] const std::vector<Sample> &samples() const { return _samples; }
     /// Those that a picture needs.
     [[nodiscard]] std::vector<Sample> drawn() const;
-    /// Largest relative misfit of the interpolated motion at the last speeds that it was compared
-    /// at.
-    [[nodiscard]] double misfit() const;
+    /// Speeds between which the motion is not interpolated to what is accepted, rad/s: maxima can
+    /// be missing.
+    [[nodiscard]] std::vector<std::pair<double, double>> unsettled() const;
 
   private:
     std::vector<linalg::RationalCurve> _pieces;
