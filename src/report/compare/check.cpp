@@ -4,258 +4,191 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
-#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace whirl::report {
 
 namespace {
 
-/// A value of a result that was read from a file.
-class Value {
-  public:
-    Value(const Json &json, std::string path, const std::string &name)
-        : _json(&json), _path(std::move(path)), _name(&name) {}
+/// What is read of a result of each command: a path and what is there, a text, a number, or with a
+/// question mark a number or null. A key with a question mark may be missing or null; a list in
+/// brackets has as many entries as is said there, by number or by the name of a list around it.
+const std::map<std::string, std::vector<std::string_view>> rules_of_commands{
+    {"critical",
+     {"critical_speeds[].speed number", "critical_speeds[].whirl text",
+      "critical_speeds[].error number?"}},
+    {"campbell",
+     {"speeds[] number", "modes[].label text", "modes[].frequency[speeds] number?",
+      "modes[].error[speeds] number?", "crossings[].mode number", "crossings[].multiple number",
+      "crossings[].speed number"}},
+    {"response",
+     {"speeds[] number", "nodes[].amplitude[speeds] number?", "nodes[].name text",
+      "nodes[].z number?", "curves.speeds[] number", "curves.nodes[].amplitude[speeds] number?",
+      "peaks[].of text", "peaks[].name text", "peaks[].z number?", "peaks[].speed number?",
+      "peaks[].speed_error number?", "peaks[].value number?", "peaks[].error number?"}},
+    {"stability",
+     {"speeds[] number", "growth[speeds] number?", "unstable[][2] number?",
+      "unstable_error[unstable][2] number?", "level1?.critical_cross_coupling number?",
+      "level1?.error number?", "level1?.log_dec[] number?"}},
+    {"balance",
+     {"planes[].name text", "planes[].z number?", "planes[].bands[][2] number?",
+      "planes[].band_errors[bands][2] number?", "joint?.bands[][2] number?",
+      "joint?.band_errors[bands][2] number?"}},
+    {"modes", {"modes[].label? text", "modes[].frequency number?", "modes[].error? number?"}},
+    {"show",
+     {"mass number?", "shaft_mass number?", "center_of_mass number?", "length number?",
+      "Id number?", "Ip number?"}},
+    {"samples",
+     {"answers[].of text", "answers[].name text", "answers[].unit text",
+      "answers[].nominal number?", "answers[].nominal_error number?", "answers[].mean number?",
+      "answers[].mean_error number?", "answers[].deviation number?",
+      "answers[].deviation_error number?"}},
+    {"simulate",
+     {"residual_ratio number?", "balancers[].name text", "balancers[].z number?",
+      "balancers[].amplitude number?", "stations[].name text", "stations[].z number?",
+      "stations[].peak number?", "stations[].peak_speed number?", "stations[].amplitude number?",
+      "series.time[] number", "series.amplitude[][time] number?"}}};
 
-    [[noreturn]] void refuse(const std::string &expected) const {
+/// Of every command.
+constexpr std::string_view common_rules[] = {"case text",
+                                             "title text",
+                                             "order number?",
+                                             "elements number?",
+                                             "provenance.date text",
+                                             "provenance.case text",
+                                             "provenance.set?[] text"};
+
+/// Holds a result that was read from a file against rules.
+class Checker {
+  public:
+    /// @param name  of the file
+    Checker(const Json &result, const std::string &name) : _around{&result}, _name(name) {}
+
+    void check(std::string_view rule) {
+        const std::size_t blank = rule.find(' ');
+        _type = rule.substr(blank + 1);
+        walk(rule.substr(0, blank), "");
+    }
+
+    [[noreturn]] void refuse(const Json &json, const std::string &path,
+                             const std::string &expected) const {
         constexpr std::size_t longest = 40;
-        std::string got = _json->is_object() ? "an object"
-                          : _json->is_array()
-                              ? fmt::format("a list of {}", _json->size())
-                              : _json->dump(-1, ' ', false, Json::error_handler_t::replace);
+        std::string got = json.is_object() ? "an object"
+                          : json.is_array()
+                              ? fmt::format("a list of {}", json.size())
+                              : json.dump(-1, ' ', false, Json::error_handler_t::replace);
         if (got.size() > longest)
             got = got.substr(0, longest) + "...";
         throw model::BadInput(
-            fmt::format("{}: {}: expected {}, got {}", *_name, _path, expected, got));
-    }
-
-    /// An entry that must be there.
-    [[nodiscard]] Value key(const char *key) const {
-        if (!_json->is_object())
-            refuse("an object");
-        const auto found = _json->find(key);
-        if (found == _json->end())
-            throw model::BadInput(
-                fmt::format("{}: {}: missing in a result of this command", *_name, path_of(key)));
-        return {*found, path_of(key), *_name};
-    }
-    /// One that may be missing or null.
-    [[nodiscard]] std::optional<Value> maybe(const char *key) const {
-        if (!_json->is_object())
-            refuse("an object");
-        const auto found = _json->find(key);
-        return found == _json->end() || found->is_null()
-                   ? std::nullopt
-                   : std::optional(Value(*found, path_of(key), *_name));
-    }
-    [[nodiscard]] std::vector<Value> items() const {
-        if (!_json->is_array())
-            refuse("a list");
-        std::vector<Value> out;
-        for (const Json &item : *_json)
-            out.push_back({item, fmt::format("{}[{}]", _path, out.size()), *_name});
-        return out;
-    }
-
-    double number() const {
-        if (!_json->is_number())
-            refuse("a number");
-        return _json->get<double>();
-    }
-    void number_or_null() const {
-        if (!_json->is_null() && !_json->is_number())
-            refuse("a number or null");
-    }
-    void text() const {
-        if (!_json->is_string())
-            refuse("a text");
-    }
-    /// @param count  of entries
-    void numbers(std::size_t count) const {
-        const std::vector<Value> all = items();
-        if (all.size() != count)
-            refuse(fmt::format("a list of {}", count));
-        for (const Value &value : all)
-            value.number_or_null();
-    }
-    /// Intervals, each of two numbers; null: without end, or an error that is not known.
-    std::size_t pairs() const {
-        const std::vector<Value> all = items();
-        for (const Value &pair : all)
-            pair.numbers(2);
-        return all.size();
+            fmt::format("{}: {}: expected {}, got {}", _name, path, expected, got));
     }
 
   private:
-    const Json *_json;
-    std::string _path;
-    const std::string *_name;
+    std::vector<const Json *> _around; ///< from the result inwards, last what is looked at
+    const std::string &_name;
+    std::string_view _type;
 
-    [[nodiscard]] std::string path_of(const char *key) const {
-        return _path.empty() ? key : _path + "." + key;
+    /// @param rest  of the path, from what is looked at on
+    void walk(std::string_view rest, const std::string &path) {
+        const Json &here = *_around.back();
+        if (rest.empty())
+            check_type(here, path);
+        else if (rest.starts_with('['))
+            walk_list(here, rest, path);
+        else
+            walk_key(here, rest.substr(rest.starts_with('.') ? 1 : 0), path);
+    }
+
+    void walk_into(const Json &json, std::string_view rest, const std::string &path) {
+        _around.push_back(&json);
+        walk(rest, path);
+        _around.pop_back();
+    }
+
+    void walk_list(const Json &list, std::string_view rest, const std::string &path) {
+        if (!list.is_array())
+            refuse(list, path, "a list");
+        const std::size_t end = rest.find(']');
+        const std::string like(rest.substr(1, end - 1));
+        if (const std::size_t count = count_like(like, list.size()); list.size() != count)
+            refuse(list, path, fmt::format("a list of {} like {}", count, like));
+        for (std::size_t i = 0; i < list.size(); ++i)
+            walk_into(list[i], rest.substr(end + 1), fmt::format("{}[{}]", path, i));
+    }
+
+    void walk_key(const Json &object, std::string_view rest, const std::string &path) {
+        if (!object.is_object())
+            refuse(object, path, "an object");
+        const std::size_t end = std::min(rest.find_first_of(".[?"), rest.size());
+        const std::string key(rest.substr(0, end));
+        rest.remove_prefix(end);
+        const bool may_be_missing = rest.starts_with('?');
+        const std::string own = path.empty() ? key : path + "." + key;
+        const auto found = object.find(key);
+        if (may_be_missing && (found == object.end() || found->is_null()))
+            return;
+        if (found == object.end())
+            throw model::BadInput(
+                fmt::format("{}: {}: missing in a result of this command", _name, own));
+        walk_into(*found, rest.substr(may_be_missing ? 1 : 0), own);
+    }
+
+    /// @param otherwise  without a number and a name
+    [[nodiscard]] std::size_t count_like(const std::string &like, std::size_t otherwise) const {
+        if (like == "2")
+            return 2;
+        for (auto around = _around.rbegin(); around != _around.rend(); ++around)
+            if ((*around)->is_object() && (*around)->contains(like))
+                return (*around)->at(like).size();
+        return otherwise;
+    }
+
+    void check_type(const Json &json, const std::string &path) const {
+        if (_type == "text" && !json.is_string())
+            refuse(json, path, "a text");
+        if (_type == "number" && !json.is_number())
+            refuse(json, path, "a number");
+        if (_type == "number?" && !json.is_number() && !json.is_null())
+            refuse(json, path, "a number or null");
     }
 };
 
-/// Numbers that each may be null.
-void check_numbers(const Value &of, std::initializer_list<const char *> keys) {
-    for (const char *key : keys)
-        of.key(key).number_or_null();
-}
-
-void check_place(const Value &of) {
-    of.key("name").text();
-    of.key("z").number_or_null();
-}
-
-/// Spin speeds, of which none is missing.
-std::size_t check_speeds(const Value &of) {
-    const std::vector<Value> speeds = of.key("speeds").items();
-    for (const Value &speed : speeds)
-        (void)speed.number();
-    return speeds.size();
-}
-
-void check_bands(const Value &of, const char *bands, const char *errors) {
-    const std::size_t count = of.key(bands).pairs();
-    const Value all = of.key(errors);
-    if (all.pairs() != count)
-        all.refuse(fmt::format("a list of {} like {}", count, bands));
-}
-
-void check_critical(const Value &result) {
-    for (const Value &at : result.key("critical_speeds").items()) {
-        (void)at.key("speed").number();
-        at.key("whirl").text();
-        at.key("error").number_or_null();
+/// What crossings name: modes by their places, from 0, and multiples above 0.
+void check_crossings(const Json &result, const Checker &checker) {
+    const std::size_t modes = result.at("modes").size();
+    for (std::size_t i = 0; const Json &crossing : result.at("crossings")) {
+        const Json &mode = crossing.at("mode");
+        const Json &multiple = crossing.at("multiple");
+        const std::string path = fmt::format("crossings[{}]", i++);
+        if (!(mode >= 0 && mode < static_cast<double>(modes)))
+            checker.refuse(mode, path + ".mode",
+                           fmt::format("the place of one of {} modes, from 0", modes));
+        if (!(multiple > 0))
+            checker.refuse(multiple, path + ".multiple", "a number greater than 0");
     }
-}
-
-void check_campbell(const Value &result) {
-    const std::size_t speeds = check_speeds(result);
-    const std::vector<Value> modes = result.key("modes").items();
-    for (const Value &mode : modes) {
-        mode.key("label").text();
-        mode.key("frequency").numbers(speeds);
-        mode.key("error").numbers(speeds);
-    }
-    for (const Value &crossing : result.key("crossings").items()) {
-        const Value mode = crossing.key("mode");
-        const double place = mode.number();
-        if (!(place >= 0 && place < static_cast<double>(modes.size())))
-            mode.refuse(fmt::format("the place of one of {} modes, from 0", modes.size()));
-        if (!(crossing.key("multiple").number() > 0))
-            crossing.key("multiple").refuse("a number greater than 0");
-        (void)crossing.key("speed").number();
-    }
-}
-
-/// Amplitudes of stations over speeds.
-/// @returns how many stations
-std::size_t check_stations(const Value &of, std::size_t speeds) {
-    const std::vector<Value> nodes = of.key("nodes").items();
-    for (const Value &node : nodes)
-        node.key("amplitude").numbers(speeds);
-    return nodes.size();
-}
-
-void check_response(const Value &result) {
-    const std::size_t stations = check_stations(result, check_speeds(result));
-    for (const Value &node : result.key("nodes").items())
-        check_place(node);
-    const Value curves = result.key("curves");
-    const std::size_t dense = check_speeds(curves);
-    if (dense > 0 && check_stations(curves, dense) != stations)
-        curves.key("nodes").refuse(fmt::format("a list of {} like nodes", stations));
-    for (const Value &peak : result.key("peaks").items()) {
-        peak.key("of").text();
-        check_place(peak);
-        check_numbers(peak, {"speed", "speed_error", "value", "error"});
-    }
-}
-
-void check_stability(const Value &result) {
-    result.key("growth").numbers(check_speeds(result));
-    check_bands(result, "unstable", "unstable_error");
-    if (const auto level1 = result.maybe("level1")) {
-        check_numbers(*level1, {"critical_cross_coupling", "error"});
-        for (const Value &value : level1->key("log_dec").items())
-            value.number_or_null();
-    }
-}
-
-void check_balance(const Value &result) {
-    for (const Value &plane : result.key("planes").items()) {
-        check_place(plane);
-        check_bands(plane, "bands", "band_errors");
-    }
-    if (const auto joint = result.maybe("joint"))
-        check_bands(*joint, "bands", "band_errors");
-}
-
-void check_modes(const Value &result) {
-    for (const Value &mode : result.key("modes").items()) {
-        if (const auto label = mode.maybe("label"))
-            label->text();
-        mode.key("frequency").number_or_null();
-        if (const auto error = mode.maybe("error"))
-            error->number_or_null();
-    }
-}
-
-void check_show(const Value &result) {
-    check_numbers(result, {"mass", "shaft_mass", "center_of_mass", "length", "Id", "Ip"});
-}
-
-void check_samples(const Value &result) {
-    for (const Value &answer : result.key("answers").items()) {
-        for (const char *key : {"of", "name", "unit"})
-            answer.key(key).text();
-        check_numbers(answer, {"nominal", "nominal_error", "mean", "mean_error", "deviation",
-                               "deviation_error"});
-    }
-}
-
-void check_simulate(const Value &result) {
-    result.key("residual_ratio").number_or_null();
-    for (const Value &balancer : result.key("balancers").items()) {
-        check_place(balancer);
-        balancer.key("amplitude").number_or_null();
-    }
-    for (const Value &station : result.key("stations").items()) {
-        check_place(station);
-        check_numbers(station, {"peak", "peak_speed", "amplitude"});
-    }
-    const Value series = result.key("series");
-    const std::vector<Value> times = series.key("time").items();
-    for (const Value &time : times)
-        (void)time.number();
-    for (const Value &curve : series.key("amplitude").items())
-        curve.numbers(times.size());
 }
 
 } // namespace
 
 void check_result(const Json &json, const std::string &name) {
-    static const std::map<std::string, void (*)(const Value &)> checks{
-        {"critical", check_critical},   {"campbell", check_campbell}, {"response", check_response},
-        {"stability", check_stability}, {"balance", check_balance},   {"modes", check_modes},
-        {"show", check_show},           {"samples", check_samples},   {"simulate", check_simulate}};
-    const Value result(json, "", name);
-    for (const char *key : {"case", "title"})
-        result.key(key).text();
-    for (const char *key : {"order", "elements"})
-        result.key(key).number_or_null();
-    const Value provenance = result.key("provenance");
-    for (const char *key : {"date", "case"})
-        provenance.key(key).text();
-    if (const auto set = provenance.maybe("set"))
-        for (const Value &entry : set->items())
-            entry.text();
+    Checker checker(json, name);
+    for (const std::string_view rule : common_rules)
+        checker.check(rule);
+    const std::string command = json.at("command").get<std::string>();
     // Commands that nothing is compared of are refused by name.
-    if (const auto check = checks.find(json.at("command").get<std::string>());
-        check != checks.end())
-        check->second(result);
+    if (const auto rules = rules_of_commands.find(command); rules != rules_of_commands.end())
+        for (const std::string_view rule : rules->second)
+            checker.check(rule);
+    if (command == "campbell")
+        check_crossings(json, checker);
+    if (command == "response")
+        if (const Json &curves = json.at("curves");
+            !curves.at("speeds").empty() && curves.at("nodes").size() != json.at("nodes").size())
+            checker.refuse(curves.at("nodes"), "curves.nodes",
+                           fmt::format("a list of {} like nodes", json.at("nodes").size()));
 }
 
 } // namespace whirl::report
