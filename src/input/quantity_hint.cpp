@@ -8,6 +8,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <map>
 
 namespace whirl::input {
 namespace {
@@ -88,61 +89,34 @@ std::string meant_unit(std::string_view unit, Quantity quantity) {
     return "";
 }
 
-/// Units of a quantity in which it is often given, for a word that is a slip away.
+/// Units of a quantity in which it is often given, for a word that is a slip away; of those that no
+/// key of a case has, or that have no unit, none.
 std::vector<std::string> usual_units(Quantity quantity) {
-    switch (quantity) {
-    case Quantity::length:
-    case Quantity::amplitude:
-        return {"mm", "cm", "inch", "foot", "metre", "micron", "mil"};
-    case Quantity::mass:
-        return {"kg", "gram", "lb", "pound", "slug", "tonne"};
-    case Quantity::inertia:
-        return {"kg m2", "kg mm2", "g mm2", "lb in2", "lb in s2", "lb ft2"};
-    case Quantity::stiffness:
-        return {"N/m", "N/mm", "kN/mm", "N/um", "MN/m", "lbf/in", "kgf/mm", "dyn/cm"};
-    case Quantity::damping:
-        return {"N s/m", "N s/mm", "kN s/m", "lbf s/in", "kgf s/mm"};
-    case Quantity::tilt_stiffness:
-        return {"N m/rad", "kN m/rad", "lbf in/rad"};
-    case Quantity::tilt_damping:
-        return {"N m s/rad", "lbf in s/rad"};
-    case Quantity::pressure:
-        return {"Pa", "MPa", "GPa", "N/mm2", "psi", "ksi", "Msi", "kgf/mm2", "bar"};
-    case Quantity::density:
-        return {"kg/m3", "g/cm3", "t/m3", "lb/in3", "slug/ft3"};
-    case Quantity::angle:
-        return {"deg", "rad", "rev", "degree", "radian"};
-    case Quantity::speed:
-    case Quantity::frequency:
-        return {"rpm", "rad/s", "Hz", "rev/min", "rev/s", "deg/s", "1/min"};
-    case Quantity::time:
-        return {"ms", "min", "second", "minute", "hour"};
-    case Quantity::force:
-        return {"kN", "lbf", "kgf", "dyn", "newton"};
-    case Quantity::imbalance:
-        return {"g mm", "kg mm", "kg m", "oz in", "g cm", "g in"};
-    case Quantity::moment:
-        return {"N m", "kN m", "N mm", "lbf in", "lbf ft", "kgf m"};
-    case Quantity::velocity:
-        return {"mm/s", "m/s", "in/s", "um/s"};
-    case Quantity::acceleration:
-        return {"m/s2", "mm/s2", "in/s2", "ft/s2"};
-    case Quantity::rate:
-        return {"1/s", "1/min"};
-    case Quantity::influence:
-        return {"um/(g mm)", "m/(kg m)", "mil/(oz in)"};
-    case Quantity::number:
-    case Quantity::slope:
-    case Quantity::deflection:
-    case Quantity::coupling_stiffness:
-    case Quantity::angular_momentum:
-    case Quantity::energy:
-    case Quantity::power:
-    case Quantity::receptance:
-    case Quantity::inverse_mass:
-        break; // no key of a case has it, or it has no unit
-    }
-    return {};
+    static const std::map<Quantity, std::vector<std::string>> units{
+        {Quantity::length, {"mm", "cm", "inch", "foot", "metre", "micron", "mil"}},
+        {Quantity::amplitude, {"mm", "cm", "inch", "foot", "metre", "micron", "mil"}},
+        {Quantity::mass, {"kg", "gram", "lb", "pound", "slug", "tonne"}},
+        {Quantity::inertia, {"kg m2", "kg mm2", "g mm2", "lb in2", "lb in s2", "lb ft2"}},
+        {Quantity::stiffness,
+         {"N/m", "N/mm", "kN/mm", "N/um", "MN/m", "lbf/in", "kgf/mm", "dyn/cm"}},
+        {Quantity::damping, {"N s/m", "N s/mm", "kN s/m", "lbf s/in", "kgf s/mm"}},
+        {Quantity::tilt_stiffness, {"N m/rad", "kN m/rad", "lbf in/rad"}},
+        {Quantity::tilt_damping, {"N m s/rad", "lbf in s/rad"}},
+        {Quantity::pressure, {"Pa", "MPa", "GPa", "N/mm2", "psi", "ksi", "Msi", "kgf/mm2", "bar"}},
+        {Quantity::density, {"kg/m3", "g/cm3", "t/m3", "lb/in3", "slug/ft3"}},
+        {Quantity::angle, {"deg", "rad", "rev", "degree", "radian"}},
+        {Quantity::speed, {"rpm", "rad/s", "Hz", "rev/min", "rev/s", "deg/s", "1/min"}},
+        {Quantity::frequency, {"rpm", "rad/s", "Hz", "rev/min", "rev/s", "deg/s", "1/min"}},
+        {Quantity::time, {"ms", "min", "second", "minute", "hour"}},
+        {Quantity::force, {"kN", "lbf", "kgf", "dyn", "newton"}},
+        {Quantity::imbalance, {"g mm", "kg mm", "kg m", "oz in", "g cm", "g in"}},
+        {Quantity::moment, {"N m", "kN m", "N mm", "lbf in", "lbf ft", "kgf m"}},
+        {Quantity::velocity, {"mm/s", "m/s", "in/s", "um/s"}},
+        {Quantity::acceleration, {"m/s2", "mm/s2", "in/s2", "ft/s2"}},
+        {Quantity::rate, {"1/s", "1/min"}},
+        {Quantity::influence, {"um/(g mm)", "m/(kg m)", "mil/(oz in)"}}};
+    const auto found = units.find(quantity);
+    return found == units.end() ? std::vector<std::string>() : found->second;
 }
 
 /// ", did you mean "50 g mm"?", the number in it as it was written.

@@ -68,6 +68,12 @@ std::complex<double> polar_or_nan(double amplitude, double phase) {
                                          : std::polar(amplitude, phase);
 }
 
+/// "expected the name of a plane, got "x", did you mean "y"?"
+std::string unknown_name(const char *expected, const std::string &name,
+                         const std::vector<std::string> &known) {
+    return fmt::format("expected {}, got {}{}", expected, in_quotes(name), suggestion(name, known));
+}
+
 /// A row of the table of readings.
 struct ReadRow {
     CsvRow row;
@@ -187,8 +193,7 @@ class WeightsReader {
                                           run));
         const auto known = place_in(_planes, plane);
         if (!known && !plane.empty())
-            table.fail("plane", fmt::format("expected the name of a plane, got {}{}",
-                                            in_quotes(plane), suggestion(plane, _planes)));
+            table.fail("plane", unknown_name("the name of a plane", plane, _planes));
         trial.plane = known.value_or(0);
         trial.weight =
             read_weight(table, known ? _scene.rotor.planes[trial.plane].radius : std::nullopt);
@@ -352,15 +357,13 @@ class WeightsReader {
             return;
         std::vector<std::string> known = _settings.runs;
         known.insert(known.end(), {initial_run, runout_run});
-        read.row.fail("run", fmt::format("expected \"initial\", \"runout\" or the run of a "
-                                         "[[trial]], got {}{}",
-                                         in_quotes(read.run), suggestion(read.run, known)));
+        read.row.fail("run", unknown_name("\"initial\", \"runout\" or the run of a [[trial]]",
+                                          read.run, known));
     }
 
     void check_probe(const CsvRow &row, const std::string &probe) const {
         if (!_probes.empty() && !probe.empty() && !place_in(_probes, probe))
-            row.fail("probe", fmt::format("expected the name of a [[probe]], got {}{}",
-                                          in_quotes(probe), suggestion(probe, _probes)));
+            row.fail("probe", unknown_name("the name of a [[probe]]", probe, _probes));
     }
 
     void add_places(const std::vector<ReadRow> &rows) {
@@ -503,11 +506,9 @@ class WeightsReader {
                              row.number("phase", Quantity::angle));
             const auto known = place_in(_planes, plane);
             if (!plane.empty() && !known)
-                row.fail("plane", fmt::format("expected the name of a [[plane]], got {}{}",
-                                              in_quotes(plane), suggestion(plane, _planes)));
+                row.fail("plane", unknown_name("the name of a [[plane]]", plane, _planes));
             if (!measured.empty() && !probe.empty() && !place_in(measured, probe))
-                row.fail("probe", fmt::format("expected a probe of the readings, got {}{}",
-                                              in_quotes(probe), suggestion(probe, measured)));
+                row.fail("probe", unknown_name("a probe of the readings", probe, measured));
             const auto place = place_at(probe, speed);
             if (!known || !place || std::isnan(value.real()))
                 continue; // of a speed that was not measured: no harm
@@ -543,8 +544,7 @@ class WeightsReader {
         for (const Node &own : table->node().items) {
             const double factor = table->number(own.key, Quantity::number, Range::not_negative());
             if (!known.empty() && !place_in(known, own.key))
-                table->fail(own.key, fmt::format("expected the name of a probe, got {}{}",
-                                                 in_quotes(own.key), suggestion(own.key, known)));
+                table->fail(own.key, unknown_name("the name of a probe", own.key, known));
             _settings.factors.emplace_back(own.key, factor);
             for (model::ReadingPlace &place : _settings.places)
                 if (place.probe == own.key)

@@ -37,127 +37,73 @@ constexpr std::array plain_signs{
     Replacement{"\u33cc", "in"},
 };
 
-/// Words that UDUNITS-2 does not know, in its own. Forces in kilograms and turns a minute go by
-/// many names.
-constexpr std::array words{
-    // mass and force
-    Replacement{"lbm", "lb"},
-    Replacement{"lbs", "lb"},
-    Replacement{"lbms", "lb"},
-    Replacement{"Lbs", "lb"},
-    Replacement{"Lb", "lb"},
-    Replacement{"lbsf", "lbf"},
-    Replacement{"lbfs", "lbf"},
-    Replacement{"ounce", "oz"},
-    Replacement{"ounces", "oz"},
-    Replacement{"pound", "lb"},
-    Replacement{"pounds", "lb"},
-    Replacement{"gm", "g"},
-    Replacement{"gms", "g"},
-    Replacement{"Kg", "kg"},
-    Replacement{"kgs", "kg"},
-    Replacement{"Kgf", "kgf"},
-    Replacement{"kgp", "kgf"},
-    Replacement{"Kp", "kgf"},
-    Replacement{"kp", "kgf"},
-    Replacement{"slinch", "(lbf.s2/in)"},
-    Replacement{"tf", "(1000 kgf)"},
-    Replacement{"tonf", "force_ton"},
-    Replacement{"dyn", "dyne"},
-    Replacement{"pdl", "(lb.ft/s2)"},
-    Replacement{"poundal", "(lb.ft/s2)"},
-    Replacement{"ozf", "(lbf/16)"},
-    Replacement{"slug", "(lbf.s2/ft)"},
-    Replacement{"slugs", "(lbf.s2/ft)"},
-    Replacement{"Nt", "N"},
-    Replacement{"KN", "kN"},
-    // length and angle
-    Replacement{"thou", "mil"},
-    Replacement{"thous", "mil"},
-    Replacement{"Zoll", "in"},
-    Replacement{"zoll", "in"},
-    Replacement{"pouce", "in"},
-    Replacement{"pouces", "in"},
-    Replacement{"deg", "degree"},
-    Replacement{"degs", "degree"},
-    Replacement{"gon", "grade"},
-    Replacement{"'", "arcminute"},
-    Replacement{"\"", "arcsecond"},
-    Replacement{"%", "percent"},
-    // pressure
-    Replacement{"Msi", "(1e6 psi)"},
-    Replacement{"msi", "(1e6 psi)"},
-    Replacement{"psf", "(lbf/ft2)"},
-    Replacement{"ksf", "(kip/ft2)"},
-    // time and turns
-    Replacement{"mn", "min"},
-    Replacement{"mins", "min"},
-    Replacement{"hrs", "hr"},
-    Replacement{"Sec", "s"},
-    Replacement{"Min", "min"},
-    Replacement{"rev", "turn"},
-    Replacement{"revs", "turn"},
-    Replacement{"Rev", "turn"},
-    Replacement{"cyc", "turn"},
-    Replacement{"tr", "turn"},
-    Replacement{"trs", "turn"},
-    Replacement{"tour", "turn"},
-    Replacement{"tours", "turn"},
-    Replacement{"U", "turn"},
-    Replacement{"Umdr", "turn"},
-    Replacement{"Umdrehung", "turn"},
-    Replacement{"Umdrehungen", "turn"},
-    Replacement{"giri", "turn"},
-    Replacement{"omw", "turn"},
-    Replacement{"obr", "turn"},
-    Replacement{"varv", "turn"},
-    Replacement{"RPM", "rpm"},
-    Replacement{"Rpm", "rpm"},
-    Replacement{"Upm", "rpm"},
-    Replacement{"UpM", "rpm"},
-    Replacement{"RPS", "rps"},
-    Replacement{"cpm", "rpm"},
-    Replacement{"CPM", "rpm"},
-    Replacement{"CPS", "cps"},
-    Replacement{"hz", "Hz"},
-    Replacement{"HZ", "Hz"},
-    // in Cyrillic letters
-    Replacement{"м", "m"},
-    Replacement{"см", "cm"},
-    Replacement{"мм", "mm"},
-    Replacement{"мкм", "um"},
-    Replacement{"км", "km"},
-    Replacement{"кг", "kg"},
-    Replacement{"г", "g"},
-    Replacement{"мг", "mg"},
-    Replacement{"т", "t"},
-    Replacement{"Н", "N"},
-    Replacement{"кН", "kN"},
-    Replacement{"МН", "MN"},
-    Replacement{"кгс", "kgf"},
-    Replacement{"гс", "gf"},
-    Replacement{"тс", "(1000 kgf)"},
-    Replacement{"дин", "dyne"},
-    Replacement{"Па", "Pa"},
-    Replacement{"кПа", "kPa"},
-    Replacement{"МПа", "MPa"},
-    Replacement{"ГПа", "GPa"},
-    Replacement{"с", "s"},
-    Replacement{"сек", "s"},
-    Replacement{"мс", "ms"},
-    Replacement{"мин", "min"},
-    Replacement{"хв", "min"},
-    Replacement{"ч", "h"},
-    Replacement{"рад", "rad"},
-    Replacement{"град", "degree"},
-    Replacement{"Гц", "Hz"},
-    Replacement{"кГц", "kHz"},
-    Replacement{"об", "turn"},
-    // by their Japanese names
-    Replacement{"回転", "turn"},
-    Replacement{"分", "min"},
-    Replacement{"秒", "s"},
+/// A unit of UDUNITS-2, and words for it that it does not know, with blanks between them. Forces in
+/// kilograms and turns a minute go by many names.
+struct Spellings {
+    std::string_view unit, words;
 };
+constexpr std::array spellings{
+    Spellings{"lb", "lbm lbs lbms Lbs Lb pound pounds"},
+    Spellings{"lbf", "lbsf lbfs"},
+    Spellings{"oz", "ounce ounces"},
+    Spellings{"g", "gm gms г"},
+    Spellings{"kg", "Kg kgs кг"},
+    Spellings{"kgf", "Kgf kgp Kp kp кгс"},
+    Spellings{"(lbf.s2/in)", "slinch"},
+    Spellings{"(1000 kgf)", "tf тс"},
+    Spellings{"force_ton", "tonf"},
+    Spellings{"dyne", "dyn дин"},
+    Spellings{"(lb.ft/s2)", "pdl poundal"},
+    Spellings{"(lbf/16)", "ozf"},
+    Spellings{"(lbf.s2/ft)", "slug slugs"},
+    Spellings{"N", "Nt Н"},
+    Spellings{"kN", "KN кН"},
+    Spellings{"mil", "thou thous"},
+    Spellings{"in", "Zoll zoll pouce pouces"},
+    Spellings{"degree", "deg degs град"},
+    Spellings{"grade", "gon"},
+    Spellings{"arcminute", "'"},
+    Spellings{"arcsecond", "\""},
+    Spellings{"percent", "%"},
+    Spellings{"(1e6 psi)", "Msi msi"},
+    Spellings{"(lbf/ft2)", "psf"},
+    Spellings{"(kip/ft2)", "ksf"},
+    Spellings{"min", "mn mins Min мин хв 分"},
+    Spellings{"hr", "hrs"},
+    Spellings{"s", "Sec с сек 秒"},
+    Spellings{"turn", "rev revs Rev cyc tr trs tour tours U Umdr "
+                      "Umdrehung Umdrehungen giri omw obr varv об 回転"},
+    Spellings{"rpm", "RPM Rpm Upm UpM cpm CPM"},
+    Spellings{"rps", "RPS"},
+    Spellings{"cps", "CPS"},
+    Spellings{"Hz", "hz HZ Гц"},
+    Spellings{"m", "м"},
+    Spellings{"cm", "см"},
+    Spellings{"mm", "мм"},
+    Spellings{"um", "мкм"},
+    Spellings{"km", "км"},
+    Spellings{"mg", "мг"},
+    Spellings{"t", "т"},
+    Spellings{"MN", "МН"},
+    Spellings{"gf", "гс"},
+    Spellings{"Pa", "Па"},
+    Spellings{"kPa", "кПа"},
+    Spellings{"MPa", "МПа"},
+    Spellings{"GPa", "ГПа"},
+    Spellings{"ms", "мс"},
+    Spellings{"h", "ч"},
+    Spellings{"rad", "рад"},
+    Spellings{"kHz", "кГц"},
+};
+
+/// The unit of UDUNITS-2 that a word is; the word where it is none of these.
+std::string_view spelled(std::string_view word) {
+    const std::string whole = fmt::format(" {} ", word);
+    for (const auto &[unit, words] : spellings)
+        if (fmt::format(" {} ", words).find(whole) != std::string::npos)
+            return unit;
+    return word;
+}
 
 /// Of a word alone, or in a product.
 struct Ambiguous {
@@ -403,8 +349,7 @@ std::string for_udunits(const std::vector<UnitPart> &parts, bool pounds_force) {
     return joined(parts, [&](const UnitPart &part) {
         if (rpm && (part.text == "r" || part.text == "R"))
             return std::string("turn");
-        const auto known = std::ranges::find(words, part.text, &Replacement::from);
-        std::string word(known == words.end() ? part.text : known->to);
+        std::string word(spelled(part.text));
         const bool mass_only = part.text == "lbm" || part.text == "lbms";
         if (pounds_force && !mass_only && word.ends_with("lb")) // "klb" too
             word += "f";
