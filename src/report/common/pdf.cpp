@@ -14,8 +14,6 @@
 #include <system_error>
 #include <vector>
 
-#include <unistd.h>
-
 namespace whirl::report {
 
 namespace {
@@ -24,18 +22,6 @@ using Words = std::vector<std::string>;
 
 /// Pages of twenty pictures print in some seconds.
 constexpr double patience = 120;
-
-bool in_path(const std::string &program) {
-    const char *path = std::getenv("PATH");
-    std::string_view rest = path == nullptr ? "" : path;
-    while (!rest.empty()) {
-        const std::string_view folder = rest.substr(0, rest.find(':'));
-        rest.remove_prefix(folder.size() == rest.size() ? rest.size() : folder.size() + 1);
-        if (!folder.empty() && access((std::filesystem::path(folder) / program).c_str(), X_OK) == 0)
-            return true;
-    }
-    return false;
-}
 
 /// No sandbox: it does not start for root or in containers, and the page is our own, without
 /// scripts.
@@ -52,16 +38,13 @@ Words by_chromium(const std::string &name, const std::string &page) {
             "file://" + page};
 }
 
-/// The programs that are here, the best first. @param page  a file that holds it
+/// The programs that may be here, the best first. @param page  a file that holds it
 std::vector<Words> printers(const std::string &page) {
-    std::vector<Words> found;
-    for (const char *name :
-         {"chromium", "chromium-browser", "google-chrome", "google-chrome-stable"})
-        if (in_path(name))
-            found.push_back(by_chromium(name, page));
-    if (in_path("weasyprint"))
-        found.push_back({"weasyprint", "--quiet", "--encoding", "utf8", page, "-"});
-    return found;
+    return {by_chromium("chromium", page),
+            by_chromium("chromium-browser", page),
+            by_chromium("google-chrome", page),
+            by_chromium("google-chrome-stable", page),
+            {"weasyprint", "--quiet", "--encoding", "utf8", page, "-"}};
 }
 
 /// The page in a folder of its own as long as it is printed: Chromium takes what has no name with
@@ -125,13 +108,11 @@ std::string last_words(const std::string &errors) {
                : ":\n" + errors.substr(errors.size() > enough ? errors.size() - enough : 0);
 }
 
-/// @param why  takes what went wrong
+/// @param why  takes what went wrong; nothing where there is no such program
 std::optional<std::string> printed(const Words &words, std::string &why) {
     std::optional<process::Child> child = process::Child::start(words, "");
-    if (!child) {
-        why = fmt::format("{} is not there", words.front());
+    if (!child)
         return std::nullopt;
-    }
     if (!child->ended_within(patience)) {
         why = fmt::format("{} has not printed the page within two minutes", words.front());
         return std::nullopt;
@@ -148,19 +129,19 @@ std::optional<std::string> printed(const Words &words, std::string &why) {
 } // namespace
 
 std::string pdf_of(const std::string &html) {
-    if (printers("").empty())
-        throw model::AnalysisFailure(
-            "no PDF: neither Chromium nor WeasyPrint is installed; install one of the packages "
-            "chromium and weasyprint (apt install weasyprint), or leave out --pdf and print the "
-            "page from a browser");
     const PageFile page(html);
     std::string why;
     for (const Words &words : printers(page.path())) { // a browser may be there and not start
         std::string of_this;
         if (std::optional<std::string> pdf = printed(words, of_this))
             return *std::move(pdf);
-        why += (why.empty() ? "" : "; ") + of_this;
+        why += (why.empty() || of_this.empty() ? "" : "; ") + of_this;
     }
+    if (why.empty())
+        throw model::AnalysisFailure(
+            "no PDF: neither Chromium nor WeasyPrint is installed; install one of the packages "
+            "chromium and weasyprint (apt install weasyprint), or leave out --pdf and print the "
+            "page from a browser");
     throw model::AnalysisFailure("no PDF: " + why);
 }
 
