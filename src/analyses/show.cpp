@@ -9,6 +9,7 @@
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
 #include "modes/formulation.h"
+#include "results/enum_name.h"
 #include "results/formulation.h"
 #include "results/sentence.h"
 #include "results/show.h"
@@ -31,17 +32,6 @@ namespace {
 using results::Sentence;
 namespace as = results::as;
 
-const char *name_of(model::TorqueKind kind) {
-    switch (kind) {
-    case model::TorqueKind::semitangential:
-        return "semitangential";
-    case model::TorqueKind::tangential:
-        return "tangential";
-    default:
-        return "axial";
-    }
-}
-
 void note_shaft(const model::Shaft &shaft, std::vector<results::Sentence> &notes) {
     if (shaft.alpha != 0 || shaft.beta != 0)
         notes.emplace_back(model::Weight::information,
@@ -53,9 +43,10 @@ void note_shaft(const model::Shaft &shaft, std::vector<results::Sentence> &notes
                            "damping ratios of the lowest modes at rest in each plane: {}",
                            as::number.list(shaft.modal_damping));
     if (shaft.axial_torque != 0)
-        notes.emplace_back(model::Weight::information,
-                           "the shaft carries a torque of {}, {} at its ends",
-                           as::moment(shaft.axial_torque), name_of(shaft.torque_kind));
+        notes.emplace_back(
+            model::Weight::information, "the shaft carries a torque of {}, {} at its ends",
+            as::moment(shaft.axial_torque),
+            results::enum_name(shaft.torque_kind, {"axial", "semitangential", "tangential"}));
 }
 
 void note_bearings(std::span<const model::Bearing> bearings, const char *kind,

@@ -4,11 +4,6 @@
 
 namespace whirl::operation {
 
-results::Sentence place_in_words(const char *of, const std::string &name, double z) {
-    return name.empty() ? results::Sentence("{} at z = {}", of, results::as::length(z))
-                        : results::Sentence("{} {}", of, name);
-}
-
 Doubt doubt_of_rotor(const model::Case &scene, double from, double to) {
     if (!scene.rotor.balancers.empty())
         return {{"it is that of the machine without the balancers' own parts"}, true};
@@ -16,7 +11,8 @@ Doubt doubt_of_rotor(const model::Case &scene, double from, double to) {
         if (bearing.depends_on_speed() &&
             (bearing.speeds.front() > from || bearing.speeds.back() < to))
             return {{"the table of the {} has no rows beyond {}, and speeds {} count",
-                     place_in_words(bearing.seal ? "seal" : "bearing", bearing.name, bearing.z),
+                     results::place_in_words(bearing.seal ? "seal" : "bearing", bearing.name,
+                                             bearing.z),
                      results::as::speed.range(bearing.speeds.front(), bearing.speeds.back()),
                      results::as::speed.range(from, to)}};
     return {};

@@ -3,12 +3,7 @@
 #include "model/case.h"
 #include "results/sentence.h"
 
-#include <string>
-
 namespace whirl::operation {
-
-/// "bearing DE", "bearing at z = 0.5 m".
-[[nodiscard]] results::Sentence place_in_words(const char *of, const std::string &name, double z);
 
 /// Why what was computed is not judged.
 struct Doubt {

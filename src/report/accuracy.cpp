@@ -22,17 +22,17 @@ using results::AccuracyRow;
 namespace {
 
 const Columns<AccuracyRow> accuracy_columns{
-    {"family", InCsv("family"), OnPage("Family"), InText("family"), &AccuracyRow::family},
-    {"order", InCsv("order"), OnPage("Order"), InText("order"), &AccuracyRow::order},
-    {"elements", InCsv("elements"), OnPage("Elements"), InText("elements"), &AccuracyRow::elements},
-    {"method", InCsv("method"), OnPage("Method"), InText("method"), &AccuracyRow::method},
-    {"unknowns", InCsv("unknowns"), OnPage("Unknowns"), InText("unknowns"), &AccuracyRow::unknowns},
-    {"seconds", InCsv("seconds"), Quantity::time, &AccuracyRow::seconds},
+    {InFiles("family"), Titled("Family"), &AccuracyRow::family},
+    {InFiles("order"), Titled("Order"), &AccuracyRow::order},
+    {InFiles("elements"), Titled("Elements"), &AccuracyRow::elements},
+    {InFiles("method"), Titled("Method"), &AccuracyRow::method},
+    {InFiles("unknowns"), Titled("Unknowns"), &AccuracyRow::unknowns},
+    {InFiles("seconds"), Quantity::time, &AccuracyRow::seconds},
     {OnPage("Wall time (ms)", "{:.4g}"), InText("ms", "{:.3g}"), Quantity::number,
      in(1000, &AccuracyRow::seconds)},
-    {"error_estimate", InCsv("error_estimate"), OnPage("Estimate", "{:.3g}"),
-     InText("estimate", rough), Quantity::number, &AccuracyRow::error_estimate},
-    {"true_error", InCsv("true_error"), OnPage("True error", "{:.3g}"), InText("true error", rough),
+    {InFiles("error_estimate"), OnPage("Estimate", "{:.3g}"), InText("estimate", rough),
+     Quantity::number, &AccuracyRow::error_estimate},
+    {InFiles("true_error"), OnPage("True error", "{:.3g}"), InText("true error", rough),
      Quantity::number, &AccuracyRow::true_error}};
 
 Json json_of(const AccuracyResult &result, const Units &units) {

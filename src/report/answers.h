@@ -1,9 +1,8 @@
 #pragma once
 
-#include "report/common/units.h"
+#include "report/common/csv.h"
 #include "results/samples.h"
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,12 +11,14 @@ namespace whirl::report {
 /// An answer of many rotors in words: "critical forward 1".
 [[nodiscard]] std::string answer_text(const results::SampledAnswer &answer, const Units &units);
 
-/// Why a rotor (from 0) has no answer; empty: it has.
-[[nodiscard]] std::string failure_of(const std::vector<results::SampleFailure> &failures,
-                                     int rotor);
-
-/// Of `count` places at most so many, evenly spread, with the first and the last.
-/// @param most  2 or more
-[[nodiscard]] std::vector<std::size_t> spread_over(std::size_t count, std::size_t most);
+/// Which answer it is, and the unit of its values.
+[[nodiscard]] Columns<results::SampledAnswer> answer_names();
+/// Why rotors have no answer. @param rotors  key of their numbers
+[[nodiscard]] Columns<results::SampleFailure> failure_columns(const std::string &heading,
+                                                              const std::string &rotors);
+/// Of a file with a line a rotor: its answers, and why it has none.
+void add_answers(std::vector<CsvList> &lists, const std::vector<results::SampledAnswer> &answers,
+                 const std::vector<results::SampleFailure> &failures, int rotors,
+                 const Units &units);
 
 } // namespace whirl::report

@@ -2,6 +2,7 @@
 
 #include "report/common/csv.h"
 #include "report/common/html.h"
+#include "report/common/words.h"
 #include "report/sections.h"
 
 #include <fmt/format.h>
@@ -134,14 +135,6 @@ const Columns<Left> left_file_columns{
     {InCsv("supply"), &Left::supply},
     {InCsv("works"), &Left::works}};
 
-/// At most so many speeds, from the first to the last.
-std::vector<std::size_t> chosen_speeds(std::size_t count, std::size_t most) {
-    std::vector<std::size_t> out;
-    for (std::size_t i = 0; i < std::min(count, most); ++i)
-        out.push_back(count <= most ? i : i * (count - 1) / (most - 1));
-    return out;
-}
-
 std::vector<Need> needs_of(const BalanceResult &result, const std::vector<std::size_t> &speeds) {
     std::vector<Need> out;
     for (std::size_t p = 0; p < result.planes.size(); ++p) {
@@ -196,7 +189,7 @@ std::vector<Left> left_for_readers(const BalanceResult &result, std::size_t most
                                    std::size_t most_speeds) {
     std::vector<Left> out;
     for (const LeftAt *at : places_for_readers(*result.supply, most_places))
-        add_left(result, *at, chosen_speeds(result.speeds.size(), most_speeds), out);
+        add_left(result, *at, spread_over(result.speeds.size(), most_speeds), out);
     return out;
 }
 
@@ -292,10 +285,10 @@ std::string supply_text(const BalanceResult &result, const Units &units) {
     if (!result.supply)
         return "";
     return text_table(fmt::format("\n{}:\n", needs_heading), need_columns,
-                      needs_of(result, chosen_speeds(result.speeds.size(), most_speeds)), units) +
+                      needs_of(result, spread_over(result.speeds.size(), most_speeds)), units) +
            phase_convention(result.supply->lag) + "\n" +
            text_table(fmt::format("\n{}:\n", rest_heading), rest_columns,
-                      rests_of(result, chosen_speeds(result.speeds.size(), most_speeds)), units) +
+                      rests_of(result, spread_over(result.speeds.size(), most_speeds)), units) +
            text_table(fmt::format("\n{}:\n", left_heading), left_columns,
                       left_for_readers(result, most_places, most_speeds), units);
 }
@@ -306,11 +299,11 @@ std::vector<Section> supply_sections(const BalanceResult &result, const Units &u
     constexpr std::size_t on_page = 21; // speeds
     std::vector<Section> out{
         {needs_heading,
-         page_table(need_columns, needs_of(result, chosen_speeds(result.speeds.size(), on_page)),
+         page_table(need_columns, needs_of(result, spread_over(result.speeds.size(), on_page)),
                     units) +
              element("p", phase_convention(result.supply->lag))}};
     add_table(out, rest_heading, rest_columns,
-              rests_of(result, chosen_speeds(result.speeds.size(), on_page)), units);
+              rests_of(result, spread_over(result.speeds.size(), on_page)), units);
     out.push_back(
         {left_heading,
          page_table(left_columns, left_for_readers(result, most_places, on_page), units)});
@@ -320,7 +313,7 @@ std::vector<Section> supply_sections(const BalanceResult &result, const Units &u
 std::vector<TableFile> supply_tables(const BalanceResult &result) {
     if (!result.supply)
         return {};
-    const std::vector<std::size_t> all = chosen_speeds(result.speeds.size(), result.speeds.size());
+    const std::vector<std::size_t> all = spread_over(result.speeds.size(), result.speeds.size());
     return {{"balance_needed",
              [&result, all](const Units &units) {
                  return csv_table(need_columns, needs_of(result, all), units);

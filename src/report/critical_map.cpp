@@ -38,25 +38,21 @@ std::vector<Crossing> crossings_of(const model::Case &scene, const CriticalMap &
 const Columns<Crossing> map_crossing_columns{
     {OnPage("No."), InText(""), [](const auto &, std::size_t i) { return i + 1; }},
     {"bearings", &Crossing::across},
-    {InCsv("bearings"), OnPage("Bearing"), InText("bearing"), &Crossing::bearings},
-    {"of", InCsv("of"), OnPage("Coefficient"), InText("of"), &Crossing::of},
-    {"stiffness", InCsv("stiffness"), OnPage("Stiffness", "{:.10g}"), InText("", precise),
-     Quantity::stiffness, &Crossing::stiffness},
-    {"speed", InCsv("speed"), OnPage("", "{:.10g}").and_si("{:.10g}"), InText("").and_si(precise),
-     Quantity::speed, &Crossing::speed},
-    {"whirl", InCsv("whirl"), OnPage("Whirl"), InText("whirl"), &Crossing::whirl},
-    {"number", InCsv("number"), OnPage("Curve"), InText("curve"), &Crossing::number},
-    {"error", InCsv("error"), OnPage("Relative error", "{:.2g}"), InText("error", rough),
-     Quantity::number, &Crossing::error}};
+    {InCsv("bearings"), Titled("Bearing"), &Crossing::bearings},
+    {InFiles("of"), OnPage("Coefficient"), InText("of"), &Crossing::of},
+    {InFiles("stiffness"), OnPage("Stiffness", "{:.10g}"), InText("", precise), Quantity::stiffness,
+     &Crossing::stiffness},
+    {InFiles("speed"), AllDigits(""), Quantity::speed, &Crossing::speed},
+    {InFiles("whirl"), Titled("Whirl"), &Crossing::whirl},
+    {InFiles("number"), Titled("Curve"), &Crossing::number},
+    {InFiles("error"), RelativeError(), &Crossing::error}};
 
 /// A curve as a list, and at its ends.
 const Columns<CriticalMapCurve> map_curve_columns{
-    {"whirl", OnPage("Whirl"), InText("whirl"), &CriticalMapCurve::whirl},
-    {"number", OnPage("Curve"), InText("curve"), &CriticalMapCurve::number},
-    {OnPage("Soft end", "{:.10g}").and_si("{:.10g}"), InText("soft end").and_si(precise),
-     Quantity::speed, [](const auto &of) { return of.speed.front(); }},
-    {OnPage("Stiff end", "{:.10g}").and_si("{:.10g}"), InText("stiff end").and_si(precise),
-     Quantity::speed, [](const auto &of) { return of.speed.back(); }},
+    {"whirl", Titled("Whirl"), &CriticalMapCurve::whirl},
+    {"number", Titled("Curve"), &CriticalMapCurve::number},
+    {AllDigits("Soft end"), Quantity::speed, [](const auto &of) { return of.speed.front(); }},
+    {AllDigits("Stiff end"), Quantity::speed, [](const auto &of) { return of.speed.back(); }},
     {"speed", Quantity::speed, &CriticalMapCurve::speed},
     {"error", Quantity::number, &CriticalMapCurve::error},
     {"soft_shape", Quantity::number, &CriticalMapCurve::soft},

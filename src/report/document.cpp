@@ -34,9 +34,7 @@ std::string without_end(std::string text) {
 }
 
 std::string sentence_of(const model::Sentence &sentence, const Units &units) {
-    std::string text = without_end(units.text(sentence));
-    if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
-        text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    const std::string text = capitalized(without_end(units.text(sentence)));
     return text.empty() ? "" : text + ".";
 }
 
@@ -191,8 +189,6 @@ std::string document_page(const Report &report, const Document &document, const 
     if (pictures.missing())
         chapters = element("p", "gnuplot is not installed: the report has no diagrams.", "note") +
                    chapters;
-    std::string verdict = document.verdict;
-    verdict.front() = static_cast<char>(verdict.front() - 'a' + 'A');
     return with_contents(
         filled(embedded("document.html"),
                {{"title", escaped(title)},
@@ -204,7 +200,7 @@ std::string document_page(const Report &report, const Document &document, const 
                 {"short_hash", short_hash},
                 {"drawing", picture_element(to_svg(document.drawing), "Side view: " + title)},
                 {"verdict_class", document.verdict},
-                {"verdict", escaped(verdict + ".")},
+                {"verdict", escaped(capitalized(document.verdict) + ".")},
                 {"sentence", escaped(sentence_of(document.sentence, units))},
                 {"running", document.running.empty()
                                 ? ""

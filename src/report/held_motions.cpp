@@ -39,18 +39,6 @@ std::string state_name(const SteadyStates &states, std::size_t place) {
            (same > 1 ? fmt::format(" {}", state.branch) : std::string());
 }
 
-/// Angles of one balancer after the other: "10 -20 | 30".
-std::string listed(const std::vector<std::vector<double>> &angles, const Units &units) {
-    return joined(angles, " | ", [&units](const std::vector<double> &list) {
-        return joined(list, " ", [&units](double angle) {
-            return fmt::format("{:.5g}", units(Quantity::angle, angle));
-        });
-    });
-}
-std::string listed(const std::vector<double> &angles, const Units &units) {
-    return listed(std::vector<std::vector<double>>{angles}, units);
-}
-
 /// A motion beside the state that it came to rest in.
 struct HeldRow {
     const HeldMotion &motion;
@@ -76,9 +64,9 @@ std::vector<HeldRow> rows_of(const HeldSweep &sweep) {
 }
 
 const Columns<HeldRow> held_columns{
-    {"direction", InCsv("direction"), ForReaders("Going"),
+    {InFiles("direction"), ForReaders("Going"),
      [](const auto &row) { return going(row.motion.up); }},
-    {"speed", InCsv("speed"), ForReaders("speed", "{:.6g}"), Quantity::speed,
+    {InFiles("speed"), ForReaders("speed", "{:.6g}"), Quantity::speed,
      [](const auto &row) { return row.motion.speed; }},
     {InCsv("largest"), ForReaders("amplitude", "{:.5g}"), Quantity::amplitude,
      [](const auto &row) { return row.motion.largest(); }},
@@ -87,18 +75,17 @@ const Columns<HeldRow> held_columns{
     {"rms", Quantity::amplitude, [](const auto &row) { return row.motion.rms; }},
     {"balls", Quantity::angle, [](const auto &row) { return row.motion.angles; }},
     {"rates", Quantity::speed, [](const auto &row) { return row.motion.rates; }},
-    {"settled", InCsv("settled"), [](const auto &row) { return row.motion.settled; }},
+    {InFiles("settled"), [](const auto &row) { return row.motion.settled; }},
     {ForReaders("settled"), [](const auto &row) { return row.motion.settled ? "yes" : "no"; }},
-    {"at_rest", InCsv("at_rest"), [](const auto &row) { return row.motion.at_rest; }},
-    {"state", InCsv("state"), ForReaders("balancers"), Quantity::number,
+    {InFiles("at_rest"), [](const auto &row) { return row.motion.at_rest; }},
+    {InFiles("state"), ForReaders("balancers"), Quantity::number,
      [](const auto &row) { return row.state(); }},
-    {"branch", InCsv("branch"), Quantity::number,
+    {InFiles("branch"), Quantity::number,
      [](const auto &row) { return row.steady() ? Json(row.steady()->branch) : Json(); }},
-    {"state_amplitude", InCsv("state_amplitude"), ForReaders("of that state", "{:.5g}"),
-     Quantity::amplitude,
+    {InFiles("state_amplitude"), ForReaders("of that state", "{:.5g}"), Quantity::amplitude,
      [](const auto &row) { return row.steady() ? Json(row.steady()->residual) : Json(); }},
     {InCsv("angles"), ForReaders("angles,"), Quantity::angle,
-     [](const auto &row, const Units &units) { return listed(row.motion.angles, units); }}};
+     [](const auto &row, const Units &units) { return angles_text(row.motion.angles, units); }}};
 
 const Columns<MotionJump> jump_columns{
     {"direction", [](const auto &jump) { return going(jump.up); }},
@@ -190,7 +177,9 @@ std::vector<StartRow> starts_of(const ManyStarts &starts) {
 const Columns<StartRow> started_columns{
     {"start_angles", Quantity::angle, [](const auto &row) { return row.start.start_angles; }},
     {InCsv("start_angles"), Quantity::angle,
-     [](const auto &row, const Units &units) { return listed(row.start.start_angles, units); }},
+     [](const auto &row, const Units &units) {
+         return angles_text(row.start.start_angles, units);
+     }},
     {"end", Quantity::number,
      [](const auto &row) { return row.start.end ? Json(*row.start.end) : Json(); }},
     {InCsv("end"),
@@ -198,14 +187,14 @@ const Columns<StartRow> started_columns{
          return row.start.end ? end_name(row.starts, row.starts.ends[*row.start.end])
                               : std::string();
      }},
-    {"amplitude", InCsv("amplitude"), Quantity::amplitude,
+    {InFiles("amplitude"), Quantity::amplitude,
      [](const auto &row) { return row.of([](const HeldMotion &m) { return m.largest(); }); }},
-    {"settled", InCsv("settled"), Quantity::number,
+    {InFiles("settled"), Quantity::number,
      [](const auto &row) { return row.of([](const HeldMotion &m) { return m.settled; }); }},
     {"balls", Quantity::angle,
      [](const auto &row) { return row.of([](const HeldMotion &m) { return m.angles; }); }},
     {InCsv("angles"), Quantity::angle, [](const auto &row, const Units &units) {
-         return row.start.motion ? listed(row.start.motion->angles, units) : std::string();
+         return row.start.motion ? angles_text(row.start.motion->angles, units) : std::string();
      }}};
 
 std::string starts_heading(const ManyStarts &starts) {

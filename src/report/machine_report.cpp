@@ -120,10 +120,8 @@ model::Sentence running_sentence(const MachineReport &result) {
                 largest = &row;
         if (!largest)
             return;
-        const model::Sentence place =
-            largest->name.empty() ? model::Sentence("{} at z = {}", of, as::length(largest->z, 4))
-                                  : model::Sentence("{} {}", of, largest->name);
-        said += model::Sentence("{}{} {} {}{}", said.empty() ? ": " : ", ", place, does,
+        said += model::Sentence("{}{} {} {}{}", said.empty() ? ": " : ", ",
+                                results::place_in_words(of, largest->name, largest->z, 4), does,
                                 as_value(value(*largest), 4), behind);
     };
     add(
@@ -178,8 +176,7 @@ Json json_of(const model::Case &scene, const MachineReport &result, const Units 
 }
 
 std::string text_of(const model::Case &scene, const MachineReport &result, const Units &units) {
-    std::string verdict = results::judgement_name(result.assessment.verdict);
-    verdict.front() = static_cast<char>(verdict.front() - 'a' + 'A');
+    const std::string verdict = capitalized(results::judgement_name(result.assessment.verdict));
     const model::Sentence running = running_sentence(result);
     std::string text = fmt::format("{}\n{}: {}\n{}\n", title_of(scene), verdict,
                                    printable(units.text(result.assessment.sentence)),

@@ -41,8 +41,7 @@ Json json_of(const Dissipation &part, const Units &units) {
 }
 
 const Columns<ModeShape> shape_columns{
-    {"label", OnPage("Mode"), InText("mode"),
-     [](const auto &mode) { return known_name(mode.label); }},
+    {"label", Titled("Mode"), [](const auto &mode) { return known_name(mode.label); }},
     {"at", Quantity::speed, &ModeShape::at},
     {"frequency", OnPage("Frequency", "{:.10g}").and_si("{:.10g}"), InText("").and_si(precise),
      Quantity::frequency, frequency},
@@ -50,7 +49,7 @@ const Columns<ModeShape> shape_columns{
     {InText("damping ratio"), Quantity::number, damping_ratio},
     {"whirl", &ModeShape::whirl},
     {"plane", Quantity::angle, &ModeShape::plane},
-    {OnPage("Whirl"), InText("whirl"), whirl_of},
+    {Titled("Whirl"), whirl_of},
     {"forward_share", OnPage("Forward share", "{:.4g}"), Quantity::number,
      &ModeShape::forward_fraction},
     {"forward_fraction", Quantity::number, &ModeShape::forward_fraction}, // its older name

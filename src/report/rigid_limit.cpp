@@ -47,8 +47,7 @@ std::string unit_name_of(const RigidLimitRow &row, const Units &units) {
 
 /// First and last point of every row, and the rate.
 const Columns<RigidLimitRow> stiffness_columns{
-    {OnPage("Quantity"), label},
-    {InText("quantity"), label},
+    {Titled("Quantity"), label},
     {"quantity", quantity_name},
     {"unit", unit_name_of},
     {"closed_form", OnPage("closed form", "{:.10g}"), InText("closed form", precise), of_row,
@@ -70,8 +69,7 @@ const Columns<RigidLimitRow> stiffness_columns{
     {"rigid_fe", OnPage("rigid model", "{:.12g}"), of_row, &RigidLimitRow::rigid}};
 
 const Columns<RigidLimitRow> mesh_columns{
-    {OnPage("Quantity"), label},
-    {InText("quantity"), label},
+    {Titled("Quantity"), label},
     {"quantity", quantity_name},
     {"unit", unit_name_of},
     {OnPage("elements of"),

@@ -3,7 +3,6 @@
 #include "results/samples.h"
 
 #include "report/answers.h"
-#include "report/common/csv.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
@@ -11,9 +10,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <numeric>
 
 namespace whirl::report {
 
@@ -40,18 +39,40 @@ std::string answer_text(const results::SampledAnswer &answer, const Units &units
                                      : name;
 }
 
-std::string failure_of(const std::vector<results::SampleFailure> &failures, int rotor) {
-    for (const results::SampleFailure &failure : failures)
-        if (std::binary_search(failure.samples.begin(), failure.samples.end(), rotor))
-            return failure.message;
-    return "";
-}
-
 using results::SampledAnswer;
 using results::SampledInput;
 using results::SampleFailure;
 using results::SampleQuantile;
 using results::SamplesResult;
+
+Columns<SampledAnswer> answer_names() {
+    return {
+        {"of", &SampledAnswer::of},
+        {"name", [](const auto &answer, const Units &units) { return units.text(answer.name); }},
+        {Titled("Answer"), answer_text},
+        {"unit", ForReaders("unit"),
+         [](const auto &answer, const Units &units) { return units.name(answer.quantity); }}};
+}
+
+Columns<SampleFailure> failure_columns(const std::string &heading, const std::string &rotors) {
+    return {{"message", Titled(heading), &SampleFailure::message},
+            {"count", ForReaders("how many"),
+             [](const auto &failure) { return failure.samples.size(); }},
+            {OnPage("the first (counted from 0)"), InText("the first"),
+             [](const auto &failure) { return failure.samples.front(); }},
+            {rotors, &SampleFailure::samples}};
+}
+
+void add_answers(std::vector<CsvList> &lists, const std::vector<SampledAnswer> &answers,
+                 const std::vector<SampleFailure> &failures, int rotors, const Units &units) {
+    for (const SampledAnswer &answer : answers)
+        lists.push_back({{answer_text(answer, units), answer.quantity}, answer.values});
+    std::vector<std::string> messages(static_cast<std::size_t>(rotors));
+    for (const SampleFailure &failure : failures)
+        for (const int rotor : failure.samples)
+            messages[static_cast<std::size_t>(rotor)] = failure.message;
+    lists.push_back({{"failure"}, messages});
+}
 
 namespace {
 
@@ -81,33 +102,27 @@ std::vector<SampleLine> lines_of(const SampledAnswer &answer) {
 
 const OfEach of_answer{[](const SampledAnswer &answer) { return answer.quantity; }};
 
-const Columns<SampledAnswer> answer_columns{
-    {"of", &SampledAnswer::of},
-    {"name",
-     [](const SampledAnswer &answer, const Units &units) { return units.text(answer.name); }},
-    {OnPage("Answer"), InText("answer"), answer_text},
-    {"unit", ForReaders("unit"),
-     [](const auto &answer, const Units &units) { return units.name(answer.quantity); }},
-    {"nominal", OnPage("case as it is", "{:.10g}"), InText("case as is", precise), of_answer,
-     &SampledAnswer::nominal},
-    {"nominal_error", OnPage("its relative error", "{:.2g}"), InText("rel. error", rough),
-     Quantity::number, &SampledAnswer::nominal_error},
-    {"quantiles", Quantity::number,
-     [](const auto &answer, const Units &units) {
-         return json_rows(quantile_columns, lines_of(answer), units);
-     }},
-    {"mean", ForReaders("mean"), of_answer, &SampledAnswer::mean},
-    {"mean_error", OnPage("± (95 %)", "{:.2g}"), InText("+- 95 %", "{:.2g}"), of_answer,
-     &SampledAnswer::mean_error},
-    {"deviation", OnPage("standard deviation", "{:.4g}"), InText("deviation"), of_answer,
-     &SampledAnswer::deviation},
-    {"deviation_error", OnPage("± (95 %)", "{:.2g}"), InText("+- 95 %", "{:.2g}"), of_answer,
-     &SampledAnswer::deviation_error},
-    {"present", ForReaders("samples"), &SampledAnswer::present},
-    {"values", of_answer, &SampledAnswer::values}};
+const Columns<SampledAnswer> answer_columns = and_then(
+    answer_names(), {{"nominal", OnPage("case as it is", "{:.10g}"), InText("case as is", precise),
+                      of_answer, &SampledAnswer::nominal},
+                     {"nominal_error", OnPage("its relative error", "{:.2g}"),
+                      InText("rel. error", rough), Quantity::number, &SampledAnswer::nominal_error},
+                     {"quantiles", Quantity::number,
+                      [](const auto &answer, const Units &units) {
+                          return json_rows(quantile_columns, lines_of(answer), units);
+                      }},
+                     {"mean", ForReaders("mean"), of_answer, &SampledAnswer::mean},
+                     {"mean_error", OnPage("± (95 %)", "{:.2g}"), InText("+- 95 %", "{:.2g}"),
+                      of_answer, &SampledAnswer::mean_error},
+                     {"deviation", OnPage("standard deviation", "{:.4g}"), InText("deviation"),
+                      of_answer, &SampledAnswer::deviation},
+                     {"deviation_error", OnPage("± (95 %)", "{:.2g}"), InText("+- 95 %", "{:.2g}"),
+                      of_answer, &SampledAnswer::deviation_error},
+                     {"present", ForReaders("samples"), &SampledAnswer::present},
+                     {"values", of_answer, &SampledAnswer::values}});
 
 const Columns<SampleLine> sample_line_columns{
-    {OnPage("Answer"), InText("answer"),
+    {Titled("Answer"),
      [](const SampleLine &line, const Units &units) { return answer_text(line.answer, units); }},
     {ForReaders("quantile"),
      [](const SampleLine &line) { return readable(100 * line.quantile.share) + " %"; }},
@@ -133,29 +148,16 @@ const Columns<SampledInput> input_columns{
     {"values", OfEach{[](const SampledInput &input) { return input.quantity; }},
      &SampledInput::values}};
 
-const Columns<SampleFailure> failure_columns{
-    {"message", OnPage("Why samples failed"), InText("why samples failed"),
-     &SampleFailure::message},
-    {"count", ForReaders("how many"),
-     [](const SampleFailure &failure) { return failure.samples.size(); }},
-    {OnPage("the first (counted from 0)"), InText("the first"),
-     [](const SampleFailure &failure) { return failure.samples.front(); }},
-    {"samples", &SampleFailure::samples}};
+const Columns<SampleFailure> sample_failures = failure_columns("Why samples failed", "samples");
 
 /// A line a sample; its columns are the inputs and answers.
 std::string csv_of(const SamplesResult &result, const Units &units) {
-    Json samples = Json::array();
-    Json failures = Json::array();
-    for (int sample = 0; sample < result.count; ++sample) {
-        samples.push_back(sample);
-        failures.push_back(failure_of(result.failures, sample));
-    }
-    std::vector<CsvList> lists{{{"sample"}, samples}};
+    std::vector<int> numbers(static_cast<std::size_t>(result.count));
+    std::iota(numbers.begin(), numbers.end(), 0);
+    std::vector<CsvList> lists{{{"sample"}, numbers}};
     for (const SampledInput &input : result.inputs)
         lists.push_back({{input.path, input.quantity}, input.values});
-    for (const SampledAnswer &answer : result.answers)
-        lists.push_back({{answer_text(answer, units), answer.quantity}, answer.values});
-    lists.push_back({{"failure"}, failures});
+    add_answers(lists, result.answers, result.failures, result.count, units);
     return csv_lists(lists, units);
 }
 
@@ -164,7 +166,7 @@ Json json_of(const SamplesResult &result, const Units &units) {
              {{"count", result.count},
               {"failed", result.failed},
               {"seed", result.seed},
-              {"failures", json_rows(failure_columns, result.failures, units)}}},
+              {"failures", json_rows(sample_failures, result.failures, units)}}},
             {"inputs", json_rows(input_columns, result.inputs, units)},
             {"answers", json_rows(answer_columns, result.answers, units)}};
 }
@@ -174,7 +176,7 @@ std::vector<Section> sections_of(const SamplesResult &result, const Units &units
         {"Quantiles", page_table(sample_line_columns, lines_of(result), units)},
         {"Mean and standard deviation", page_table(answer_columns, result.answers, units)},
         {"What varies", page_table(input_columns, result.inputs, units)}};
-    add_table(sections, "Failed samples", failure_columns, result.failures, units);
+    add_table(sections, "Failed samples", sample_failures, result.failures, units);
     return sections;
 }
 
@@ -184,7 +186,7 @@ std::string text_of(const model::Case &scene, const SamplesResult &result, const
     text += result.answers.empty() ? "  no answers\n"
                                    : text_table(sample_line_columns, lines_of(result), units);
     return text + text_table("\n", answer_columns, result.answers, units) +
-           text_table("\n", failure_columns, result.failures, units) +
+           text_table("\n", sample_failures, result.failures, units) +
            model_text(result.model, units);
 }
 

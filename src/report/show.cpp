@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace whirl::report {
 
@@ -28,26 +29,25 @@ using results::StaticSag;
 namespace {
 
 const Columns<ShowResult> show_columns{
-    {"mass", InCsv("mass"), OnPage("Mass", "{:.8g}"), InText("mass"), Quantity::mass,
-     &ShowResult::mass},
-    {"shaft_mass", InCsv("shaft_mass"), OnPage("of it the shaft", "{:.8g}"), InText("of the shaft"),
+    {InFiles("mass"), OnPage("Mass", "{:.8g}"), InText("mass"), Quantity::mass, &ShowResult::mass},
+    {InFiles("shaft_mass"), OnPage("of it the shaft", "{:.8g}"), InText("of the shaft"),
      Quantity::mass, &ShowResult::shaft_mass},
-    {"length", InCsv("length"), OnPage("Length of the shaft", "{:.8g}"), InText("length"),
-     Quantity::length, &ShowResult::length},
-    {"center_of_mass", InCsv("center_of_mass"), OnPage("Centre of mass, z", "{:.8g}"),
-     InText("centre of mass, z"), Quantity::length, &ShowResult::center_of_mass},
-    {"Id", InCsv("Id"), OnPage("Diametral inertia about it", "{:.8g}"),
-     InText("diametral inertia Id"), Quantity::inertia, &ShowResult::Id},
-    {"Ip", InCsv("Ip"), OnPage("Polar inertia", "{:.8g}"), InText("polar inertia Ip"),
+    {InFiles("length"), OnPage("Length of the shaft", "{:.8g}"), InText("length"), Quantity::length,
+     &ShowResult::length},
+    {InFiles("center_of_mass"), OnPage("Centre of mass, z", "{:.8g}"), InText("centre of mass, z"),
+     Quantity::length, &ShowResult::center_of_mass},
+    {InFiles("Id"), OnPage("Diametral inertia about it", "{:.8g}"), InText("diametral inertia Id"),
+     Quantity::inertia, &ShowResult::Id},
+    {InFiles("Ip"), OnPage("Polar inertia", "{:.8g}"), InText("polar inertia Ip"),
      Quantity::inertia, &ShowResult::Ip},
-    {"type", InCsv("type"), OnPage("Type"), &ShowResult::type},
+    {InFiles("type"), OnPage("Type"), &ShowResult::type},
     {"dI", Quantity::inertia, &ShowResult::dI},
     {"dI_angle", Quantity::angle, &ShowResult::dI_angle}};
 
 // At rest under its weight.
 const Columns<SagStation> sag_columns{
     {"z", ForReaders("z"), Quantity::length, &SagStation::z},
-    {"name", OnPage("Station"), InText("station"), &SagStation::name},
+    {"name", Titled("Station"), &SagStation::name},
     {"x", OnPage("Static deflection x", "{:.5g}"), InText("static x", "{:.4g}"),
      Quantity::deflection, &SagStation::x},
     {"y", OnPage("Static deflection y", "{:.5g}"), InText("static y", "{:.4g}"),
@@ -55,18 +55,16 @@ const Columns<SagStation> sag_columns{
     {"slope_x", OnPage("Slope x", "{:.5g}"), Quantity::slope, &SagStation::slope_x},
     {"slope_y", OnPage("Slope y", "{:.5g}"), InText("slope y", "{:.4g}"), Quantity::slope,
      &SagStation::slope_y},
-    {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), Quantity::number,
-     &SagStation::error},
+    {"error", RelativeError(), &SagStation::error},
     {"slope_error", Quantity::number, &SagStation::slope_error}};
 
 const Columns<SagBearing> load_columns{
     {"z", ForReaders("z"), Quantity::length, &SagBearing::z},
-    {"name", OnPage("Bearing"), InText("bearing"), &SagBearing::name},
+    {"name", Titled("Bearing"), &SagBearing::name},
     {"load", OnPage("Load downwards", "{:.7g}"), InText("load downwards"), Quantity::force,
      &SagBearing::load},
     {"side", OnPage("Load along x", "{:.5g}"), Quantity::force, &SagBearing::side},
-    {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), Quantity::number,
-     &SagBearing::error}};
+    {"error", RelativeError(), &SagBearing::error}};
 
 std::string sag_heading(const StaticSag &sag, const Units &units) {
     return fmt::format("At rest under its weight ({})",
@@ -143,21 +141,18 @@ const Columns<BalancerNumbers> balancer_columns{
     {"position", Quantity::angle, &BalancerNumbers::position}};
 
 /// @param on_terminal  empty: on the page alone
+/// @param of           a member of the numbers of the rotor, or of those with the balancer
 Column<BalancerNumbers> dimensionless(const char *key, const char *on_page, const char *on_terminal,
                                       auto of) {
     const bool there = *on_terminal != '\0';
     return {key, OnPage(on_page, "{:.8g}", "∞"),
-            there ? InText(on_terminal, "{:.6g}", "infinite") : InText(), Quantity::number, of};
-}
-Column<BalancerNumbers> dimensionless(const char *key, const char *on_page, const char *on_terminal,
-                                      auto DimensionlessNumbers::*of) {
-    return dimensionless(key, on_page, on_terminal,
-                         [of](const BalancerNumbers &b) { return b.dimensionless.*of; });
-}
-Column<BalancerNumbers> dimensionless(const char *key, const char *on_page, const char *on_terminal,
-                                      auto RotorNumbers::*of) {
-    return dimensionless(key, on_page, on_terminal,
-                         [of](const BalancerNumbers &b) { return b.dimensionless.rotor.*of; });
+            there ? InText(on_terminal, "{:.6g}", "infinite") : InText(), Quantity::number,
+            [of](const BalancerNumbers &b) {
+                if constexpr (std::is_invocable_v<decltype(of), const RotorNumbers &>)
+                    return b.dimensionless.rotor.*of;
+                else
+                    return b.dimensionless.*of;
+            }};
 }
 
 const Columns<BalancerNumbers> dimensionless_columns{

@@ -31,13 +31,6 @@ using results::Waterfall;
 
 namespace {
 
-/// Angles such as "10, -20".
-std::string angles_text(const std::vector<double> &angles, const Units &units, const char *format,
-                        const char *between) {
-    return joined(angles, between, [&](double angle) {
-        return fmt::format(fmt::runtime(format), units(Quantity::angle, angle));
-    });
-}
 std::string page_angles(const std::vector<double> &angles, const Units &units) {
     return angles_text(angles, units, "{:.6g}", ", ");
 }
@@ -81,7 +74,7 @@ const Columns<BalancerMotion> balancer_motion_columns{
      }},
     {"name", OnPage("Name"), &BalancerMotion::name},
     {"z", OnPage("z", "{:.5g}"), Quantity::length, &BalancerMotion::z},
-    {"kind", OnPage("Kind"), InText("kind"), &BalancerMotion::kind},
+    {"kind", Titled("Kind"), &BalancerMotion::kind},
     {"coordinates", &BalancerMotion::coordinates},
     {"E", OnPage("Capacity E", "{:.5g}"), InText("capacity E", "{:.4g}"), Quantity::number,
      &BalancerMotion::capacity},
@@ -131,13 +124,13 @@ std::optional<double> over_steady(const StationMotion &station) {
 }
 
 const Columns<StationMotion> station_columns{
-    {OnPage("Station"), InText("station"),
+    {Titled("Station"),
      [](const auto &s, const Units &units) {
          return s.name.empty() ? place("", s.z, units) : s.name;
      }},
     {"name", &StationMotion::name},
     {"z", OnPage("z", "{:.5g}"), Quantity::length, &StationMotion::z},
-    {"peak", OnPage("Peak", "{:.5g}"), InText("peak", "{:.5g}"), Quantity::amplitude,
+    {"peak", Titled("Peak", "{:.5g}"), Quantity::amplitude,
      [](const auto &s) { return s.peak.value; }},
     {"peak_time", ForReaders("at"), Quantity::time, [](const auto &s) { return s.peak.time; }},
     {"peak_speed", ForReaders("at"), Quantity::speed, [](const auto &s) { return s.peak.speed; }},
@@ -148,8 +141,8 @@ const Columns<StationMotion> station_columns{
      Quantity::amplitude, &StationMotion::steady},
     {"with_balls", OnPage("Steady with the balls fixed", "{:.5g}"), Quantity::amplitude,
      &StationMotion::with_balls},
-    {"steady_peak", OnPage("Steady peak", "{:.5g}"), InText("steady peak", "{:.5g}"),
-     Quantity::amplitude, &StationMotion::steady_peak},
+    {"steady_peak", Titled("Steady peak", "{:.5g}"), Quantity::amplitude,
+     &StationMotion::steady_peak},
     {"steady_peak_speed", ForReaders("at"), Quantity::speed, &StationMotion::steady_peak_speed},
     {"over_steady_peak", OnPage("Peak over steady peak", "{:.4g}"), InText("ratio", "{:.4g}"),
      Quantity::number, over_steady}};
@@ -185,9 +178,8 @@ std::string waterfall_csv(const Waterfall &w, const Units &units) {
 const Columns<LimitCycle> cycle_columns{
     {"speed", OnPage("Spin speed", "{:.7g}"), InText("Speed", "{:.7g}"), InCsv("speed"),
      Quantity::speed, &LimitCycle::speed},
-    {"kind", OnPage("Kind"), InText("kind"), InCsv("kind"), &LimitCycle::kind},
-    {"period", OnPage("Period", "{:.6g}"), InText("period", "{:.6g}"), InCsv("period"),
-     Quantity::time, &LimitCycle::period},
+    {"kind", Titled("Kind"), InCsv("kind"), &LimitCycle::kind},
+    {"period", Titled("Period", "{:.6g}"), InCsv("period"), Quantity::time, &LimitCycle::period},
     {OnPage("Turns of the balls in the rotor"), InText("turns of balls"),
      [](const auto &cycle) {
          return joined(cycle.turns, "; ", [](const std::vector<int> &turns) {
@@ -199,12 +191,11 @@ const Columns<LimitCycle> cycle_columns{
     {OnPage("Amplitude, largest", "{:.5g}"), InText("largest amplitude", "{:.5g}"),
      InCsv("largest"), Quantity::amplitude,
      [](const auto &cycle) { return std::ranges::max(cycle.largest); }},
-    {OnPage("Stability"), InText("stability"), InCsv("stability"),
+    {Titled("Stability"), InCsv("stability"),
      [](const auto &cycle) {
          return cycle.stable ? *cycle.stable ? "stable" : "unstable" : "neutral";
      }},
-    {"growth", OnPage("Growth", "{:.4g}"), InText("growth", "{:.4g}"), InCsv("growth"),
-     Quantity::rate, &LimitCycle::growth},
+    {"growth", Titled("Growth", "{:.4g}"), InCsv("growth"), Quantity::rate, &LimitCycle::growth},
     {"multiplier_error", Quantity::number, &LimitCycle::multiplier_error},
     {"defect", Quantity::number, &LimitCycle::defect}};
 

@@ -15,30 +15,9 @@ using results::SteadyStates;
 
 namespace {
 
-/// Angles of one balancer after the other.
-/// @param format  of a number
-std::string angles_in(const SteadyState &state, const Units &units, const char *format) {
-    std::string text;
-    for (const std::vector<double> &balancer : state.angles) {
-        text += text.empty() ? "" : " | ";
-        for (std::size_t i = 0; i < balancer.size(); ++i)
-            text += (i > 0 ? " " : "") +
-                    fmt::format(fmt::runtime(format), units(Quantity::angle, balancer[i]));
-    }
-    return text;
+std::optional<int> known_count(int count) {
+    return count == results::not_counted ? std::nullopt : std::optional(count);
 }
-std::string angles_text(const SteadyState &state, const Units &units) {
-    return angles_in(state, units, "{:.5g}");
-}
-/// With all digits.
-std::string whole_angles(const SteadyState &state, const Units &units) {
-    return angles_in(state, units, "{}");
-}
-
-Json stable_json(const SteadyState &state) { return state.stable ? Json(*state.stable) : Json(); }
-
-/// null for what is not known.
-Json count_json(int count) { return count == results::not_counted ? Json() : Json(count); }
 
 std::string stable_text(const SteadyState &state) {
     if (!state.why.empty() && !state.stable)
@@ -49,41 +28,39 @@ std::string stable_text(const SteadyState &state) {
 }
 
 const Columns<SteadyState> state_columns{
-    {"speed", InCsv("speed"), ForReaders("Speed", "{:.8g}"), Quantity::speed, &SteadyState::speed},
-    {"kind", InCsv("kind"), ForReaders("kind"),
+    {InFiles("speed"), ForReaders("Speed", "{:.8g}"), Quantity::speed, &SteadyState::speed},
+    {InFiles("kind"), ForReaders("kind"),
      [](const auto &state) { return results::steady_kind_name(state.kind); }},
     {"angles", Quantity::angle, &SteadyState::angles},
-    {ForReaders("angles"), Quantity::angle, angles_text},
-    {InCsv("angles"), Quantity::angle, whole_angles},
+    {ForReaders("angles"), Quantity::angle,
+     [](const auto &state, const Units &units) { return angles_text(state.angles, units); }},
+    {InCsv("angles"), Quantity::angle,
+     [](const auto &state, const Units &units) { return angles_text(state.angles, units, "{}"); }},
     {"wall_forces", Quantity::force, &SteadyState::wall_forces},
-    {"family", InCsv("family"), &SteadyState::family},
-    {"stable", InCsv("stable"), Quantity::number, stable_json},
+    {InFiles("family"), &SteadyState::family},
+    {InFiles("stable"), &SteadyState::stable},
     {ForReaders("stability"), stable_text},
-    {"growth", InCsv("growth"), ForReaders("growth", "{:.5g}"), Quantity::rate,
-     &SteadyState::growth},
+    {InFiles("growth"), ForReaders("growth", "{:.5g}"), Quantity::rate, &SteadyState::growth},
     {"growth_error", Quantity::rate, &SteadyState::growth_error},
     {"least_growth", Quantity::rate, &SteadyState::least_growth},
-    {"growing", InCsv("growing"), Quantity::number,
-     [](const auto &state) { return count_json(state.growing); }},
-    {"residual", InCsv("residual"), ForReaders("residual", "{:.5g}"), Quantity::amplitude,
+    {InFiles("growing"), [](const auto &state) { return known_count(state.growing); }},
+    {InFiles("residual"), ForReaders("residual", "{:.5g}"), Quantity::amplitude,
      &SteadyState::residual},
     {"amplitudes", Quantity::amplitude, &SteadyState::amplitudes},
     {"defect", Quantity::number, &SteadyState::defect},
-    {"branch", InCsv("branch"), &SteadyState::branch},
-    {"why", Quantity::number,
-     [](const auto &state) { return state.why.empty() ? Json() : Json(state.why); }}};
+    {InFiles("branch"), &SteadyState::branch},
+    {"why", [](const auto &state) { return known_name(state.why); }}};
 
 const Columns<results::SteadyBorder> border_columns{
     {"speed", ForReaders("Speed", "{:.10g}"), Quantity::speed, &results::SteadyBorder::speed},
     {"kind", ForReaders("what happens"),
      [](const auto &border) { return results::steady_border_name(border.kind); }},
     {"branch", ForReaders("branch"), &results::SteadyBorder::branch},
-    {"other", ForReaders("with branch"), Quantity::number,
-     [](const auto &border) { return border.other ? Json(*border.other) : Json(); }},
-    {"growing_below", ForReaders("growing below"), Quantity::number,
-     [](const auto &border) { return count_json(border.growing_below); }},
-    {"growing_above", ForReaders("growing above"), Quantity::number,
-     [](const auto &border) { return count_json(border.growing_above); }},
+    {"other", ForReaders("with branch"), &results::SteadyBorder::other},
+    {"growing_below", ForReaders("growing below"),
+     [](const auto &border) { return known_count(border.growing_below); }},
+    {"growing_above", ForReaders("growing above"),
+     [](const auto &border) { return known_count(border.growing_above); }},
     {"frequency", ForReaders("frequency in rotating axes", "{:.6g}"), Quantity::frequency,
      &results::SteadyBorder::frequency},
     {"residual", ForReaders("residual", "{:.5g}"), Quantity::amplitude,

@@ -3,7 +3,6 @@
 #include "results/sweep.h"
 
 #include "report/answers.h"
-#include "report/common/csv.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
@@ -17,13 +16,6 @@
 #include <optional>
 
 namespace whirl::report {
-
-std::vector<std::size_t> spread_over(std::size_t count, std::size_t most) {
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < std::min(count, most); ++i)
-        places.push_back(count <= most ? i : i * (count - 1) / (most - 1));
-    return places;
-}
 
 using model::SweepAxis;
 using results::SampledAnswer;
@@ -90,33 +82,23 @@ template <class Better> std::optional<double> extreme(const SampledAnswer &answe
 const OfEach of_swept_answer{[](const SampledAnswer &answer) { return answer.quantity; }};
 
 Columns<SampledAnswer> swept_answer_columns(const SweepResult &result) {
-    return {{"of", &SampledAnswer::of},
-            {"name", [](const SampledAnswer &answer,
-                        const Units &units) { return units.text(answer.name); }},
-            {OnPage("Answer"), InText("answer"), answer_text},
-            {"unit", ForReaders("unit"),
-             [](const auto &answer, const Units &units) { return units.name(answer.quantity); }},
-            {"nominal", OnPage("case as it is", "{:.6g}"), InText("case as is", "{:.6g}"),
-             of_swept_answer, &SampledAnswer::nominal},
-            {"nominal_error", OnPage("its relative error", "{:.2g}"), Quantity::number,
-             &SampledAnswer::nominal_error},
-            {ForReaders("smallest", "{:.6g}"), of_swept_answer,
-             [](const SampledAnswer &answer) { return extreme(answer, std::less<>()); }},
-            {ForReaders("largest", "{:.6g}"), of_swept_answer,
-             [](const SampledAnswer &answer) { return extreme(answer, std::greater<>()); }},
-            {"present", ForReaders("rotors"), &SampledAnswer::present},
-            {"values", of_swept_answer,
-             [&result](const SampledAnswer &answer) { return lists_of(result, answer.values); }}};
+    return and_then(
+        answer_names(),
+        {{"nominal", OnPage("case as it is", "{:.6g}"), InText("case as is", "{:.6g}"),
+          of_swept_answer, &SampledAnswer::nominal},
+         {"nominal_error", OnPage("its relative error", "{:.2g}"), Quantity::number,
+          &SampledAnswer::nominal_error},
+         {ForReaders("smallest", "{:.6g}"), of_swept_answer,
+          [](const SampledAnswer &answer) { return extreme(answer, std::less<>()); }},
+         {ForReaders("largest", "{:.6g}"), of_swept_answer,
+          [](const SampledAnswer &answer) { return extreme(answer, std::greater<>()); }},
+         {"present", ForReaders("rotors"), &SampledAnswer::present},
+         {"values", of_swept_answer,
+          [&result](const SampledAnswer &answer) { return lists_of(result, answer.values); }}});
 }
 
-const Columns<SampleFailure> rotor_failure_columns{
-    {"message", OnPage("Why rotors have no answer"), InText("why rotors have no answer"),
-     &SampleFailure::message},
-    {"count", ForReaders("how many"),
-     [](const SampleFailure &failure) { return failure.samples.size(); }},
-    {OnPage("the first (counted from 0)"), InText("the first"),
-     [](const SampleFailure &failure) { return failure.samples.front(); }},
-    {"rotors", &SampleFailure::samples}};
+const Columns<SampleFailure> rotor_failures =
+    failure_columns("Why rotors have no answer", "rotors");
 
 /// The value of an axis at each rotor.
 std::vector<double> along(const SweepResult &result, std::size_t axis) {
@@ -135,12 +117,7 @@ std::string sweep_csv(const SweepResult &result, const Units &units) {
     std::vector<CsvList> lists;
     for (std::size_t i = 0; i < result.axes.size(); ++i)
         lists.push_back({{axis_name(result.axes[i]), result.axes[i].quantity}, along(result, i)});
-    for (const SampledAnswer &answer : result.answers)
-        lists.push_back({{answer_text(answer, units), answer.quantity}, answer.values});
-    Json failures = Json::array();
-    for (int rotor = 0; rotor < result.count; ++rotor)
-        failures.push_back(failure_of(result.failures, rotor));
-    lists.push_back({{"failure"}, failures});
+    add_answers(lists, result.answers, result.failures, result.count, units);
     return csv_lists(lists, units);
 }
 
@@ -149,7 +126,7 @@ Json sweep_json(const SweepResult &result, const Units &units) {
              {{"axes", axes_json(result, units)},
               {"count", result.count},
               {"failed", result.failed},
-              {"failures", json_rows(rotor_failure_columns, result.failures, units)}}},
+              {"failures", json_rows(rotor_failures, result.failures, units)}}},
             {"answers", json_rows(swept_answer_columns(result), result.answers, units)}};
 }
 
@@ -191,7 +168,7 @@ std::vector<Section> sweep_sections(const SweepResult &result, const Units &unit
         {"Values", page_table(table_columns(result, answers_on_page, units),
                               table_rows(result, rows_on_page), units)},
         {"What changes", page_table(axis_columns, result.axes, units)}};
-    add_table(sections, "Rotors without an answer", rotor_failure_columns, result.failures, units);
+    add_table(sections, "Rotors without an answer", rotor_failures, result.failures, units);
     return sections;
 }
 
@@ -205,7 +182,7 @@ std::string sweep_text(const model::Case &scene, const SweepResult &result, cons
     if (result.answers.size() > answers || static_cast<std::size_t>(result.count) > rows)
         text += fmt::format("  {} answers of {} rotors in sweep.csv\n", result.answers.size(),
                             result.count);
-    return text + text_table("\n", rotor_failure_columns, result.failures, units) +
+    return text + text_table("\n", rotor_failures, result.failures, units) +
            model_text(result.model, units);
 }
 

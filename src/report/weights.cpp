@@ -9,6 +9,7 @@
 #include "report/pictures/figures.h"
 #include "report/reports.h"
 #include "report/sections.h"
+#include "results/enum_name.h"
 
 #include <fmt/format.h>
 
@@ -37,22 +38,21 @@ std::optional<double> size_of(std::complex<double> value) {
 std::string list_of(const std::vector<std::string> &names) { return joined(names, ", "); }
 
 const Columns<CorrectionWeight> weight_columns{
-    {"plane", InCsv("plane"), ForReaders("Plane"), &CorrectionWeight::plane},
-    {"mr", InCsv("mr"), ForReaders("Weight to add"), Quantity::imbalance,
+    {InFiles("plane"), ForReaders("Plane"), &CorrectionWeight::plane},
+    {InFiles("mr"), ForReaders("Weight to add"), Quantity::imbalance,
      [](const CorrectionWeight &w) { return std::abs(w.weight); }},
-    {"phase", InCsv("phase"), ForReaders("Phase", "{:.2f}"), Quantity::angle,
+    {InFiles("phase"), ForReaders("Phase", "{:.2f}"), Quantity::angle,
      [](const CorrectionWeight &w) { return phase_of(w.weight); }},
-    {"scatter", InCsv("scatter"), ForReaders("± (95 %)", "{:.3g}"), Quantity::imbalance,
+    {InFiles("scatter"), ForReaders("± (95 %)", "{:.3g}"), Quantity::imbalance,
      &CorrectionWeight::scatter},
     {"max", Quantity::imbalance, &CorrectionWeight::largest},
     {"on_mr", Quantity::imbalance, [](const CorrectionWeight &w) { return size_of(w.on); }},
     {"on_phase", Quantity::angle, [](const CorrectionWeight &w) { return phase_of(w.on); }},
-    {"total_mr", InCsv("total_mr"), OnPage("In place of trial weights that stay"),
-     Quantity::imbalance,
+    {InFiles("total_mr"), OnPage("In place of trial weights that stay"), Quantity::imbalance,
      [](const CorrectionWeight &w) {
          return w.on == 0.0 ? std::nullopt : std::optional(std::abs(w.weight + w.on));
      }},
-    {"total_phase", InCsv("total_phase"), OnPage("Phase", "{:.2f}"), Quantity::angle,
+    {InFiles("total_phase"), OnPage("Phase", "{:.2f}"), Quantity::angle,
      [](const CorrectionWeight &w) {
          return w.on == 0.0 ? std::nullopt : phase_of(w.weight + w.on);
      }},
@@ -64,30 +64,30 @@ const Columns<CorrectionWeight> weight_columns{
      &CorrectionWeight::permissible}};
 
 const Columns<WeightReading> reading_columns{
-    {"probe", InCsv("probe"), ForReaders("Probe"), &WeightReading::probe},
-    {"speed", InCsv("speed"), ForReaders("Speed"), Quantity::speed, &WeightReading::speed},
-    {"before_amplitude", InCsv("before_amplitude"), ForReaders("Before"), Quantity::amplitude,
+    {InFiles("probe"), ForReaders("Probe"), &WeightReading::probe},
+    {InFiles("speed"), ForReaders("Speed"), Quantity::speed, &WeightReading::speed},
+    {InFiles("before_amplitude"), ForReaders("Before"), Quantity::amplitude,
      [](const WeightReading &r) { return std::abs(r.before); }},
-    {"before_phase", InCsv("before_phase"), ForReaders("Phase", "{:.2f}"), Quantity::angle,
+    {InFiles("before_phase"), ForReaders("Phase", "{:.2f}"), Quantity::angle,
      [](const WeightReading &r) { return phase_of(r.before); }},
-    {"amplitude", InCsv("amplitude"), ForReaders("After"), Quantity::amplitude,
+    {InFiles("amplitude"), ForReaders("After"), Quantity::amplitude,
      [](const WeightReading &r) { return std::abs(r.after); }},
-    {"phase", InCsv("phase"), ForReaders("Phase", "{:.2f}"), Quantity::angle,
+    {InFiles("phase"), ForReaders("Phase", "{:.2f}"), Quantity::angle,
      [](const WeightReading &r) { return phase_of(r.after); }},
-    {"scatter", InCsv("scatter"), ForReaders("± (95 %)", "{:.3g}"), Quantity::amplitude,
+    {InFiles("scatter"), ForReaders("± (95 %)", "{:.3g}"), Quantity::amplitude,
      &WeightReading::scatter},
-    {"split_amplitude", InCsv("split_amplitude"), OnPage("After, weights as split"),
-     Quantity::amplitude, &WeightReading::split}};
+    {InFiles("split_amplitude"), OnPage("After, weights as split"), Quantity::amplitude,
+     &WeightReading::split}};
 
 const Columns<InfluenceCoefficient> influence_columns{
-    {"probe", InCsv("probe"), OnPage("Probe"), &InfluenceCoefficient::probe},
-    {"speed", InCsv("speed"), OnPage("Speed"), Quantity::speed, &InfluenceCoefficient::speed},
-    {"plane", InCsv("plane"), OnPage("Plane"), &InfluenceCoefficient::plane},
+    {InFiles("probe"), OnPage("Probe"), &InfluenceCoefficient::probe},
+    {InFiles("speed"), OnPage("Speed"), Quantity::speed, &InfluenceCoefficient::speed},
+    {InFiles("plane"), OnPage("Plane"), &InfluenceCoefficient::plane},
     {"amplitude", InCsv("influence"), OnPage("Vibration over weight"), Quantity::influence,
      [](const InfluenceCoefficient &c) { return std::abs(c.value); }},
-    {"phase", InCsv("phase"), OnPage("Phase", "{:.2f}"), Quantity::angle,
+    {InFiles("phase"), OnPage("Phase", "{:.2f}"), Quantity::angle,
      [](const InfluenceCoefficient &c) { return phase_of(c.value); }},
-    {"error", InCsv("error"), OnPage("Relative error", "{:.1e}"), Quantity::number,
+    {InFiles("error"), OnPage("Relative error", "{:.1e}"), Quantity::number,
      &InfluenceCoefficient::error}};
 
 /// A curve at one speed.
@@ -141,10 +141,10 @@ const Columns<PlaneChoice> choice_columns{
 
 const Columns<WeightPiece> piece_columns{
     {InCsv("plane"), ForReaders("Plane"), &WeightPiece::plane},
-    {"hole", InCsv("hole"), ForReaders("Hole"), &WeightPiece::hole},
-    {"angle", InCsv("angle"), ForReaders("Angle", "{:.2f}"), Quantity::angle, &WeightPiece::angle},
-    {"mass", InCsv("mass"), ForReaders("Mass"), Quantity::mass, &WeightPiece::mass},
-    {"mr", InCsv("mr"), ForReaders("Weight"), Quantity::imbalance, &WeightPiece::mr}};
+    {InFiles("hole"), ForReaders("Hole"), &WeightPiece::hole},
+    {InFiles("angle"), ForReaders("Angle", "{:.2f}"), Quantity::angle, &WeightPiece::angle},
+    {InFiles("mass"), ForReaders("Mass"), Quantity::mass, &WeightPiece::mass},
+    {InFiles("mr"), ForReaders("Weight"), Quantity::imbalance, &WeightPiece::mr}};
 
 const Columns<DoubtfulReading> doubtful_columns{
     {"probe", ForReaders("Probe"), &DoubtfulReading::probe},
@@ -169,18 +169,6 @@ std::vector<InfluenceAt> influence_rows(const WeightsResult &result) {
             rows.push_back({&curve, result.curve_speeds[k], curve.values[k],
                             k < curve.errors.size() ? curve.errors[k] : std::nullopt});
     return rows;
-}
-
-const char *source_name(results::InfluenceSource source) {
-    switch (source) {
-    case results::InfluenceSource::trials:
-        return "trials";
-    case results::InfluenceSource::table:
-        return "table";
-    case results::InfluenceSource::model:
-        return "model";
-    }
-    return "";
 }
 
 Json split_json(const WeightsResult &result, const Units &units) {
@@ -286,7 +274,7 @@ Json json_of(const WeightsResult &result, const Units &units) {
     return {{"method", result.method},
             {"phase", phase_word(result.lag)},
             {"vibration_from", result.measured ? "readings" : "model"},
-            {"influence_from", source_name(result.source)},
+            {"influence_from", results::enum_name(result.source, {"trials", "table", "model"})},
             {"weights", json_rows(weight_columns, result.weights, units)},
             {"residual", json_rows(reading_columns, result.residual, units)},
             {"rms", amplitude(result.rms)},

@@ -1,6 +1,7 @@
 #include "model/operation.h"
 #include "results/balance.h"
 #include "results/checks.h"
+#include "results/enum_name.h"
 #include "results/formulation.h"
 #include "results/margins.h"
 #include "results/operating.h"
@@ -16,33 +17,30 @@
 
 namespace whirl::results {
 
-namespace {
-
-/// @param names  of all values of an enumeration, in its order
-template <class Enum> std::string name_of(Enum value, const std::vector<const char *> &names) {
-    return names.at(static_cast<std::size_t>(value));
+Sentence place_in_words(const std::string &of, const std::string &name, double z, int digits) {
+    return name.empty() ? Sentence("{} at z = {}", of, as::length(z, digits))
+                        : Sentence("{} {}", of, name);
 }
 
-} // namespace
-
 std::string form_name(Form form) {
-    return name_of(form, {"planar", "planar_damped", "hyperbolic", "general", "rotating", "hill"});
+    return enum_name(form,
+                     {"planar", "planar_damped", "hyperbolic", "general", "rotating", "hill"});
 }
 
 std::string frame_name(Form form) { return in_rotating_axes(form) ? form_name(form) : "fixed"; }
 
 std::string unknowns_name(Form form) { return is_planar(form) ? "planar" : "real"; }
 
-std::string whirl_name(Whirl whirl) { return name_of(whirl, {"forward", "backward", "mixed"}); }
+std::string whirl_name(Whirl whirl) { return enum_name(whirl, {"forward", "backward", "mixed"}); }
 
 std::string supply_name(Supply supply) {
-    return name_of(supply, {"balanced", "saturated", "beyond capacity", "criterion does not hold",
-                            "balanced, unstable", "too coarse", "out of reach", "resonance",
-                            "at rest", "not known"});
+    return enum_name(supply, {"balanced", "saturated", "beyond capacity", "criterion does not hold",
+                              "balanced, unstable", "too coarse", "out of reach", "resonance",
+                              "at rest", "not known"});
 }
 
 std::string end_kind_name(EndKind kind) {
-    return name_of(kind, {"zero", "pair", "collision", "multiplier"});
+    return enum_name(kind, {"zero", "pair", "collision", "multiplier"});
 }
 
 Sentence run_name(const StandardRun &run) {
@@ -52,8 +50,8 @@ Sentence run_name(const StandardRun &run) {
 }
 
 std::string measure_name(Measure measure) {
-    return name_of(measure,
-                   {"amplitude", "amplitude rms", "velocity", "velocity rms", "clearance share"});
+    return enum_name(measure,
+                     {"amplitude", "amplitude rms", "velocity", "velocity rms", "clearance share"});
 }
 
 model::Quantity measure_quantity(Measure measure) {
@@ -72,7 +70,7 @@ model::Quantity measure_quantity(Measure measure) {
 }
 
 std::string judgement_name(Judgement judgement) {
-    return name_of(judgement, {"passes", "fails", "incomplete"});
+    return enum_name(judgement, {"passes", "fails", "incomplete"});
 }
 
 std::optional<double> Check::margin() const {
@@ -82,15 +80,15 @@ std::optional<double> Check::margin() const {
 }
 
 std::string peak_kind_name(PeakKind kind) {
-    return name_of(kind, {"resonance", "heavily damped", "flank", "plateau"});
+    return enum_name(kind, {"resonance", "heavily damped", "flank", "plateau"});
 }
 
 std::string margin_side_name(MarginSide side) {
-    return name_of(side, {"below", "inside", "above"});
+    return enum_name(side, {"below", "inside", "above"});
 }
 
 std::string verdict_name(Verdict verdict) {
-    return name_of(verdict, {"stable", "neutral", "unstable", "diverges", ""});
+    return enum_name(verdict, {"stable", "neutral", "unstable", "diverges", ""});
 }
 
 std::size_t largest_station(const std::vector<StationMotion> &stations) {
@@ -109,17 +107,17 @@ std::size_t largest_station(const std::vector<StationMotion> &stations) {
 }
 
 std::string outcome_name(Outcome outcome) {
-    return name_of(outcome, {"balanced", "offset", "lagging", "whirling", "growing", "steady",
-                             "transient", "undecided"});
+    return enum_name(outcome, {"balanced", "offset", "lagging", "whirling", "growing", "steady",
+                               "transient", "undecided"});
 }
 
 std::string steady_kind_name(SteadyState::Kind kind) {
-    return name_of(kind, {"balanced", "partly balanced", "coincident", "split", "swung",
-                          "out of round", "at wall"});
+    return enum_name(kind, {"balanced", "partly balanced", "coincident", "split", "swung",
+                            "out of round", "at wall"});
 }
 
 std::string steady_border_name(SteadyBorder::Kind kind) {
-    return name_of(kind, {"fold", "limit", "zero", "pair", "undecided", "wall"});
+    return enum_name(kind, {"fold", "limit", "zero", "pair", "undecided", "wall"});
 }
 
 } // namespace whirl::results

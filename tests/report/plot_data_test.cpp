@@ -2,7 +2,7 @@
 #include "report/pictures/labels.h"
 #include "report/pictures/style.h"
 #include "report/response/marks.h"
-#include "report/response/orbits.h"
+#include "report/response/parts.h"
 #include "results/campbell.h"
 #include "results/modes.h"
 #include "results/response.h"

@@ -64,6 +64,31 @@ const Columns<Measured> measured{
     {"factor", InText("AF", "{:.4g}"), Quantity::number, &Measured::factor},
     {"error", InText("error", rough), Quantity::speed, &Measured::error}};
 
+/// What stands for several places says the same as each of them.
+TEST(Table, PartsForSeveralPlacesAreThoseWrittenOut) {
+    const Columns<Measured> short_ones = and_then(
+        Columns<Measured>{
+            {InFiles("speed"), AllDigits("Spin speed"), Quantity::speed, &Measured::speed},
+            {InFiles("factor"), Titled("Factor", "{:.4g}"), Quantity::number, &Measured::factor}},
+        {{"error", RelativeError(), &Measured::error}});
+    const Columns<Measured> in_full{
+        {"speed", InCsv("speed"), OnPage("Spin speed", "{:.10g}").and_si("{:.10g}"),
+         InText("spin speed").and_si(precise), Quantity::speed, &Measured::speed},
+        {"factor", InCsv("factor"), OnPage("Factor", "{:.4g}"), InText("factor", "{:.4g}"),
+         Quantity::number, &Measured::factor},
+        {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), Quantity::number,
+         &Measured::error}};
+    const std::vector<Measured> some{{1234.56789012, 1.23456, 1e-3}, {0, 2, 1e-9}};
+    const Units readers = Units::of_readers({});
+    for (const TextStyle &style : {TextStyle{}, TextStyle{0, true, 0}}) {
+        const Units units = readers.styled(style);
+        EXPECT_EQ(text_table(short_ones, some, units), text_table(in_full, some, units));
+    }
+    EXPECT_EQ(page_table(short_ones, some, readers), page_table(in_full, some, readers));
+    EXPECT_EQ(csv_table(short_ones, some, {}), csv_table(in_full, some, {}));
+    EXPECT_EQ(json_rows(short_ones, some, {}), json_rows(in_full, some, {}));
+}
+
 /// Five digits, or as many as are asked for; errors only where they change these, or on request.
 TEST(Table, TheTerminalHasAsManyDigitsAsAreAskedFor) {
     const std::vector<Measured> sure{{1234.56789012, 1.23456, 1e-3}};

@@ -19,21 +19,23 @@ namespace {
 namespace as = results::as;
 using operation::Doubt;
 using operation::doubt_of_rotor;
-using operation::place_in_words;
 using results::Check;
 using results::Interval;
 using results::Measure;
 using results::OperatingWorst;
+using results::place_in_words;
 using results::Sentence;
 using results::SeparationMargin;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-Check not_judged(const char *name, const Sentence &why, const std::string &source = "") {
+Check not_judged(const char *name, const Sentence &why, const std::string &source = "",
+                 const Sentence &where = {}) {
     Check check;
     check.name = name;
     check.source = source;
     check.why = why;
+    check.where = where;
     return check;
 }
 
@@ -250,7 +252,7 @@ void add_uncovered_criticals(std::vector<Check> &checks, const std::vector<Run> 
                              results::whirl_name(one.whirl), as::speed(one.speed)),
             api617));
         if (of.fit != model::BearingFit::given)
-            checks.back().where = Sentence("clearance {}", model::fit_name(of.fit));
+            checks.back().where = {"clearance {}", model::fit_name(of.fit)};
     }
 }
 /// Of each clearance once.
@@ -288,15 +290,14 @@ void add_peaks_without_factor(std::vector<Check> &checks, const std::vector<Run>
          operation::peaks_without_factor(operation, *run.critical_speeds, *run.peaks)) {
         if (known_elsewhere(*peak, runs, run))
             continue;
-        Check check = not_judged(
+        checks.push_back(not_judged(
             margin_name,
             {"the curve does not come down to the half-power points on both sides of the peak, "
              "and without them it has no amplification factor"},
-            api617);
-        check.where = Sentence("peak at {}, {}", as::speed(peak->speed),
-                               place_in_words(peak->of.c_str(), peak->name, peak->z));
-        name_run(check, run);
-        checks.push_back(std::move(check));
+            api617,
+            {"peak at {}, {}", as::speed(peak->speed),
+             place_in_words(peak->of, peak->name, peak->z)}));
+        name_run(checks.back(), run);
     }
 }
 
@@ -367,6 +368,14 @@ void add_margins(std::vector<Check> &checks, const model::Case &scene, const Com
 
 const char *const growth_check = "growth of free motions";
 
+/// With those of other arrangements of the balancers.
+std::vector<Interval> all_unstable(const results::StabilityResult &result) {
+    std::vector<Interval> bands = results::unstable_speeds(result);
+    if (result.family)
+        bands.insert(bands.end(), result.family->unstable.begin(), result.family->unstable.end());
+    return bands;
+}
+
 /// Growth of free motions, over all operating speeds. @param result  none: not computed
 Check of_stability(const model::Case &scene, const results::StabilityResult *result,
                    const Sentence &no_stability) {
@@ -411,10 +420,8 @@ Check of_stability(const model::Case &scene, const results::StabilityResult *res
             check.where = Sentence("at {}", as::speed(speed));
         }
     }
-    std::vector<Interval> bands = resolved ? result->resolved_unstable : result->unstable;
+    const std::vector<Interval> bands = all_unstable(*result);
     const auto &errors = resolved ? result->resolved_unstable_error : result->unstable_error;
-    if (result->family)
-        bands.insert(bands.end(), result->family->unstable.begin(), result->family->unstable.end());
     bool near = false;
     for (std::size_t i = 0; i < bands.size(); ++i) {
         const auto error = [&](double of) { return std::isfinite(of) ? of : infinite; };
@@ -550,7 +557,7 @@ Check check_of(const OperatingWorst &worst) {
         check.reading = rms ? "rms" : "peak";
     check.pass = worst.pass;
     check.why = worst.why;
-    check.where = place_in_words(worst.of.c_str(), worst.name, worst.z);
+    check.where = place_in_words(worst.of, worst.name, worst.z);
     if (worst.angle && worst.name.empty())
         check.where += Sentence(", {}", as::angle(*worst.angle, 4));
     if (worst.of == "probe" && worst.relative)
@@ -627,11 +634,9 @@ void add_vibration(std::vector<Check> &checks, const model::Case &scene, const C
                 not_judged(pedestal_name, {"there is no bearing"}, source_of(pedestal)));
         for (const model::Bearing &bearing : rotor.supports())
             if (!bearing.pedestal) {
-                Check check = not_judged(
+                checks.push_back(not_judged(
                     pedestal_name, {"the bearing has no pedestal: what holds it stands still"},
-                    source_of(pedestal));
-                check.where = place_in_words("bearing", bearing.name, bearing.z);
-                checks.push_back(std::move(check));
+                    source_of(pedestal), place_in_words("bearing", bearing.name, bearing.z)));
             }
     }
     if (clearance && !known)
@@ -642,10 +647,9 @@ void add_vibration(std::vector<Check> &checks, const model::Case &scene, const C
                 not_judged(clearance_name, {"there is neither bearing nor seal"}, "case"));
         for (const model::Bearing &bearing : rotor.bearings)
             if (!bearing.clearance) {
-                Check check = not_judged(clearance_name, {"its clearance is not given"}, "case");
-                check.where =
-                    place_in_words(bearing.seal ? "seal" : "bearing", bearing.name, bearing.z);
-                checks.push_back(std::move(check));
+                checks.push_back(not_judged(
+                    clearance_name, {"its clearance is not given"}, "case",
+                    place_in_words(bearing.seal ? "seal" : "bearing", bearing.name, bearing.z)));
             }
     }
 }
@@ -679,7 +683,7 @@ void add_touching(std::vector<Check> &checks, const model::Case &scene, const Co
             check.percent = true;
             check.pass = false;
             check.source = "clearance of the case";
-            check.where = place_in_words(row.of.c_str(), row.name, row.z);
+            check.where = place_in_words(row.of, row.name, row.z);
             check.where += Sentence(", {}", as::speed(row.speed));
             name_run(check, run);
             apply(doubt_of_rotor(scene), check);
@@ -697,11 +701,7 @@ void add_touching(std::vector<Check> &checks, const model::Case &scene, const Co
 /// all.
 void add_without_operation(std::vector<Check> &checks, const results::StabilityResult *stability) {
     if (stability != nullptr) {
-        std::vector<Interval> bands =
-            stability->resolved_up_to ? stability->resolved_unstable : stability->unstable;
-        if (stability->family)
-            bands.insert(bands.end(), stability->family->unstable.begin(),
-                         stability->family->unstable.end());
+        std::vector<Interval> bands = all_unstable(*stability);
         std::ranges::sort(bands, {}, &Interval::from);
         std::vector<Interval> apart; // bands of several positions of balancers overlap
         for (const Interval &band : bands)
@@ -714,10 +714,11 @@ void add_without_operation(std::vector<Check> &checks, const results::StabilityR
             ranges.emplace_back("{}", as::speed.range(band.from, band.to, 5));
         if (!ranges.empty()) {
             checks.push_back(not_judged(
-                growth_check, {"unstable from {}, where the machine must not run; the case does "
-                               "not say where it runs",
-                               model::joined(ranges, ", ")}));
-            checks.back().source = "stability";
+                growth_check,
+                {"unstable from {}, where the machine must not run; the case does not say where "
+                 "it runs",
+                 model::joined(ranges, ", ")},
+                "stability"));
         }
     }
     checks.push_back(not_judged("operating speeds",

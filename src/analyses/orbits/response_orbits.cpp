@@ -171,8 +171,7 @@ results::ClearanceUse largest_use(const assembly::Discretization &d, int index,
 }
 
 void note_use(results::ModelSummary &model, const results::ClearanceUse &use) {
-    const Sentence of = use.name.empty() ? Sentence("{} at z = {}", use.of, as::length(use.z, 5))
-                                         : Sentence("{} {}", use.of, use.name);
+    const Sentence of = results::place_in_words(use.of, use.name, use.z, 5);
     if (std::isinf(use.share))
         model.notes.emplace_back(
             "clearance: the orbit in {} has no limit at {}, a resonance without damping", of,

@@ -71,15 +71,12 @@ std::vector<Answer> answers_of(const results::CriticalResult &result, const mode
                                  names.at(negative).next(results::whirl_name(critical.whirl));
         const bool asked_for = count[negative]++ < modes || (negative ? critical.speed >= range.from
                                                                       : critical.speed <= range.to);
-        out.push_back({"critical " + name,
-                       "critical",
-                       name,
-                       {},
-                       "",
-                       Quantity::speed,
-                       critical.speed,
-                       asked_for,
-                       not_known});
+        out.push_back({.key = "critical " + name,
+                       .of = "critical",
+                       .name = name,
+                       .quantity = Quantity::speed,
+                       .value = critical.speed,
+                       .asked_for = asked_for});
     }
     return out;
 }
@@ -91,15 +88,11 @@ std::vector<Answer> margins_of(const results::CriticalResult &result, Naming nam
     if (!result.margins || result.margins->empty())
         return out;
     const auto add = [&out](const std::string &name, double found) {
-        out.push_back({"margins " + name,
-                       "margins",
-                       name,
-                       {},
-                       ", %",
-                       Quantity::number,
-                       found,
-                       true,
-                       not_known});
+        out.push_back({.key = "margins " + name,
+                       .of = "margins",
+                       .name = name,
+                       .behind = ", %",
+                       .value = found});
     };
     add("the nearest",
         std::ranges::min(*result.margins, {}, &results::SeparationMargin::found).found);
@@ -180,15 +173,12 @@ std::vector<Answer> answers_of(const UnstableBands &found, const model::SpeedRan
     const auto add = [&](std::size_t band, const char *side, double speed, double error) {
         const std::string name = fmt::format("band {} {}", band + 1, side);
         if (speed > range.from && speed < range.to)
-            out.push_back({"ends " + name,
-                           "ends",
-                           name,
-                           {},
-                           "",
-                           Quantity::speed,
-                           speed,
-                           true,
-                           std::abs(error / speed)});
+            out.push_back({.key = "ends " + name,
+                           .of = "ends",
+                           .name = name,
+                           .quantity = Quantity::speed,
+                           .value = speed,
+                           .error = std::abs(error / speed)});
     };
     for (std::size_t i = 0; i < found.bands.size(); ++i) {
         const bool judged = i < found.errors.size();
@@ -202,15 +192,10 @@ std::vector<Answer> answers_of(const UnstableBands &found, const model::SpeedRan
 std::vector<Answer> answers_of(const results::SimulateResult &motion) {
     std::vector<Answer> out;
     if (motion.residual_ratio)
-        out.push_back({"residual ratio",
-                       "residual",
-                       "amplitude over that without balls",
-                       {},
-                       "",
-                       Quantity::number,
-                       *motion.residual_ratio,
-                       true,
-                       not_known});
+        out.push_back({.key = "residual ratio",
+                       .of = "residual",
+                       .name = "amplitude over that without balls",
+                       .value = *motion.residual_ratio});
     for (std::size_t i = 0; i < motion.balancers.size(); ++i) {
         const results::BalancerMotion &b = motion.balancers[i];
         const bool named = !b.name.empty();

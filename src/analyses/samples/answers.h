@@ -16,9 +16,9 @@ struct Answer {
     std::string key; ///< which one: the same for all rotors
     /// "critical", "peaks", "ends", "residual", "damping", "margins" or "operating".
     std::string of;
-    std::string name;         ///< in front of `at` and behind it
-    std::optional<double> at; ///< between the two: z of a place that has no name, or a speed; SI
-    std::string behind;
+    std::string name;           ///< in front of `at` and behind it
+    std::optional<double> at{}; ///< between the two: z of a place that has no name, or a speed; SI
+    std::string behind{};
     model::Quantity quantity = model::Quantity::number;
     double value = 0;
     bool asked_for = true; ///< false: beyond the number of modes that the case wants

@@ -6,6 +6,7 @@
 #include "model/errors.h"
 #include "process/processes.h"
 #include "process/progress.h"
+#include "results/enum_name.h"
 
 #include <fmt/format.h>
 
@@ -17,15 +18,7 @@ namespace whirl::analyses {
 namespace {
 
 std::string distribution_name(model::Distribution distribution) {
-    switch (distribution) {
-    case model::Distribution::normal:
-        return "normal";
-    case model::Distribution::uniform:
-        return "uniform";
-    case model::Distribution::values:
-        break;
-    }
-    return "values";
+    return results::enum_name(distribution, {"normal", "uniform", "values"});
 }
 
 void add_notes(results::SamplesResult &result) {

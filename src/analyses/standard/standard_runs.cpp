@@ -132,7 +132,7 @@ Used used_by(const StandardRun &run) {
 }
 
 Sentence place_of(const results::OperatingPlace &place) {
-    return operation::place_in_words(place.of.c_str(), place.name, place.z);
+    return results::place_in_words(place.of.c_str(), place.name, place.z);
 }
 
 /// The run that breaks or uses most of a limit; without limits that which moves the rotor most.

@@ -5,6 +5,7 @@
 #include "model/mass.h"
 #include "model/variants.h"
 #include "results/critical.h"
+#include "results/enum_name.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,20 +42,6 @@ std::vector<bool> bend(const std::vector<double> &flexible, const std::vector<do
     for (std::size_t k = 0; k < flexible.size(); ++k)
         out.push_back(k >= rigid.size() || 1 - std::pow(flexible[k] / rigid[k], 2) > most_of_it);
     return out;
-}
-
-const char *body_name(RotorBody body) {
-    switch (body) {
-    case RotorBody::discs:
-        return "discs";
-    case RotorBody::sections:
-        return "sections";
-    case RotorBody::roll:
-        return "roll";
-    case RotorBody::integral:
-        return "integral";
-    }
-    return "";
 }
 
 RotorBody body_of(const model::Case &scene) {
@@ -169,7 +156,7 @@ results::BalancingProcedure balancing_procedure(const model::Case &scene, double
     bare.rotor.shaft.order_auto = false;
     BalancingProcedure out;
     const RotorBody body = body_of(scene);
-    out.body = body_name(body);
+    out.body = results::enum_name(body, {"discs", "sections", "roll", "integral"});
     out.body_given = scene.weights->body.has_value();
     out.removable = scene.weights->removable;
     out.discs = static_cast<int>(scene.rotor.discs.size());

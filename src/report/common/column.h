@@ -36,6 +36,11 @@ struct InCsv {
     std::string heading;
     explicit InCsv(std::string name) : heading(std::move(name)) {}
 };
+/// In JSON and CSV under one name.
+struct InFiles {
+    std::string name;
+    explicit InFiles(std::string key) : name(std::move(key)) {}
+};
 struct OnPage : Shown {
     using Shown::Shown;
     /// The same in SI beside it, where no unit was asked for: rad/s beside rpm. With a unit that
@@ -58,6 +63,20 @@ struct InText : Shown {
 struct ForReaders : Shown {
     using Shown::Shown;
 };
+/// The same, but for the first letter: a small one on the terminal.
+struct Titled : Shown {
+    using Shown::Shown;
+};
+/// A number with as many digits as the elements are made for, and in SI beside it.
+struct AllDigits {
+    std::string heading; ///< as that of Titled
+    explicit AllDigits(std::string name) : heading(std::move(name)) {}
+};
+/// The error estimate of a row, over its value.
+struct RelativeError {};
+
+/// With a small letter in front.
+[[nodiscard]] std::string uncapitalized(std::string text);
 
 /// A column whose rows differ in what they are: amplitudes of stations and forces of bearings.
 template <class Of> struct OfEach {
@@ -112,11 +131,14 @@ template <class Row> struct Column {
     template <class Part> static constexpr bool is_each = false;
     template <class Of> static constexpr bool is_each<OfEach<Of>> = true;
     template <class Part>
-    static constexpr bool says_what = std::is_same_v<Part, Quantity> || is_each<Part>;
+    static constexpr bool says_what =
+        std::is_same_v<Part, Quantity> || std::is_same_v<Part, RelativeError> || is_each<Part>;
     template <class Part>
-    static constexpr bool is_value =
-        !(std::is_convertible_v<Part, std::string> || std::is_same_v<Part, InCsv> ||
-          std::is_base_of_v<Shown, Part> || says_what<Part>);
+    static constexpr bool is_place =
+        std::is_convertible_v<Part, std::string> || std::is_same_v<Part, InCsv> ||
+        std::is_same_v<Part, InFiles> || std::is_same_v<Part, AllDigits> ||
+        std::is_base_of_v<Shown, Part>;
+    template <class Part> static constexpr bool is_value = !is_place<Part> && !says_what<Part>;
 
     template <class Of>
     static auto value_of(const Of &of, const Row &row, std::size_t index, const Units &units) {
@@ -144,9 +166,22 @@ template <class Row> struct Column {
     void take(std::string json_key) { key = std::move(json_key); }
     void take(const char *json_key) { key = json_key; }
     void take(InCsv part) { csv = std::move(part.heading); }
+    void take(InFiles part) { key = csv = std::move(part.name); }
     void take(OnPage part) { page = std::move(part); }
     void take(InText part) { text = std::move(part); }
     void take(const ForReaders &part) { page = text = part; }
+    void take(const Titled &part) {
+        page = text = part;
+        text.heading = uncapitalized(*part.heading);
+    }
+    void take(const AllDigits &part) {
+        take(OnPage(part.heading, "{:.10g}").and_si("{:.10g}"));
+        take(InText(uncapitalized(part.heading)).and_si(precise));
+    }
+    void take(RelativeError) {
+        take(OnPage("Relative error", "{:.2g}"));
+        take(InText("error", rough));
+    }
     void take(Quantity what) { quantity = what; }
     template <class Of> void take(OfEach<Of> of) { quantity_of = std::move(of.quantity); }
     template <class Of> void take(Of of) {
@@ -157,6 +192,14 @@ template <class Row> struct Column {
     }
 };
 template <class Row> using Columns = std::vector<Column<Row>>;
+
+/// Columns, and behind them others.
+template <class Row>
+[[nodiscard]] Columns<Row> and_then(Columns<Row> columns,
+                                    const std::type_identity_t<Columns<Row>> &others) {
+    columns.insert(columns.end(), others.begin(), others.end());
+    return columns;
+}
 
 /// A number or nothing times a factor.
 [[nodiscard]] inline double times(double factor, double value) { return value * factor; }

@@ -12,6 +12,12 @@
 
 namespace whirl::report {
 
+std::string uncapitalized(std::string text) {
+    if (!text.empty() && text.front() >= 'A' && text.front() <= 'Z')
+        text.front() = static_cast<char>(text.front() - 'A' + 'a');
+    return text;
+}
+
 std::string shown(const Json &value, const Shown &as, const std::string &missing) {
     if (value.is_string())
         return value.get<std::string>();

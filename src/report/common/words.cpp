@@ -2,6 +2,7 @@
 
 #include "report/common/text_width.h"
 #include "results/balance.h"
+#include "results/enum_name.h"
 #include "results/formulation.h"
 #include "results/model_summary.h"
 
@@ -46,6 +47,19 @@ std::string phase_convention(bool lag) {
     return lag ? "Phases count against the spin (lag)." : "Phases count with the spin (lead).";
 }
 
+std::vector<std::size_t> spread_over(std::size_t count, std::size_t most) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < std::min(count, most); ++i)
+        places.push_back(count <= most ? i : most < 2 ? 0 : i * (count - 1) / (most - 1));
+    return places;
+}
+
+std::string capitalized(std::string text) {
+    if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
+        text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    return text;
+}
+
 std::string title_of(const model::Case &scene) {
     return printable(scene.title.empty() ? scene.name : scene.title);
 }
@@ -53,6 +67,19 @@ std::string title_of(const model::Case &scene) {
 std::string place(const std::string &name, double z, const Units &units) {
     const std::string at = "z = " + units.text(Quantity::length, z);
     return name.empty() ? at : fmt::format("{} ({})", name, at);
+}
+
+std::string angles_text(const std::vector<double> &angles, const Units &units, const char *format,
+                        const char *between) {
+    return joined(angles, between, [&](double angle) {
+        return fmt::format(fmt::runtime(format), units(Quantity::angle, angle));
+    });
+}
+
+std::string angles_text(const std::vector<std::vector<double>> &angles, const Units &units,
+                        const char *format) {
+    return joined(angles, " | ",
+                  [&](const auto &list) { return angles_text(list, units, format); });
 }
 
 std::string range_text(const std::vector<double> &speeds, const Units &units) {
@@ -118,16 +145,8 @@ std::string bands_text(const std::vector<results::Interval> &bands, const char *
     return bands.empty() ? "none" : text;
 }
 
-const char *change_name(model::SweepChange change) {
-    switch (change) {
-    case model::SweepChange::factor:
-        return "factor";
-    case model::SweepChange::shift:
-        return "shift";
-    case model::SweepChange::value:
-        break;
-    }
-    return "value";
+std::string change_name(model::SweepChange change) {
+    return results::enum_name(change, {"value", "factor", "shift"});
 }
 
 std::vector<std::string> entries_of(const model::SweepAxis &axis) {

@@ -44,6 +44,13 @@ template <class List, class Of>
     return value == 0.0 ? std::nullopt : std::optional(std::arg(value));
 }
 
+/// Of `count` places at most so many, evenly spread, with the first and, of more than one, the
+/// last.
+[[nodiscard]] std::vector<std::size_t> spread_over(std::size_t count, std::size_t most);
+
+/// With a capital letter in front.
+[[nodiscard]] std::string capitalized(std::string text);
+
 /// The title of a case, or its name.
 [[nodiscard]] std::string title_of(const model::Case &scene);
 /// A name; nothing where it is empty, as that of a mode that is not known.
@@ -56,6 +63,11 @@ template <class List, class Of>
 inline constexpr auto place_of = [](const auto &row, const Units &units) {
     return place(row.name, row.z, units);
 };
+/// Angles, "10 -20"; of one balancer after the other "10 -20 | 30". @param format  of a number
+[[nodiscard]] std::string angles_text(const std::vector<double> &angles, const Units &units,
+                                      const char *format = "{:.5g}", const char *between = " ");
+[[nodiscard]] std::string angles_text(const std::vector<std::vector<double>> &angles,
+                                      const Units &units, const char *format = "{:.5g}");
 /// "at 4000 rpm", "0 to 4000 rpm, 101 speeds".
 [[nodiscard]] std::string range_text(const std::vector<double> &speeds, const Units &units);
 
@@ -88,7 +100,7 @@ inline constexpr auto whirl_of = [](const auto &row, const Units &units) {
 // Entries of a case that change together, of [sweep] and [map].
 
 /// "value", "factor" or "shift", as in a case.
-[[nodiscard]] const char *change_name(model::SweepChange change);
+[[nodiscard]] std::string change_name(model::SweepChange change);
 [[nodiscard]] std::vector<std::string> entries_of(const model::SweepAxis &axis);
 /// The axis with what became of its entries where it is over a dimensionless number.
 [[nodiscard]] Json axis_json(const model::SweepAxis &axis, const Json &changes, const Units &units);

@@ -451,12 +451,25 @@ ChartAxis chart_axis(const Units &units, const std::string &what, Quantity quant
             .spin_speed = quantity == Quantity::speed};
 }
 
-ChartAxis along_speeds(const Units &units, const std::vector<double> &speeds) {
-    ChartAxis axis = chart_axis(units, "Spin speed", Quantity::speed);
-    const Range range = range_of(speeds);
-    axis.low = units(Quantity::speed, range.low);
-    axis.high = units(Quantity::speed, range.high);
+ChartAxis chart_axis(const Units &units, const std::string &what, Quantity quantity, double low,
+                     double high) {
+    ChartAxis axis = chart_axis(units, what, quantity);
+    axis.low = units(quantity, low);
+    axis.high = units(quantity, high);
     return axis;
+}
+
+ChartAxis phase_axis(const Units &units, const std::string &what) {
+    ChartAxis axis = chart_axis(units, what, Quantity::angle);
+    axis.low = -190;
+    axis.high = 190;
+    axis.step = 90;
+    return axis;
+}
+
+ChartAxis along_speeds(const Units &units, const std::vector<double> &speeds) {
+    const Range range = range_of(speeds);
+    return chart_axis(units, "Spin speed", Quantity::speed, range.low, range.high);
 }
 
 ChartAxis along_axis(const Units &units, const model::SweepAxis &of) {

@@ -32,6 +32,11 @@ struct ChartAxis {
     std::optional<Second> second{};
 };
 [[nodiscard]] ChartAxis chart_axis(const Units &units, const std::string &what, Quantity quantity);
+/// From one value to another, in SI.
+[[nodiscard]] ChartAxis chart_axis(const Units &units, const std::string &what, Quantity quantity,
+                                   double low, double high);
+/// Of angles within half a turn either way, with a number at each quarter.
+[[nodiscard]] ChartAxis phase_axis(const Units &units, const std::string &what);
 /// Of spin speeds, from the first to the last of them, widened where there is one.
 [[nodiscard]] ChartAxis along_speeds(const Units &units, const std::vector<double> &speeds);
 /// Over the values of an axis of the case: an entry in SI, or speeds.

@@ -93,11 +93,9 @@ ChartPanel direction_panel(const BalancerNumbers &balancer, const Units &units) 
     const CompositeCurves &c = *balancer.curves;
     const Values angle = scaled(c.angle, units.factor(Quantity::angle));
     ChartPanel panel{200,
-                     chart_axis(units, "Direction from the imbalance", Quantity::angle),
+                     chart_axis(units, "Direction from the imbalance", Quantity::angle, 0, 2 * pi),
                      {.title = "A_C / A_Σ"}};
     panel.title = "Diametral inertia about an axis, by its direction";
-    panel.x.low = 0;
-    panel.x.high = units(Quantity::angle, 2 * pi);
     panel.x.step = *panel.x.high / 8;
     panel.curves = {over(angle, Values(angle.size(), 1), "mean, A_Σ", {"", "#7A7A7A", "(2,3)"}, 1)};
     if (paper_differs(balancer))

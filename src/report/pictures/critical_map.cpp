@@ -2,6 +2,7 @@
 
 #include "report/critical_map.h"
 #include "report/pictures/chart.h"
+#include "report/pictures/shaft_outline.h"
 #include "report/pictures/style.h"
 #include "results/critical.h"
 #include "results/whirl.h"
@@ -88,13 +89,12 @@ void add_crossings(const model::Case &scene, const Units &units, const CriticalM
 
 ChartPanel map_panel(const model::Case &scene, const Units &units, const CriticalMap &map) {
     ChartPanel panel{520,
-                     chart_axis(units, "Stiffness of the supports", Quantity::stiffness),
+                     chart_axis(units, "Stiffness of the supports", Quantity::stiffness,
+                                map.stiffness.front(), map.stiffness.back()),
                      chart_axis(units, "Critical speed", Quantity::speed),
                      {}};
     const Range y = map_speeds(units, map);
     panel.x.logarithmic = panel.y.logarithmic = true;
-    panel.x.low = units(Quantity::stiffness, map.stiffness.front());
-    panel.x.high = units(Quantity::stiffness, map.stiffness.back());
     panel.y.low = y.low;
     panel.y.high = y.high;
     for (const CriticalMapCurve &curve : map.curves) {
@@ -116,17 +116,14 @@ ChartPanel map_panel(const model::Case &scene, const Units &units, const Critica
 ChartPanel shape_panel(const model::Case &scene, const Units &units, const CriticalMap &map,
                        bool soft) {
     constexpr std::size_t most = 4;
-    const double length =
-        units(Quantity::length, std::max(map.z.empty() ? 1 : map.z.back(), 1e-12));
-    ChartPanel panel{126, chart_axis(units, "z", Quantity::length), {}, {}};
+    const double length = std::max(map.z.empty() ? 1 : map.z.back(), 1e-12);
+    ChartPanel panel{126,
+                     chart_axis(units, "z", Quantity::length, -0.03 * length, 1.03 * length),
+                     {.low = -1.25, .high = 1.25, .step = 1},
+                     {}};
     panel.title = fmt::format("Shapes at the {} end, {}", soft ? "soft" : "stiff",
                               drawn_value(units, Quantity::stiffness,
                                           soft ? map.stiffness.front() : map.stiffness.back(), 4));
-    panel.x.low = -0.03 * length;
-    panel.x.high = 1.03 * length;
-    panel.y.low = -1.25;
-    panel.y.high = 1.25;
-    panel.y.step = 1;
     for (const CriticalMapCurve &curve : map.curves) {
         const std::vector<double> &shape = soft ? curve.soft : curve.stiff;
         if (curve.whirl != Whirl::forward || shape.empty() || panel.curves.size() == most)
@@ -137,10 +134,7 @@ ChartPanel shape_panel(const model::Case &scene, const Units &units, const Criti
                                     soft ? curve.speed.front() : curve.speed.back(), 6)),
             points_over(map.z, units.factor(Quantity::length), shape, 1), panel.curves.size(), 2));
     }
-    ChartCurve bearings{"", {}, {"", "#555555", "1", 9}, 0, 1.4};
-    for (const auto &bearing : scene.rotor.supports())
-        bearings.points.push_back({units(Quantity::length, bearing.z), -1.12});
-    panel.curves.push_back(std::move(bearings));
+    panel.curves.push_back(bearings_below(units, scene.rotor, "", 1));
     return panel;
 }
 

@@ -59,10 +59,7 @@ Chart influence_chart(const model::Case &scene, const WeightsResult &result, con
                              chart_axis(units, "Response", Quantity::influence),
                              {},
                              "Unit weight in " + plane};
-        ChartPanel phase{120, amplitude.x, chart_axis(units, "Phase", Quantity::angle), {}};
-        phase.y.low = -190;
-        phase.y.high = 190;
-        phase.y.step = 90;
+        ChartPanel phase{120, amplitude.x, phase_axis(units, "Phase"), {}};
         for (const InfluenceCurve *curve : drawn_curves(result, plane)) {
             std::vector<PlotPoint> line;
             std::vector<double> angles;

@@ -31,25 +31,16 @@ std::vector<PlotPoint> over_speed(const Units &units, const std::vector<double> 
     return points;
 }
 
-/// At most `count` of a list, evenly spread, with its first and last.
-std::vector<std::size_t> spread_over(const std::vector<std::size_t> &list, std::size_t count) {
-    if (list.size() <= count)
-        return list;
-    std::vector<std::size_t> chosen;
-    for (std::size_t i = 0; i < count; ++i)
-        chosen.push_back(list[count < 2 ? 0 : i * (list.size() - 1) / (count - 1)]);
-    return chosen;
-}
-
 /// Of all places, or of many those with names first, filled up with others.
 template <class Place> std::vector<std::size_t> drawn_of(const std::vector<Place> &places) {
     std::vector<std::size_t> named;
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < places.size(); ++i)
         (places[i].name.empty() ? others : named).push_back(i);
-    std::vector<std::size_t> chosen = spread_over(named, most_curves);
-    const auto more = spread_over(others, most_curves - chosen.size());
-    chosen.insert(chosen.end(), more.begin(), more.end());
+    std::vector<std::size_t> chosen;
+    for (const auto &list : {named, others})
+        for (const std::size_t i : spread_over(list.size(), most_curves - chosen.size()))
+            chosen.push_back(list[i]);
     std::sort(chosen.begin(), chosen.end());
     return chosen;
 }
@@ -91,11 +82,7 @@ ChartPanel logarithmic_panel(int height, const ChartAxis &x, ChartAxis y,
 
 ChartPanel phase_panel(const Units &units, const ChartAxis &x, const std::string &what,
                        std::vector<ChartCurve> curves) {
-    ChartAxis y = chart_axis(units, what, Quantity::angle);
-    y.low = -190;
-    y.high = 190;
-    y.step = 90;
-    return {240, x, y, std::move(curves)};
+    return {240, x, phase_axis(units, what), std::move(curves)};
 }
 
 ChartCurve mark_curve(const std::string &name, std::vector<PlotPoint> points, int point,
@@ -271,9 +258,8 @@ Chart receptance_chart(const model::Case &scene, const results::ReceptanceRespon
         if (std::isfinite(peak.value))
             tops.push_back({units(Quantity::frequency, peak.frequency),
                             units(Quantity::receptance, peak.value)});
-    ChartAxis x = chart_axis(units, "Frequency of the force", Quantity::frequency);
-    x.low = units(Quantity::frequency, response.frequencies.front());
-    x.high = units(Quantity::frequency, response.frequencies.back());
+    const ChartAxis x = chart_axis(units, "Frequency of the force", Quantity::frequency,
+                                   response.frequencies.front(), response.frequencies.back());
     std::vector<ChartPanel> panels{
         logarithmic_panel(355, x, chart_axis(units, "Receptance", Quantity::receptance),
                           std::move(amplitude)),

@@ -20,6 +20,14 @@ double shaft_radius(const model::Shaft &shaft, double z) {
     return radius;
 }
 
+ChartCurve bearings_below(const Units &units, const model::Rotor &rotor, const std::string &name,
+                          double size) {
+    ChartCurve bearings{name, {}, {"", "#555555", "1", 9}, 0, 1.4};
+    for (const auto &bearing : rotor.supports())
+        bearings.points.push_back({units(Quantity::length, bearing.z), -1.12 * size});
+    return bearings;
+}
+
 std::vector<ChartCurve> rotor_outline(const Units &units, const model::Rotor &rotor, double size) {
     double thickest = 1e-12;
     for (const auto &segment : rotor.shaft.segments)
@@ -51,10 +59,7 @@ std::vector<ChartCurve> rotor_outline(const Units &units, const model::Rotor &ro
         add({{units(Quantity::length, disc.z - half), radius},
              {units(Quantity::length, disc.z + half), radius}});
     }
-    ChartCurve bearings{"bearing", {}, {"", "#555555", "1", 9}, 0, 1.4};
-    for (const auto &bearing : rotor.supports())
-        bearings.points.push_back({units(Quantity::length, bearing.z), -1.12 * size});
-    areas.push_back(std::move(bearings));
+    areas.push_back(bearings_below(units, rotor, "bearing", size));
     return areas;
 }
 
@@ -76,11 +81,8 @@ curves_over_outline(const Units &units, const model::Rotor &rotor, const std::ve
 }
 
 ChartAxis along_shaft(const Units &units, const model::Rotor &rotor) {
-    const double length = units(Quantity::length, std::max(rotor.shaft.length(), 1e-9));
-    ChartAxis axis = chart_axis(units, "z", Quantity::length);
-    axis.low = -0.03 * length;
-    axis.high = 1.03 * length;
-    return axis;
+    const double length = std::max(rotor.shaft.length(), 1e-9);
+    return chart_axis(units, "z", Quantity::length, -0.03 * length, 1.03 * length);
 }
 
 } // namespace whirl::report

@@ -11,6 +11,9 @@ namespace whirl::report {
 /// Outer radius at z, m; where two segments meet, the larger one.
 [[nodiscard]] double shaft_radius(const model::Shaft &shaft, double z);
 
+/// Marks of the bearings, below an outline of this size.
+[[nodiscard]] ChartCurve bearings_below(const Units &units, const model::Rotor &rotor,
+                                        const std::string &name, double size);
 /// Shaft and discs as areas, bearings below them; the thickest part has half of a size as radius.
 [[nodiscard]] std::vector<ChartCurve> rotor_outline(const Units &units, const model::Rotor &rotor,
                                                     double size);

@@ -125,13 +125,11 @@ ChartPanel balancer_panel(const Units &units, const SimulateResult &result) {
 /// Angles of balls or pendulums in the rotor; of balls that lag their speed over that of the rotor.
 ChartPanel angle_panel(const Units &units, const SimulateResult &result) {
     const bool lagging = result.outcome == results::Outcome::lagging;
-    ChartPanel panel{285, time_axis(units, result), {.title = "Ball speed / rotor speed"}, {}};
-    if (!lagging) {
-        panel.y = chart_axis(units, "Angle in the rotor", Quantity::angle);
-        panel.y.low = -190;
-        panel.y.high = 190;
-        panel.y.step = 90;
-    }
+    ChartPanel panel{285,
+                     time_axis(units, result),
+                     lagging ? ChartAxis{.title = "Ball speed / rotor speed"}
+                             : phase_axis(units, "Angle in the rotor"),
+                     {}};
     for (std::size_t i = 0; i < result.balancers.size(); ++i)
         for (std::size_t j = 0; j < result.balancers[i].angles.size(); ++j) {
             const std::size_t number = panel.curves.size();

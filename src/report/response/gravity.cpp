@@ -1,7 +1,8 @@
-#include "report/response/gravity.h"
+#include "report/response/parts.h"
 
 #include "report/common/units.h"
 #include "report/common/words.h"
+#include "report/pictures/figures.h"
 #include "report/response/tables.h"
 #include "report/sections.h"
 
@@ -17,20 +18,20 @@ namespace {
 
 const Kind<GravityStation> station_kind{
     "station",
-    {series("static", "static", Quantity::deflection, &GravityStation::sag),
-     series("static_x", "static_x", Quantity::deflection, &GravityStation::sag_x),
-     series("static_y", "static_y", Quantity::deflection, &GravityStation::sag_y),
-     series("twice", "twice", Quantity::amplitude, &GravityStation::twice),
-     series("phase", "phase", Quantity::angle, &GravityStation::phase),
-     series("error", "error", Quantity::number, &GravityStation::error),
-     series("static_error", "static_error", Quantity::number, &GravityStation::sag_error)}};
+    {series("static", Quantity::deflection, &GravityStation::sag),
+     series("static_x", Quantity::deflection, &GravityStation::sag_x),
+     series("static_y", Quantity::deflection, &GravityStation::sag_y),
+     series("twice", Quantity::amplitude, &GravityStation::twice),
+     series("phase", Quantity::angle, &GravityStation::phase),
+     series("error", Quantity::number, &GravityStation::error),
+     series("static_error", Quantity::number, &GravityStation::sag_error)}};
 
 const Kind<GravityBearing> gravity_bearing_kind{
     "bearing",
-    {series("static", "static force", Quantity::force, &GravityBearing::carried),
-     series("twice", "twice force", Quantity::force, &GravityBearing::twice),
-     series("error", "error", Quantity::number, &GravityBearing::error),
-     series("static_error", "static_error", Quantity::number, &GravityBearing::carried_error)}};
+    {series("static", Quantity::force, &GravityBearing::carried, "static force"),
+     series("twice", Quantity::force, &GravityBearing::twice, "twice force"),
+     series("error", Quantity::number, &GravityBearing::error),
+     series("static_error", Quantity::number, &GravityBearing::carried_error)}};
 
 const std::vector<CsvHeading> gravity_headings{{"speed", Quantity::speed},
                                                {"kind"},
@@ -78,8 +79,7 @@ Columns<Summary> summary_columns(const char *on_page, const char *on_terminal, Q
             {ForReaders("largest at twice the spin speed", "{:.6g}", "no limit"), circle,
              &Summary::value},
             {ForReaders("at"), Quantity::speed, &Summary::speed},
-            {OnPage("Relative error", "{:.2g}"), InText("error", rough), Quantity::number,
-             &Summary::error}};
+            {RelativeError(), &Summary::error}};
 }
 const Columns<Summary> deflection_columns =
     summary_columns("Place", "station", Quantity::deflection, Quantity::amplitude);
@@ -94,8 +94,6 @@ std::vector<Summary> of_bearings(const GravityResponse &response,
                                  const std::vector<double> &speeds) {
     return summaries(response, speeds, response.bearings, &GravityBearing::carried, "bearing");
 }
-
-} // namespace
 
 Json gravity_json(const GravityResponse &response, const std::vector<double> &speeds,
                   const Units &units) {
@@ -137,6 +135,22 @@ std::string gravity_text(const GravityResponse &response, const std::vector<doub
                                    : peaks_text(response.resonances, response.peaks, units)) +
            "\n" + text_table(deflection_columns, of_stations(response, speeds), units) +
            text_table("\n", carried_columns, of_bearings(response, speeds), units);
+}
+
+} // namespace
+
+Part weight_part(const model::Case &scene, const results::ResponseResult &result) {
+    const GravityResponse &of = *result.gravity;
+    const std::vector<double> &speeds = result.speeds;
+    return {.file = "response_gravity",
+            .title = "Response to the weight",
+            .picture = "motion under the weight",
+            .chart = [&](const Units &units) { return gravity_chart(scene, result, units); },
+            .csv = [&](const Units &units) { return gravity_csv(of, speeds, units); },
+            .sections = [&](const Units &units) { return gravity_sections(of, speeds, units); },
+            .text = [&](const Units &units) { return gravity_text(of, speeds, units); },
+            .key = "gravity",
+            .json = [&](const Units &units) { return gravity_json(of, speeds, units); }};
 }
 
 } // namespace whirl::report

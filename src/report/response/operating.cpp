@@ -1,4 +1,4 @@
-#include "report/response/operating.h"
+#include "report/response/parts.h"
 
 #include "report/common/csv.h"
 #include "report/common/html.h"
@@ -41,7 +41,7 @@ const OfEach worst_value{
     [](const OperatingWorst &worst) { return results::measure_quantity(worst.what); }};
 
 template <class Row> Column<Row> unit_column(Quantity (*quantity)(const Row &)) {
-    return {"unit", InCsv("unit"),
+    return {InFiles("unit"),
             [quantity](const Row &row, const Units &units) { return units.name(quantity(row)); }};
 }
 
@@ -63,33 +63,32 @@ std::string row_outcome(const OperatingRow &row) {
 }
 
 const Columns<OperatingRow> row_columns{
-    {"speed", InCsv("speed"), ForReaders("at"), Quantity::speed, &OperatingRow::speed},
-    {"at", InCsv("at"), ForReaders("speed"), &OperatingRow::at},
-    {"of", InCsv("of"), &OperatingRow::of},
-    {"name", InCsv("name"), &OperatingRow::name},
-    {"z", InCsv("z"), Quantity::length, &OperatingRow::z},
-    {"angle", InCsv("angle"), Quantity::angle, &OperatingRow::angle},
-    {"relative", InCsv("relative"), &OperatingRow::relative},
-    {OnPage("Place"), InText("place"),
+    {InFiles("speed"), ForReaders("at"), Quantity::speed, &OperatingRow::speed},
+    {InFiles("at"), ForReaders("speed"), &OperatingRow::at},
+    {InFiles("of"), &OperatingRow::of},
+    {InFiles("name"), &OperatingRow::name},
+    {InFiles("z"), Quantity::length, &OperatingRow::z},
+    {InFiles("angle"), Quantity::angle, &OperatingRow::angle},
+    {InFiles("relative"), &OperatingRow::relative},
+    {Titled("Place"),
      [](const OperatingRow &row, const Units &units) { return operating_place(row, units); }},
-    {"amplitude", InCsv("amplitude"), OnPage("Amplitude", "{:.5g}", "no limit"),
-     InText("amplitude", "{:.5g}", "no limit"), Quantity::amplitude, &OperatingRow::amplitude},
-    {"phase", InCsv("phase"), OnPage("Phase", "{:.1f}", ""), InText("phase", "{:.1f}", ""),
-     Quantity::angle, &OperatingRow::phase},
-    {"velocity", InCsv("velocity"), OnPage("Velocity", "{:.5g}", "no limit"),
-     InText("velocity", "{:.5g}", "no limit"), Quantity::velocity, &OperatingRow::velocity},
-    {"acceleration", InCsv("acceleration"), OnPage("Acceleration", "{:.5g}", "no limit"),
-     Quantity::acceleration, &OperatingRow::acceleration},
-    {"clearance_share", InCsv("clearance_share"), Quantity::number, &OperatingRow::clearance_share},
+    {InFiles("amplitude"), Titled("Amplitude", "{:.5g}", "no limit"), Quantity::amplitude,
+     &OperatingRow::amplitude},
+    {InFiles("phase"), Titled("Phase", "{:.1f}", ""), Quantity::angle, &OperatingRow::phase},
+    {InFiles("velocity"), Titled("Velocity", "{:.5g}", "no limit"), Quantity::velocity,
+     &OperatingRow::velocity},
+    {InFiles("acceleration"), OnPage("Acceleration", "{:.5g}", "no limit"), Quantity::acceleration,
+     &OperatingRow::acceleration},
+    {InFiles("clearance_share"), Quantity::number, &OperatingRow::clearance_share},
     {OnPage("Share of the clearance (%)", "{:.4g}", "no limit"),
      InText("% of clearance", "{:.4g}", "no limit"), Quantity::number,
      in(100, &OperatingRow::clearance_share)},
-    {"force", InCsv("force"), OnPage("Force", "{:.5g}", "no limit"),
-     InText("force", "{:.5g}", "no limit"), Quantity::force, &OperatingRow::force},
-    {"limited", InCsv("limited"), limited_name},
-    {"value", InCsv("value"), row_limit,
+    {InFiles("force"), Titled("Force", "{:.5g}", "no limit"), Quantity::force,
+     &OperatingRow::force},
+    {InFiles("limited"), limited_name},
+    {InFiles("value"), row_limit,
      [](const OperatingRow &row) { return row.limited ? std::optional(row.value) : std::nullopt; }},
-    {"limit", InCsv("limit"), row_limit, &OperatingRow::limit},
+    {InFiles("limit"), row_limit, &OperatingRow::limit},
     unit_column<OperatingRow>(limited_quantity),
     {OnPage("Limited"), InText("limited", "{}", ""),
      [](const OperatingRow &row, const Units &units) {
@@ -98,10 +97,9 @@ const Columns<OperatingRow> row_columns{
                                           with_unit(limited_quantity(row), row.limit, units))
                             : std::string();
      }},
-    {"pass", InCsv("pass"), &OperatingRow::pass},
+    {InFiles("pass"), &OperatingRow::pass},
     {ForReaders(""), row_outcome},
-    {"error", InCsv("error"), OnPage("Relative error", "{:.2g}"), InText("error", rough),
-     Quantity::number, &OperatingRow::error}};
+    {InFiles("error"), RelativeError(), &OperatingRow::error}};
 
 /// A value as it is compared with its limit: shares of a clearance in percent.
 std::string measured(results::Measure what, double value, const Units &units) {
@@ -126,22 +124,17 @@ const Columns<OperatingWorst> worst_columns{
     {"limit", worst_value, &OperatingWorst::limit},
     unit_column<OperatingWorst>(
         [](const OperatingWorst &worst) { return results::measure_quantity(worst.what); }),
-    {OnPage("Value"), InText("value"),
-     [](const OperatingWorst &worst, const Units &units) {
-         return measured(worst.what, worst.value, units);
-     }},
-    {OnPage("Limit"), InText("limit"),
-     [](const OperatingWorst &worst, const Units &units) {
-         return measured(worst.what, worst.limit, units);
-     }},
+    {Titled("Value"), [](const OperatingWorst &worst,
+                         const Units &units) { return measured(worst.what, worst.value, units); }},
+    {Titled("Limit"), [](const OperatingWorst &worst,
+                         const Units &units) { return measured(worst.what, worst.limit, units); }},
     {"speed", ForReaders("at"), Quantity::speed, &OperatingWorst::speed},
     {"scale", Quantity::number, &OperatingWorst::scale},
     {"source", ForReaders("limit of"), &OperatingWorst::source},
     {"pass", &OperatingWorst::pass},
     {ForReaders(""), [](const OperatingWorst &worst) { return outcome(worst.pass); }},
     {"why", [](const OperatingWorst &worst, const Units &units) { return units.text(worst.why); }},
-    {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), Quantity::number,
-     &OperatingWorst::error}};
+    {"error", RelativeError(), &OperatingWorst::error}};
 
 /// Why limits are not judged, each reason once.
 std::vector<std::string> reasons(const ResponseResult &result, const Units &units) {
@@ -162,23 +155,15 @@ std::vector<std::string> reasons(const ResponseResult &result, const Units &unit
 
 } // namespace
 
-void add_operating(Json &json, const ResponseResult &result, const Units &units) {
-    if (!result.operating)
-        return;
-    take_entries(json, operating_json(*result.operating, units));
-}
-
 Json operating_json(const results::OperatingResponse &operating, const Units &units) {
     return {{"operating", json_rows(row_columns, operating.rows, units)},
             {"worst", json_rows(worst_columns, operating.worst, units)},
             {"scale", Json(operating.scale)}};
 }
 
-std::string operating_rows_csv(const Columns<OperatingRow> &first,
-                               const std::vector<OperatingRow> &rows, const Units &units) {
-    Columns<OperatingRow> columns = first;
-    columns.insert(columns.end(), row_columns.begin(), row_columns.end());
-    return csv_table(columns, rows, units);
+std::string operating_csv(const Columns<OperatingRow> &first, const std::vector<OperatingRow> &rows,
+                          const Units &units) {
+    return csv_table(and_then(first, row_columns), rows, units);
 }
 
 std::vector<Section> operating_sections(const ResponseResult &result, const Units &units) {
@@ -228,8 +213,7 @@ model::Sentence operating_answer(const ResponseResult &result) {
         return row.limited && row.limit && *row.limit > 0 ? row.value / *row.limit : -1;
     };
     const auto words = [](const OperatingRow &row) {
-        return row.name.empty() ? model::Sentence("{} at z = {}", row.of, as::length(row.z, 4))
-                                : model::Sentence("{} {}", row.of, row.name);
+        return results::place_in_words(row.of, row.name, row.z, 4);
     };
     const std::vector<OperatingRow> &rows = result.operating->rows;
     if (rows.empty())
@@ -264,10 +248,6 @@ std::string operating_text(const ResponseResult &result, const Units &units) {
     for (const std::string &reason : reasons(result, units))
         limits += "  " + reason + "\n";
     return "At the operating speeds:\n" + text_table(row_columns, rows, units) + limits + "\n";
-}
-
-std::string operating_csv(const ResponseResult &result, const Units &units) {
-    return operating_rows_csv({}, result.operating->rows, units);
 }
 
 } // namespace whirl::report

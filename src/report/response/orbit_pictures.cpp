@@ -1,4 +1,4 @@
-#include "report/response/orbits.h"
+#include "report/response/parts.h"
 
 #include "report/common/words.h"
 #include "report/pictures/shaft_outline.h"

@@ -1,4 +1,4 @@
-#include "report/response/orbits.h"
+#include "report/response/parts.h"
 
 #include "report/common/csv.h"
 #include "report/common/words.h"
@@ -35,47 +35,41 @@ std::string sense(const OrbitRow &row) {
 
 const Columns<OrbitRow> orbit_columns{
     {InCsv("speed"), ForReaders(""), Quantity::speed, &OrbitRow::speed},
-    {"of", InCsv("of"), OnPage("Orbit in"), InText("of"), &OrbitRow::of},
-    {"z", InCsv("z"), OnPage("z", "{:.5g}"), Quantity::length, &OrbitRow::z},
-    {"name", InCsv("name"), OnPage("Place"), &OrbitRow::name},
+    {InFiles("of"), OnPage("Orbit in"), InText("of"), &OrbitRow::of},
+    {InFiles("z"), OnPage("z", "{:.5g}"), Quantity::length, &OrbitRow::z},
+    {InFiles("name"), OnPage("Place"), &OrbitRow::name},
     {InText("orbit at"), place_of},
-    {"x", InCsv("x"), Quantity::amplitude, &OrbitRow::x},
-    {"x_phase", InCsv("x_phase"), Quantity::angle, &OrbitRow::x_phase},
-    {"y", InCsv("y"), Quantity::amplitude, &OrbitRow::y},
-    {"y_phase", InCsv("y_phase"), Quantity::angle, &OrbitRow::y_phase},
-    {"major", InCsv("major"), OnPage("Amplitude"), InText("amplitude"), Quantity::amplitude,
-     &OrbitRow::major},
-    {"minor", InCsv("minor"), Quantity::amplitude, &OrbitRow::minor},
+    {InFiles("x"), Quantity::amplitude, &OrbitRow::x},
+    {InFiles("x_phase"), Quantity::angle, &OrbitRow::x_phase},
+    {InFiles("y"), Quantity::amplitude, &OrbitRow::y},
+    {InFiles("y_phase"), Quantity::angle, &OrbitRow::y_phase},
+    {InFiles("major"), Titled("Amplitude"), Quantity::amplitude, &OrbitRow::major},
+    {InFiles("minor"), Quantity::amplitude, &OrbitRow::minor},
     {OnPage("Smaller amplitude"), Quantity::amplitude,
      [](const OrbitRow &row) { return std::abs(row.minor); }},
-    {OnPage("Sense"), InText("sense"), sense},
-    {"clearance", InCsv("clearance"), OnPage("Radial clearance"), Quantity::deflection,
-     &OrbitRow::clearance},
-    {"share", InCsv("share"), Quantity::number, &OrbitRow::share},
+    {Titled("Sense"), sense},
+    {InFiles("clearance"), OnPage("Radial clearance"), Quantity::deflection, &OrbitRow::clearance},
+    {InFiles("share"), Quantity::number, &OrbitRow::share},
     {OnPage("Share of it (%)", "{:.4g}"), InText("% of clearance", "{:.4g}"), Quantity::number,
      in(100, &OrbitRow::share)},
-    {"error", InCsv("error"), OnPage("Relative error", "{:.2g}"), InText("error", rough),
-     Quantity::number, &OrbitRow::error}};
+    {InFiles("error"), RelativeError(), &OrbitRow::error}};
 
 const Columns<ClearanceUse> use_columns{
     {"of", OnPage("Largest orbit in"), InText("of"), &ClearanceUse::of},
     {"z", OnPage("z", "{:.5g}"), Quantity::length, &ClearanceUse::z},
     {"name", OnPage("Place"), &ClearanceUse::name},
     {InText("clearance at"), place_of},
-    {"clearance", OnPage("Radial clearance"), InText("radial clearance"), Quantity::deflection,
-     &ClearanceUse::clearance},
+    {"clearance", Titled("Radial clearance"), Quantity::deflection, &ClearanceUse::clearance},
     {"share", Quantity::number, &ClearanceUse::share},
     {OnPage("Share of it (%)", "{:.4g}", "no limit"),
      InText("largest orbit %", "{:.4g}", "no limit"), Quantity::number,
      in(100, &ClearanceUse::share)},
     {"speed", ForReaders("at", "{:.8g}"), Quantity::speed, &ClearanceUse::speed},
-    {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), Quantity::number,
-     &ClearanceUse::error}};
+    {"error", RelativeError(), &ClearanceUse::error}};
 
 const Columns<DeflectedShape> shape_columns{
     {"speed", OnPage(""), InText("shape at"), Quantity::speed, &DeflectedShape::speed},
-    {"largest", OnPage("Largest amplitude"), InText("largest amplitude"), Quantity::amplitude,
-     &DeflectedShape::largest},
+    {"largest", Titled("Largest amplitude"), Quantity::amplitude, &DeflectedShape::largest},
     {"largest_z", ForReaders("at z", "{:.5g}"), Quantity::length, &DeflectedShape::largest_z},
     {"instant", OnPage("Rotor angle then", "{:.1f}"), InText("rotor angle", "{:.1f}"),
      Quantity::angle, &DeflectedShape::instant},

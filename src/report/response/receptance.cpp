@@ -1,8 +1,9 @@
-#include "report/response/receptance.h"
+#include "report/response/parts.h"
 
 #include "report/common/csv.h"
 #include "report/common/table.h"
 #include "report/common/words.h"
+#include "report/pictures/figures.h"
 
 #include <fmt/format.h>
 
@@ -25,16 +26,12 @@ std::string half_power_range(const ReceptancePeak &peak, const Units &units) {
 
 const Columns<ReceptancePeak> receptance_peaks{
     {"direction", OnPage("Direction"), InText("peak of"), &ReceptancePeak::direction},
-    {"from", OnPage("Force at", "{:.5g}"), InText("force at", "{:.5g}"), Quantity::length,
-     &ReceptancePeak::from},
-    {"to", OnPage("Deflection at", "{:.5g}"), InText("deflection at", "{:.5g}"), Quantity::length,
-     &ReceptancePeak::to},
-    {"frequency", OnPage("Frequency", "{:.8g}"), InText("frequency", "{:.8g}"), Quantity::frequency,
-     &ReceptancePeak::frequency},
+    {"from", Titled("Force at", "{:.5g}"), Quantity::length, &ReceptancePeak::from},
+    {"to", Titled("Deflection at", "{:.5g}"), Quantity::length, &ReceptancePeak::to},
+    {"frequency", Titled("Frequency", "{:.8g}"), Quantity::frequency, &ReceptancePeak::frequency},
     {"value", OnPage("Peak", "{:.6g}", "no limit"), InText("value", "{:.6g}", "no limit"),
      Quantity::receptance, &ReceptancePeak::value},
-    {"phase", OnPage("Phase", "{:.1f}", ""), InText("phase", "{:.1f}", ""), Quantity::angle,
-     &ReceptancePeak::phase},
+    {"phase", Titled("Phase", "{:.1f}", ""), Quantity::angle, &ReceptancePeak::phase},
     {"amplification", OnPage("Amplification factor", "{:.4g}", ""), InText("AF", "{:.4g}", ""),
      Quantity::number, &ReceptancePeak::amplification},
     {"half_power", Quantity::frequency,
@@ -42,8 +39,7 @@ const Columns<ReceptancePeak> receptance_peaks{
          return Json{Json(peak.lower), Json(peak.upper)};
      }},
     {OnPage("Half-power points"), InText("half power"), Quantity::frequency, half_power_range},
-    {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), Quantity::number,
-     &ReceptancePeak::error},
+    {"error", RelativeError(), &ReceptancePeak::error},
     {"frequency_error", Quantity::number, &ReceptancePeak::frequency_error}};
 
 /// One direction at one frequency.
@@ -76,8 +72,6 @@ Json curve_json(const results::ResponseCurves &curve, const Units &units) {
         {"amplitude", written(units, Quantity::receptance, none ? nothing : curve.values.front())},
         {"phase", written(units, Quantity::angle, none ? nothing : curve.phases.front())}};
 }
-
-} // namespace
 
 Json receptance_json(const ReceptanceResponse &response, const Units &units) {
     return {{"speed", written(units, Quantity::speed, response.speed)},
@@ -120,6 +114,21 @@ std::string receptance_text(const ReceptanceResponse &response, const Units &uni
                        response.frequencies.size()) +
            (response.peaks.empty() ? "  no peak inside the range\n"
                                    : text_table(receptance_peaks, response.peaks, units));
+}
+
+} // namespace
+
+Part receptance_part(const model::Case &scene, const results::ResponseResult &result) {
+    const ReceptanceResponse &of = *result.receptance;
+    return {.file = "response_receptance",
+            .title = "Receptance",
+            .picture = "receptance",
+            .chart = [&](const Units &units) { return receptance_chart(scene, of, units); },
+            .csv = [&](const Units &units) { return receptance_csv(of, units); },
+            .sections = [&](const Units &units) { return receptance_sections(of, units); },
+            .text = [&](const Units &units) { return receptance_text(of, units); },
+            .key = "receptance",
+            .json = [&](const Units &units) { return receptance_json(of, units); }};
 }
 
 } // namespace whirl::report

@@ -7,19 +7,14 @@
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
-#include "report/response/gravity.h"
 #include "report/response/marks.h"
-#include "report/response/operating.h"
-#include "report/response/orbits.h"
-#include "report/response/receptance.h"
-#include "report/response/runs.h"
+#include "report/response/parts.h"
 #include "report/response/tables.h"
 #include "report/sections.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -38,28 +33,28 @@ namespace {
 
 const Kind<ResponseNode> node_kind{
     "node",
-    {series("amplitude", "amplitude", Quantity::amplitude, &ResponseNode::amplitude),
-     series("phase", "phase", Quantity::angle, &ResponseNode::phase),
-     series("major", "major", Quantity::amplitude, &ResponseNode::major),
-     series("minor", "minor", Quantity::amplitude, &ResponseNode::minor),
-     series("x", "x", Quantity::amplitude, &ResponseNode::x),
-     series("x_phase", "x_phase", Quantity::angle, &ResponseNode::x_phase),
-     series("y", "y", Quantity::amplitude, &ResponseNode::y),
-     series("y_phase", "y_phase", Quantity::angle, &ResponseNode::y_phase),
-     series("inclination", "inclination", Quantity::angle, &ResponseNode::inclination),
-     series("error", "error", Quantity::number, &ResponseNode::error)}};
+    {series("amplitude", Quantity::amplitude, &ResponseNode::amplitude),
+     series("phase", Quantity::angle, &ResponseNode::phase),
+     series("major", Quantity::amplitude, &ResponseNode::major),
+     series("minor", Quantity::amplitude, &ResponseNode::minor),
+     series("x", Quantity::amplitude, &ResponseNode::x),
+     series("x_phase", Quantity::angle, &ResponseNode::x_phase),
+     series("y", Quantity::amplitude, &ResponseNode::y),
+     series("y_phase", Quantity::angle, &ResponseNode::y_phase),
+     series("inclination", Quantity::angle, &ResponseNode::inclination),
+     series("error", Quantity::number, &ResponseNode::error)}};
 
 const Kind<ResponseBearing> bearing_kind{
     "bearing",
-    {series("force", "force", Quantity::force, &ResponseBearing::force),
-     series("error", "error", Quantity::number, &ResponseBearing::error)}};
+    {series("force", Quantity::force, &ResponseBearing::force),
+     series("error", Quantity::number, &ResponseBearing::error)}};
 
 const Kind<ResponseProbe> probe_kind{
     "probe",
-    {series("amplitude", "amplitude", Quantity::amplitude, &ResponseProbe::amplitude),
-     series("phase", "phase", Quantity::angle, &ResponseProbe::phase),
-     series("error", "error", Quantity::number, &ResponseProbe::error)},
-    {{"angle", InCsv("angle"), Quantity::angle, [](const auto &at) { return at.of->angle; }}}};
+    {series("amplitude", Quantity::amplitude, &ResponseProbe::amplitude),
+     series("phase", Quantity::angle, &ResponseProbe::phase),
+     series("error", Quantity::number, &ResponseProbe::error)},
+    {{InFiles("angle"), Quantity::angle, [](const auto &at) { return at.of->angle; }}}};
 
 const std::vector<CsvHeading> csv_headings{{"speed", Quantity::speed},
                                            {"kind"},
@@ -108,19 +103,17 @@ const Columns<ResponsePeak> peaks_found = with_error_parts<ResponsePeak>(
      {InText("peak at"), place_of},
      {ForReaders("of"), measured},
      {"speed", OnPage("at", "{:.8g}"), InText("", "{:.8g}"), Quantity::speed, &ResponsePeak::speed},
-     {"mode", OnPage("Mode", "{}", ""), InText("mode", "{}", ""),
+     {"mode", Titled("Mode", "{}", ""),
       [](const ResponsePeak &peak) { return known_name(peak.mode); }},
      {"value", OnPage("Peak", "{:.6g}", "no limit"), InText("value", "{:.6g}", "no limit"),
       peak_value, &ResponsePeak::value},
-     {"phase", OnPage("Phase", "{:.1f}", ""), InText("phase", "{:.1f}", ""), Quantity::angle,
-      &ResponsePeak::phase},
-     {OnPage("Resonance"), InText("resonance"), resonance_of},
+     {"phase", Titled("Phase", "{:.1f}", ""), Quantity::angle, &ResponsePeak::phase},
+     {Titled("Resonance"), resonance_of},
      {"resonance", &ResponsePeak::resonance},
      {"kind", [](const ResponsePeak &peak) { return results::peak_kind_name(peak.kind); }},
      {"amplification", Quantity::number, &ResponsePeak::amplification},
      {"half_power", Quantity::speed, half_power},
-     {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), Quantity::number,
-      &ResponsePeak::error},
+     {"error", RelativeError(), &ResponsePeak::error},
      {"speed_error", Quantity::number, &ResponsePeak::speed_error}},
     error_part);
 
@@ -128,8 +121,7 @@ const Columns<results::Resonance> resonance_columns{
     {OnPage("No."), InText(""), [](const auto &, std::size_t i) { return i + 1; }},
     {"speed", OnPage("at", "{:.8g}"), InText("", "{:.8g}"), Quantity::speed,
      [](const auto &one) { return one.peak.speed; }},
-    {"mode", OnPage("Mode", "{}", ""), InText("mode", "{}", ""),
-     [](const auto &one) { return known_name(one.peak.mode); }},
+    {"mode", Titled("Mode", "{}", ""), [](const auto &one) { return known_name(one.peak.mode); }},
     {"amplification", OnPage("Amplification factor", "{:.4g}", ""), InText("AF", "{:.4g}", ""),
      Quantity::number, [](const auto &one) { return one.peak.amplification; }},
     {"kind", ForReaders("kind"),
@@ -195,35 +187,28 @@ Json curves_of_kind(const results::ResponseCurves &curves, std::size_t from, std
 
 namespace {
 
-constexpr std::size_t amplitude_column = 3; ///< of peak_columns
-
-/// @param what  the amplitude on the terminal
-Columns<LargestValue> peak_columns(const char *on_page, const char *on_terminal, const char *what) {
+/// @param what  the value on the terminal
+Columns<LargestValue> largest_columns(const char *on_page, const char *on_terminal,
+                                      const char *what, Quantity quantity = Quantity::amplitude) {
     return {{OnPage(on_page), &LargestValue::name},
             {OnPage("z", "{:.5g}"), Quantity::length, &LargestValue::z},
             {InText(on_terminal), place_of},
             {OnPage("Amplitude", "{:.6g}", "no limit"), InText(what, "{:.6g}", "no limit"),
-             Quantity::amplitude, &LargestValue::value},
+             quantity, &LargestValue::value},
             {ForReaders("at"), Quantity::speed, &LargestValue::speed},
-            {OnPage("Relative error", "{:.2g}"), InText("error", rough), Quantity::number,
-             &LargestValue::error}};
+            {RelativeError(), &LargestValue::error}};
 }
 
-const Columns<LargestValue> station_columns = peak_columns("Place", "station", "largest amplitude");
-
-Columns<LargestValue> force_columns() {
-    Columns<LargestValue> columns = peak_columns("", "bearing", "");
-    columns[amplitude_column] = {InText("largest force", "{:.6g}", "no limit"), Quantity::force,
-                                 &LargestValue::value};
+const Columns<LargestValue> station_columns =
+    largest_columns("Place", "station", "largest amplitude");
+const Columns<LargestValue> force_columns =
+    largest_columns("Bearing", "bearing", "largest force", Quantity::force);
+const Columns<LargestValue> probe_peak_columns = [] {
+    Columns<LargestValue> columns = largest_columns("Probe", "probe", "largest reading");
+    columns.insert(columns.begin() + 3, {OnPage("Direction"), InText("looks along"),
+                                         Quantity::angle, &LargestValue::angle});
     return columns;
-}
-
-Columns<LargestValue> probe_peak_columns() {
-    Columns<LargestValue> columns = peak_columns("Probe", "probe", "largest reading");
-    columns.insert(columns.begin() + amplitude_column, {OnPage("Direction"), InText("looks along"),
-                                                        Quantity::angle, &LargestValue::angle});
-    return columns;
-}
+}();
 
 using Speeds = std::vector<double>;
 
@@ -279,8 +264,7 @@ const Columns<ForceResponse::Acting> acting_columns{
     {InText("force at"), place_of},
     {"amplitude", OnPage("Force", "{:.6g}"), InText("amplitude", "{:.6g}"), Quantity::force,
      &ForceResponse::Acting::amplitude},
-    {"phase", OnPage("Phase", "{:.1f}"), InText("phase", "{:.1f}"), Quantity::angle,
-     &ForceResponse::Acting::phase},
+    {"phase", Titled("Phase", "{:.1f}"), Quantity::angle, &ForceResponse::Acting::phase},
     {"direction", ForReaders("direction"), &ForceResponse::Acting::direction}};
 
 Json force_json(const Speeds &speeds, const ForceResponse &response, const Units &units) {
@@ -290,28 +274,6 @@ Json force_json(const Speeds &speeds, const ForceResponse &response, const Units
                                 : Json()},
               {"forces", json_rows(acting_columns, response.forces, units)}};
     take_entries(json, motion_json(speeds, response, units));
-    return json;
-}
-
-Json json_of(const ResponseResult &result, const Units &units) {
-    Json json{{"speeds", written(units, Quantity::speed, result.speeds)}};
-    add_operating(json, result, units);
-    add_runs(json, result, units);
-    // Without an imbalance the first of the forces, so that a motion is always at the same place.
-    const HarmonicMotion *first = &result;
-    if (result.nodes.empty() && !result.forces.empty())
-        first = &result.forces.front();
-    take_entries(json, motion_json(result.speeds, *first, units));
-    add_orbits(json, result, units);
-    add_margins(json, result.margins, units);
-    if (!result.forces.empty())
-        json["forces"] = json_list(result.forces, [&](const ForceResponse &response) {
-            return force_json(result.speeds, response, units);
-        });
-    if (result.gravity)
-        json["gravity"] = gravity_json(*result.gravity, result.speeds, units);
-    if (result.receptance)
-        json["receptance"] = receptance_json(*result.receptance, units);
     return json;
 }
 
@@ -327,16 +289,14 @@ std::string motion_csv(const Speeds &speeds, const HarmonicMotion &motion, const
 /// @param of  in front of the headings
 std::vector<Section> motion_sections(const Speeds &speeds, const HarmonicMotion &motion,
                                      const std::string &of, const Units &units) {
-    const auto heading = [&of](std::string words) {
-        if (!of.empty())
-            words.front() = static_cast<char>(std::tolower(words.front()));
-        return of + words;
+    const auto heading = [&of](const std::string &words) {
+        return of.empty() ? words : of + uncapitalized(words);
     };
     std::vector<Section> sections{
         {heading("Resonances and peaks"), peaks_page(motion.resonances, motion.peaks, units)},
         {heading("Largest amplitudes in the range"),
          page_table(station_columns, largest_amplitudes(speeds, motion), units)}};
-    add_table(sections, heading("Largest readings of the probes"), probe_peak_columns(),
+    add_table(sections, heading("Largest readings of the probes"), probe_peak_columns,
               largest_readings(speeds, motion), units);
     return sections;
 }
@@ -347,8 +307,8 @@ std::string motion_text(const Speeds &speeds, const HarmonicMotion &motion,
            (motion.peaks.empty() ? "No peak inside the range.\n"
                                  : peaks_text(motion.resonances, motion.peaks, units)) +
            "\n" + text_table(station_columns, largest_amplitudes(speeds, motion), units) +
-           text_table("\n", probe_peak_columns(), largest_readings(speeds, motion), units) +
-           text_table("\n", force_columns(), largest_forces(speeds, motion), units);
+           text_table("\n", probe_peak_columns, largest_readings(speeds, motion), units) +
+           text_table("\n", force_columns, largest_forces(speeds, motion), units);
 }
 
 /// Margins answer what peaks are looked for: they stand in front of them.
@@ -359,35 +319,27 @@ std::string margins_before(const Margins &margins, const Units &units) {
     return text.empty() ? text : text + "\n";
 }
 
-/// One motion of a result for all readers: that of each drive, whose amplitudes do not add.
-struct Part {
-    std::string file;    ///< of its picture and its table, where it is not the first
-    std::string title;   ///< "Response to the weight"
-    std::string picture; ///< "motion under the weight"
-    std::function<Chart(const Units &)> chart;
-    std::function<std::string(const Units &)> csv;
-    std::function<std::vector<Section>(const Units &)> sections;
-    std::function<std::string(const Units &)> text;
-};
-
 Part imbalance_part(const model::Case &scene, const ResponseResult &result) {
-    Part part{"response", "Unbalance response", "unbalance response", {}, {}, {}, {}};
-    part.chart = [&](const Units &units) { return response_chart(scene, result, units); };
-    part.csv = [&](const Units &units) { return motion_csv(result.speeds, result, units); };
-    part.sections = [&](const Units &units) {
-        std::vector<Section> sections = motion_sections(result.speeds, result, "", units);
-        if (result.margins)
-            sections.insert(sections.begin() + 1,
-                            {margins_heading, margins_page(*result.margins, units)});
-        const std::vector<Section> of_orbits = orbit_sections(result, units);
-        sections.insert(sections.end(), of_orbits.begin(), of_orbits.end());
-        return sections;
-    };
-    part.text = [&](const Units &units) {
-        return motion_text(result.speeds, result, margins_before(result.margins, units), units) +
-               orbit_text(result, units);
-    };
-    return part;
+    return {.file = "response",
+            .title = "Unbalance response",
+            .picture = "unbalance response",
+            .chart = [&](const Units &units) { return response_chart(scene, result, units); },
+            .csv = [&](const Units &units) { return motion_csv(result.speeds, result, units); },
+            .sections =
+                [&](const Units &units) {
+                    std::vector<Section> all = motion_sections(result.speeds, result, "", units);
+                    if (result.margins)
+                        all.insert(all.begin() + 1,
+                                   {margins_heading, margins_page(*result.margins, units)});
+                    add_sections(all, orbit_sections(result, units));
+                    return all;
+                },
+            .text =
+                [&](const Units &units) {
+                    return motion_text(result.speeds, result, margins_before(result.margins, units),
+                                       units) +
+                           orbit_text(result, units);
+                }};
 }
 
 /// @param index  from 1
@@ -397,54 +349,27 @@ Part force_part(const model::Case &scene, const ResponseResult &result,
         return "forces at " + excitation_text(units, response);
     };
     const std::string usual = what(Units::of_readers(scene.units));
-    Part part{
-        fmt::format("response_force_{}", index), "Response to " + usual, usual, {}, {}, {}, {}};
-    part.chart = [&](const Units &units) {
-        return force_chart(scene, result.speeds, response, units);
-    };
-    part.csv = [&](const Units &units) { return motion_csv(result.speeds, response, units); };
-    part.sections = [&, what](const Units &units) {
-        std::string name = what(units) + ": ";
-        name.front() = static_cast<char>(std::toupper(name.front()));
-        std::vector<Section> sections{
-            {name + "where they act", page_table(acting_columns, response.forces, units)}};
-        add_sections(sections, motion_sections(result.speeds, response, name, units));
-        return sections;
-    };
-    part.text = [&, what](const Units &units) {
-        return "Under " + what(units) + ":\n" + text_table(acting_columns, response.forces, units) +
-               "\n" + motion_text(result.speeds, response, "", units);
-    };
-    return part;
-}
-
-Part weight_part(const model::Case &scene, const ResponseResult &result) {
-    Part part{
-        "response_gravity", "Response to the weight", "motion under the weight", {}, {}, {}, {}};
-    part.chart = [&](const Units &units) { return gravity_chart(scene, result, units); };
-    part.csv = [&](const Units &units) {
-        return gravity_csv(*result.gravity, result.speeds, units);
-    };
-    part.sections = [&](const Units &units) {
-        return gravity_sections(*result.gravity, result.speeds, units);
-    };
-    part.text = [&](const Units &units) {
-        return gravity_text(*result.gravity, result.speeds, units);
-    };
-    return part;
-}
-
-Part receptance_part(const model::Case &scene, const ResponseResult &result) {
-    Part part{"response_receptance", "Receptance", "receptance", {}, {}, {}, {}};
-    part.chart = [&](const Units &units) {
-        return receptance_chart(scene, *result.receptance, units);
-    };
-    part.csv = [&](const Units &units) { return receptance_csv(*result.receptance, units); };
-    part.sections = [&](const Units &units) {
-        return receptance_sections(*result.receptance, units);
-    };
-    part.text = [&](const Units &units) { return receptance_text(*result.receptance, units); };
-    return part;
+    return {
+        .file = fmt::format("response_force_{}", index),
+        .title = "Response to " + usual,
+        .picture = usual,
+        .chart =
+            [&](const Units &units) { return force_chart(scene, result.speeds, response, units); },
+        .csv = [&](const Units &units) { return motion_csv(result.speeds, response, units); },
+        .sections =
+            [&, what](const Units &units) {
+                const std::string name = capitalized(what(units)) + ": ";
+                std::vector<Section> all{
+                    {name + "where they act", page_table(acting_columns, response.forces, units)}};
+                add_sections(all, motion_sections(result.speeds, response, name, units));
+                return all;
+            },
+        .text =
+            [&, what](const Units &units) {
+                return "Under " + what(units) + ":\n" +
+                       text_table(acting_columns, response.forces, units) + "\n" +
+                       motion_text(result.speeds, response, "", units);
+            }};
 }
 
 /// The unbalance response first; never empty.
@@ -462,13 +387,26 @@ std::vector<Part> parts_of(const model::Case &scene, const ResponseResult &resul
     return parts;
 }
 
-/// @param first  what comes before
-std::vector<Section> sections_of(std::vector<Section> first, const std::vector<Part> &parts,
-                                 const Units &units) {
-    std::vector<Section> sections = std::move(first);
-    for (const Part &part : parts)
-        add_sections(sections, part.sections(units));
-    return sections;
+Json json_of(const model::Case &scene, const ResponseResult &result, const Units &units) {
+    Json json{{"speeds", written(units, Quantity::speed, result.speeds)}};
+    if (result.operating)
+        take_entries(json, operating_json(*result.operating, units));
+    add_runs(json, result, units);
+    // Without an imbalance the first of the forces, so that a motion is always at the same place.
+    const HarmonicMotion *first = &result;
+    if (result.nodes.empty() && !result.forces.empty())
+        first = &result.forces.front();
+    take_entries(json, motion_json(result.speeds, *first, units));
+    add_orbits(json, result, units);
+    add_margins(json, result.margins, units);
+    if (!result.forces.empty())
+        json["forces"] = json_list(result.forces, [&](const ForceResponse &response) {
+            return force_json(result.speeds, response, units);
+        });
+    for (const Part &part : parts_of(scene, result))
+        if (part.json)
+            json[part.key] = part.json(units);
+    return json;
 }
 
 std::string text_of(const model::Case &scene, const ResponseResult &result, const Units &units) {
@@ -508,9 +446,7 @@ std::string pictures_heading(const std::vector<Part> &parts, const ResponseResul
         words.emplace_back("deflected shapes");
     for (std::size_t i = 1; i < parts.size(); ++i)
         words.push_back(parts[i].picture);
-    std::string heading = words.empty() ? "pictures" : joined(words, ", ");
-    heading.front() = static_cast<char>(std::toupper(heading.front()));
-    return heading;
+    return words.empty() ? "Pictures" : capitalized(joined(words, ", "));
 }
 
 /// The largest amplitude of the stations, or reading of the probes, in one sentence.
@@ -561,17 +497,26 @@ std::vector<Section> brief_of(const ResponseResult &result, const Units &units) 
 
 Report describe(const model::Case &scene, const ResponseResult &result) {
     const std::vector<Part> parts = parts_of(scene, result);
-    Report report = report_of<ResponseResult>("response", parts.front().title, scene, result,
-                                              {json_of, {}, {}, text_of, {}});
-    report.csv = parts.front().csv;
-    report.chart = parts.front().chart;
-    report.sections = [parts, &result](const Units &units) {
-        return sections_of(first_sections(result, units), parts, units);
-    };
+    Report report{.command = "response",
+                  .heading = parts.front().title,
+                  .scene = &scene,
+                  .model = &result.model,
+                  .json = [&](const Units &units) { return json_of(scene, result, units); },
+                  .csv = parts.front().csv,
+                  .sections =
+                      [parts, &result](const Units &units) {
+                          std::vector<Section> sections = first_sections(result, units);
+                          for (const Part &part : parts)
+                              add_sections(sections, part.sections(units));
+                          return sections;
+                      },
+                  .text = [&](const Units &units) { return text_of(scene, result, units); },
+                  .chart = parts.front().chart};
     if (result.operating)
         report.tables = [&result] {
             std::vector<TableFile> files{{"response_operating", [&result](const Units &units) {
-                                              return operating_csv(result, units);
+                                              return operating_csv({}, result.operating->rows,
+                                                                   units);
                                           }}};
             if (!result.runs.empty())
                 files.push_back({"response_runs", [&result](const Units &units) {

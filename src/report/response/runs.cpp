@@ -1,10 +1,9 @@
-#include "report/response/runs.h"
+#include "report/response/parts.h"
 
 #include "report/common/html.h"
 #include "report/common/margins.h"
 #include "report/common/table.h"
 #include "report/common/words.h"
-#include "report/response/operating.h"
 #include "report/response/tables.h"
 #include "results/resonances.h"
 
@@ -113,15 +112,15 @@ const Columns<StandardRun> run_columns{
     {"name", ForReaders("run"), &StandardRun::name},
     {"clearance", ForReaders("clearance"),
      [](const StandardRun &run) { return model::fit_name(run.fit); }},
-    {OnPage("Imbalances"), InText("imbalances"), weights_in_words},
+    {Titled("Imbalances"), weights_in_words},
     {OnPage("Probes (else stations) move at most", "{:.5g}", "no limit"),
      InText("largest motion", "{:.5g}", "no limit"), Quantity::amplitude, largest_reading},
     {OnPage("Bearings carry at most", "{:.5g}", "no limit"),
      InText("bearings carry", "{:.5g}", "no limit"), Quantity::force, largest_force},
-    {OnPage("Nearest to its limit"), InText("nearest to its limit"), limit_in_words},
+    {Titled("Nearest to its limit"), limit_in_words},
     {OnPage("Limit used (%)", "{:.4g}", "no limit"), InText("used %", "{:.4g}", "no limit"),
      Quantity::number, use_in_percent},
-    {OnPage("Margins kept"), InText("margins kept"), margins_in_words},
+    {Titled("Margins kept"), margins_in_words},
     {ForReaders(""), outcome_of}};
 
 std::string worst_in_words(const ResponseResult &result, const Units &units) {
@@ -190,7 +189,7 @@ std::string runs_csv(const ResponseResult &result, const Units &units) {
         of.insert(of.end(), run.operating.rows.size(), &run);
     }
     using Row = results::OperatingRow;
-    return operating_rows_csv(
+    return operating_csv(
         {{InCsv("run"), [&of](const Row &, std::size_t index) { return of[index]->name; }},
          {InCsv("clearance"),
           [&of](const Row &, std::size_t index) { return model::fit_name(of[index]->fit); }}},

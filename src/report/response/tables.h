@@ -21,9 +21,11 @@ template <class Of> struct At {
     std::size_t index; ///< of the speed
 };
 
+/// @param csv  heading in the file; empty: the key
 template <class Of>
-Column<At<Of>> series(std::string key, std::string csv, Quantity quantity, auto Of::*list) {
-    return {std::move(key), InCsv(std::move(csv)), quantity, [list](const At<Of> &at) {
+Column<At<Of>> series(const std::string &key, Quantity quantity, auto Of::*list,
+                      const std::string &csv = "") {
+    return {key, InCsv(csv.empty() ? key : csv), quantity, [list](const At<Of> &at) {
                 const auto &values = at.of->*list;
                 return at.index < values.size() ? Json(values[at.index]) : Json();
             }};
@@ -38,12 +40,11 @@ template <class Of> class Kind {
     Kind(std::string name, Columns<At<Of>> series, const Columns<At<Of>> &more = {})
         : _once{{InCsv("speed"), Quantity::speed, &At<Of>::speed},
                 {InCsv("kind"), [name = std::move(name)](const At<Of> &) { return name; }},
-                {"z", InCsv("z"), Quantity::length, [](const At<Of> &at) { return at.of->z; }},
-                {"name", InCsv("name"), [](const At<Of> &at) { return at.of->name; }}},
+                {InFiles("z"), Quantity::length, [](const At<Of> &at) { return at.of->z; }},
+                {InFiles("name"), [](const At<Of> &at) { return at.of->name; }}},
           _series(std::move(series)) {
-        _once.insert(_once.end(), more.begin(), more.end());
-        _in_file = _once;
-        _in_file.insert(_in_file.end(), _series.begin(), _series.end());
+        _once = and_then(_once, more);
+        _in_file = and_then(_once, _series);
     }
 
     /// In JSON: what has one value, and lists over the speeds.

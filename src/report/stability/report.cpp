@@ -44,7 +44,7 @@ const Columns<results::StabilityEnd> end_columns{
      InText("speed").and_si(precise), Quantity::speed, &results::StabilityEnd::speed},
     {InCsv("to"), Quantity::speed, &results::StabilityEnd::speed},
     {InCsv("kind"), [](const auto &) { return "end"; }},
-    {"mode", InCsv("mode"), OnPage("Mode", "{}", ""), InText("mode", "{}", ""),
+    {InFiles("mode"), Titled("Mode", "{}", ""),
      [](const auto &end) { return known_name(end.mode); }},
     {"kind", InCsv("verdict"), OnPage("What happens"), InText("kind"),
      [](const auto &end) { return results::end_kind_name(end.kind); }},
@@ -100,7 +100,7 @@ template <auto Member> std::optional<double> judged(const Level1 &level1) {
 
 const Columns<Level1> level1_columns{
     {"z", OnPage("z"), InText("added at z"), Quantity::length, &Level1::z},
-    {"speed", OnPage("Spin speed"), InText("spin speed"), Quantity::speed, &Level1::speed},
+    {"speed", Titled("Spin speed"), Quantity::speed, &Level1::speed},
     {OnPage("Logarithmic decrement without it"), InText("log. decrement without it"),
      Quantity::number, without_coupling},
     {"critical_cross_coupling", OnPage("Critical cross coupling", "{:.10g}"),
@@ -108,27 +108,24 @@ const Columns<Level1> level1_columns{
      &Level1::critical_cross_coupling},
     {"error", OnPage("Relative error", "{:.2g}"), InText("its relative error", rough),
      Quantity::number, &Level1::error},
-    {"no_critical", OnPage("Why there is none"), InText("why there is none"),
+    {"no_critical", Titled("Why there is none"),
      [](const auto &level1, const Units &units) { return known_text(level1.no_critical, units); }},
-    {"critical_frequency", OnPage("Frequency there"), InText("frequency there"),
-     Quantity::frequency, &Level1::critical_frequency},
-    {"anticipated", OnPage("Anticipated cross coupling"), InText("anticipated cross coupling"),
-     Quantity::stiffness, &Level1::anticipated},
+    {"critical_frequency", Titled("Frequency there"), Quantity::frequency,
+     &Level1::critical_frequency},
+    {"anticipated", Titled("Anticipated cross coupling"), Quantity::stiffness,
+     &Level1::anticipated},
     {"anticipated_log_dec", OnPage("Logarithmic decrement with that"),
      InText("log. decrement with that"), Quantity::number, &Level1::anticipated_log_dec},
-    {"ratio", OnPage("Critical over anticipated", "{:.4g}"),
-     InText("critical over anticipated", "{:.4g}"), Quantity::number, reserve},
+    {"ratio", Titled("Critical over anticipated", "{:.4g}"), Quantity::number, reserve},
     {OnPage("Of the first slower motion: critical cross coupling", "{:.10g}"),
      InText("of a slower motion", precise), Quantity::stiffness,
      judged<&Level1Judged::critical_cross_coupling>},
-    {OnPage("Its frequency there"), InText("its frequency there"), Quantity::frequency,
-     judged<&Level1Judged::critical_frequency>},
+    {Titled("Its frequency there"), Quantity::frequency, judged<&Level1Judged::critical_frequency>},
     {OnPage("Its logarithmic decrement with the anticipated one"), InText("its log. decrement"),
      Quantity::number, judged<&Level1Judged::anticipated_log_dec>},
-    {"gas_density", OnPage("Gas density"), InText("gas density"), Quantity::density,
-     &Level1::gas_density},
-    {"critical_speed_ratio", OnPage("Critical speed ratio", "{:.4g}"),
-     InText("critical speed ratio", "{:.4g}"), Quantity::number, &Level1::critical_speed_ratio},
+    {"gas_density", Titled("Gas density"), Quantity::density, &Level1::gas_density},
+    {"critical_speed_ratio", Titled("Critical speed ratio", "{:.4g}"), Quantity::number,
+     &Level1::critical_speed_ratio},
     {"level_two", &Level1::level_two},
     {"verdict", [](const auto &level1, const Units &units) { return units.text(level1.verdict); }},
     {"q", Quantity::stiffness, &Level1::q},
@@ -140,9 +137,8 @@ const Columns<Level1> level1_columns{
 const Columns<StabilityResult> clearance_columns{
     {"clearance", ForReaders("clearance"),
      [](const StabilityResult &result) { return model::fit_name(result.fit); }},
-    {"growth", OnPage("Largest growth", "{:.5g}"), InText("largest growth", "{:.5g}"),
-     Quantity::rate, results::largest_growth},
-    {OnPage("Unstable"), InText("unstable"),
+    {"growth", Titled("Largest growth", "{:.5g}"), Quantity::rate, results::largest_growth},
+    {Titled("Unstable"),
      [](const StabilityResult &result, const Units &units) {
          std::string text;
          for (const results::Interval &band : results::unstable_speeds(result))
@@ -151,8 +147,7 @@ const Columns<StabilityResult> clearance_columns{
                  units.text(model::Sentence("{}", model::as::speed.range(band.from, band.to, 5)));
          return text.empty() ? "nowhere" : text;
      }},
-    {OnPage("Critical cross coupling", "{:.5g}"), InText("critical cross coupling", "{:.5g}"),
-     Quantity::stiffness,
+    {Titled("Critical cross coupling", "{:.5g}"), Quantity::stiffness,
      [](const StabilityResult &result) {
          return result.level1 ? result.level1->critical_cross_coupling : std::nullopt;
      }},
@@ -161,8 +156,7 @@ const Columns<StabilityResult> clearance_columns{
      [](const StabilityResult &result) {
          return result.level1 ? result.level1->anticipated_log_dec : std::nullopt;
      }},
-    {OnPage("Critical over anticipated", "{:.4g}"), InText("critical over anticipated", "{:.4g}"),
-     Quantity::number,
+    {Titled("Critical over anticipated", "{:.4g}"), Quantity::number,
      [](const StabilityResult &result) {
          return result.level1 ? reserve(*result.level1) : std::nullopt;
      }},
@@ -181,18 +175,16 @@ std::string least_stable_in_words(const StabilityResult &result) {
 }
 
 const Columns<results::Level1Stage> stage_columns{
-    {"name", OnPage("Stage"), InText("stage"), &results::Level1Stage::name},
-    {"kind", OnPage("Kind"), InText("kind"),
+    {"name", Titled("Stage"), &results::Level1Stage::name},
+    {"kind", Titled("Kind"),
      [](const auto &stage) { return stage.axial ? "axial" : "centrifugal"; }},
-    {"power", OnPage("Power"), InText("power"), Quantity::power, &results::Level1Stage::power},
-    {"speed", OnPage("Spin speed"), InText("spin speed"), Quantity::speed,
-     &results::Level1Stage::speed},
-    {"diameter", OnPage("Diameter"), InText("diameter"), Quantity::length,
-     &results::Level1Stage::diameter},
-    {"width", OnPage("Width"), InText("width"), Quantity::length, &results::Level1Stage::width},
-    {"density_ratio", OnPage("Density ratio"), InText("density ratio"), Quantity::number,
+    {"power", Titled("Power"), Quantity::power, &results::Level1Stage::power},
+    {"speed", Titled("Spin speed"), Quantity::speed, &results::Level1Stage::speed},
+    {"diameter", Titled("Diameter"), Quantity::length, &results::Level1Stage::diameter},
+    {"width", Titled("Width"), Quantity::length, &results::Level1Stage::width},
+    {"density_ratio", Titled("Density ratio"), Quantity::number,
      &results::Level1Stage::density_ratio},
-    {"cross_coupling", OnPage("Cross coupling"), InText("cross coupling"), Quantity::stiffness,
+    {"cross_coupling", Titled("Cross coupling"), Quantity::stiffness,
      &results::Level1Stage::cross_coupling}};
 
 const char *passing(const results::Level1Check &check) {
@@ -201,13 +193,11 @@ const char *passing(const results::Level1Check &check) {
 
 const Columns<results::Level1Check> check_columns{
     {"name", OnPage("Level I (API 617)"), InText(""), &results::Level1Check::name},
-    {"value", OnPage("Value", "{:.4g}"), InText("value", "{:.4g}"), Quantity::number,
-     &results::Level1Check::value},
-    {"limit", OnPage("At least", "{:.4g}"), InText("at least", "{:.4g}"), Quantity::number,
-     &results::Level1Check::limit},
+    {"value", Titled("Value", "{:.4g}"), Quantity::number, &results::Level1Check::value},
+    {"limit", Titled("At least", "{:.4g}"), Quantity::number, &results::Level1Check::limit},
     {"passes", &results::Level1Check::passes},
     {OnPage("Verdict"), InText(""), passing},
-    {"why", OnPage("Why"), InText("why"),
+    {"why", Titled("Why"),
      [](const auto &check, const Units &units) { return known_text(check.why, units); }}};
 
 const Columns<Level1Judged> judged_columns{
