@@ -185,11 +185,12 @@ std::optional<WholeRoot> WholePencil<Scalar>::refined(const WholeRoot &guess) {
             const Vector left_off =
                 std::conj(l) * std::conj(l) * left.M + std::conj(l) * left.D + left.K;
             const double residual = std::abs(left_off.dot(_factors.solution(off))) / size;
-            if (residual <= enough) {
+            const double rounding = of_entries * entries_between(y, std::abs(l), x) / size;
+            if (residual <= std::max(enough, rounding)) {
                 WholeRoot out;
                 out.value = l;
                 out.residual = residual;
-                out.rounding = of_entries * entries_between(y, std::abs(l), x) / size;
+                out.rounding = rounding;
                 out.right = _scales.asDiagonal() * x;
                 out.left = _scales.asDiagonal() * y;
                 return out;

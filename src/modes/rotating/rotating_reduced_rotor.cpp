@@ -184,8 +184,9 @@ bool RotatingReducedRotor::meets(const RotatingSpectrum::Lowest &whole, double s
 
 std::optional<Spectrum> RotatingReducedRotor::modes(double speed, int wanted) try {
     RotatingSpectrum::Lowest lowest = _reduced.lowest(speed, wanted);
-    if (!lowest.enough || !_pencil.set_speed(speed))
+    if (!lowest.enough)
         return std::nullopt;
+    _pencil.set_speed(speed);
     keep_near(lowest.found, wanted, lowest.highest + std::abs(speed));
     std::vector<std::complex<double>> before;
     std::vector<std::complex<double>> after;
@@ -218,8 +219,7 @@ std::optional<Spectrum> RotatingReducedRotor::modes(double speed, int wanted) tr
 
 std::vector<WhirlMode> rotating_modes_near(const RotatingSpectrum &rotor, RotatingPencil &pencil,
                                            double speed, const std::vector<WhirlMode> &guesses) {
-    if (!pencil.set_speed(speed))
-        return {};
+    pencil.set_speed(speed);
     std::vector<std::complex<double>> before;
     std::vector<std::complex<double>> after;
     std::vector<WhirlMode> out;
