@@ -54,7 +54,8 @@ void expect_same(const results::ResponseResult &series, const results::ResponseR
     for (const results::ResponsePeak &peak : usual.peaks) {
         const auto same = std::ranges::find_if(series.peaks, [&](const auto &other) {
             return other.of == peak.of && other.place == peak.place &&
-                   std::abs(other.speed / peak.speed - 1) < 1e-9; // misfit of slopes over the curvature
+                   std::abs(other.speed / peak.speed - 1) <
+                       1e-9; // misfit of slopes over the curvature
         });
         ASSERT_NE(same, series.peaks.end()) << peak.of << " " << peak.z << " " << peak.speed;
         EXPECT_EQ(std::isinf(same->value), std::isinf(peak.value));
