@@ -87,9 +87,6 @@ class SpectrumSolver {
     /// Speed below which all natural frequencies are at least five times the speed, rad/s; 0: not
     /// known (FloquetSpectrum::slow).
     [[nodiscard]] double slow() const;
-    /// Of such a reduced rotor: rates of the eigenvalues with speed, by differences to a spectrum
-    /// close by; not a number where it is not clear which one a mode becomes.
-    [[nodiscard]] Eigen::VectorXcd rates(const Spectrum &spectrum) const;
 
     /// Modes near guesses over the unknowns of this rotor, one for each; none where they cannot be
     /// found from these. Form hill: guesses over any unknowns, at speeds other than 0, by as many
@@ -99,9 +96,8 @@ class SpectrumSolver {
 
     /// Left and right vectors of the modes of a spectrum of this rotor, for overlaps with those at
     /// any other speed. Rates are those of the modes' eigenvalues in the fixed frame.
-    /// @param rates  whether they are asked for: those of form hill cost another spectrum, and are
-    ///               not numbers without
-    [[nodiscard]] ModeBasis basis(const Spectrum &spectrum, bool rates = true) const;
+    /// Those of form hill are not numbers: its left vectors are of the motions among themselves.
+    [[nodiscard]] ModeBasis basis(const Spectrum &spectrum) const;
 
     /// The matrices of the eigenproblem at a speed; form hill: without the part of the bearings
     /// that turns. In no form with complex matrices.
@@ -126,7 +122,7 @@ class SpectrumSolver {
     [[nodiscard]] Spectrum symmetric(double speed, int wanted) const;
     [[nodiscard]] Spectrum damped(double speed, int wanted, Errors errors) const;
     [[nodiscard]] Spectrum rotating(double speed, int wanted, Errors errors) const;
-    [[nodiscard]] ModeBasis hill_basis(const Spectrum &spectrum, bool with_rates) const;
+    [[nodiscard]] ModeBasis hill_basis(const Spectrum &spectrum) const;
     void classify(Spectrum &spectrum) const;
 };
 

@@ -89,10 +89,10 @@ ModeBasis basis_in(Form form, const FormMatrices &matrices, double speed, const 
 
 } // namespace
 
-ModeBasis SpectrumSolver::basis(const Spectrum &spectrum, bool rates) const {
+ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
     const Form form = _data->form;
     if (form == Form::hill)
-        return hill_basis(spectrum, rates);
+        return hill_basis(spectrum);
     const FormMatrices &matrices = _data->matrices();
     const Eigen::Index n = matrices.size();
     const auto count = std::ssize(spectrum.modes);
@@ -121,26 +121,11 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum, bool rates) const {
     return out;
 }
 
-Eigen::VectorXcd SpectrumSolver::rates(const Spectrum &spectrum) const {
-    const double offset = rate_step * std::abs(spectrum.speed);
-    const auto [known, is_new] = _data->neighbours.try_emplace(spectrum.speed);
-    if (is_new || known->second.modes.size() < spectrum.modes.size())
-        known->second = at(spectrum.speed + offset, static_cast<int>(spectrum.modes.size()));
-    return rates_between(spectrum, known->second);
-}
-
-ModeBasis SpectrumSolver::hill_basis(const Spectrum &spectrum, bool with_rates) const {
+ModeBasis SpectrumSolver::hill_basis(const Spectrum &spectrum) const {
     const auto &shapes = _data->shapes;
-    ModeBasis out = series_basis(
-        _data->matrices().mass(), 2 * (shapes ? shapes->cols() : _data->d.planar_size()),
-        _data->rotating->harmonics(), std::abs(spectrum.speed) <= slow(), spectrum);
-    // Where a spectrum costs much, slopes are those between speeds (tracking).
-    if (!with_rates || !_data->floquet || spectrum.speed == 0 ||
-        _data->floquet->loses_to_rounding(spectrum.speed, static_cast<int>(spectrum.modes.size())))
-        return out;
-    out.rate_below = rates(spectrum);
-    out.rate_above = out.rate_below;
-    return out;
+    return series_basis(_data->matrices().mass(),
+                        2 * (shapes ? shapes->cols() : _data->d.planar_size()),
+                        _data->rotating->harmonics(), std::abs(spectrum.speed) <= slow(), spectrum);
 }
 
 } // namespace whirl::modes

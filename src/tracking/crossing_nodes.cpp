@@ -1,6 +1,8 @@
 #include "tracking/crossing_nodes.h"
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 
 namespace whirl::tracking {
 
@@ -28,6 +30,34 @@ std::vector<Link> links_between(const Node &a, const Node &b, const std::vector<
     return out;
 }
 
+namespace {
+
+/// Rates that no eigenvector gives: of the parabola through the line at this node and at those on
+/// both sides.
+void add_slopes(const Node &a, const Node &b, Node &node) {
+    const auto speed = [](const Node &of) { return of.snapshot.spectrum.speed; };
+    const double before = speed(node) - speed(a);
+    const double behind = speed(b) - speed(node);
+    for (std::size_t i = 0; i < node.lines.size(); ++i) {
+        const std::optional<std::size_t> from = place_of(a, node.lines[i]);
+        const std::optional<std::size_t> to = place_of(b, node.lines[i]);
+        if (node.lines[i] == no_line || !from || !to)
+            continue;
+        const std::complex<double> here = mode_at(node, i).eigenvalue;
+        const std::complex<double> slope =
+            (behind / before * (here - mode_at(a, *from).eigenvalue) +
+             before / behind * (mode_at(b, *to).eigenvalue - here)) /
+            (before + behind);
+        modes::ModeBasis &basis = node.snapshot.basis;
+        for (Eigen::VectorXcd *rates : {&basis.rate_below, &basis.rate_above})
+            if (const auto place = static_cast<Eigen::Index>(i);
+                !std::isfinite((*rates)(place).real()))
+                (*rates)(place) = slope;
+    }
+}
+
+} // namespace
+
 Node node_at(const modes::SpectrumSolver &solver, double speed, const Node &a, const Node &b) {
     modes::Spectrum spectrum = solver.at(speed, wanted_of(a, b));
     modes::ModeBasis basis = solver.basis(spectrum);
@@ -37,6 +67,7 @@ Node node_at(const modes::SpectrumSolver &solver, double speed, const Node &a, c
         node.lines[link.to] = link.line;
     for (const Link &link : links_between(a, node, a.lines))
         node.lines[link.to] = link.line;
+    add_slopes(a, b, node);
     return node;
 }
 
@@ -62,6 +93,8 @@ Node SweepNodes::full(std::size_t k) const {
         if (_bases.size() >= most)
             _bases.clear();
         known = _bases.emplace(k, _solver.basis(_spectra[k])).first;
+        known->second.rate_below = _tracking.rates[k].below; // slopes of lines too
+        known->second.rate_above = _tracking.rates[k].above;
     }
     return {{_spectra[k], known->second}, lines_at(k)};
 }

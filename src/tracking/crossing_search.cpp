@@ -236,7 +236,12 @@ void CrossingSearch::settle_short(const Node &a, const Node &b, const Link &link
 
 void CrossingSearch::split(const Node &a, const Node &b, const std::vector<Link> &links,
                            double speed, int depth) {
-    Node middle = node_at(_solver, speed, a, b);
+    // On a root itself a vibration in one direction stands still in the rotor, by rounding as two
+    // motions: beside it, by less than its tolerance.
+    const double beside = speed + 0.3 * resolved * std::abs(speed);
+    const bool hill = _solver.form() == results::Form::hill;
+    Node middle =
+        node_at(_solver, hill && beside < b.snapshot.spectrum.speed ? beside : speed, a, b);
     // Lines that came through this step but are in neither pairing keep out of it.
     std::set<int> wanted;
     for (const Link &link : links)

@@ -40,6 +40,7 @@ class CrossingSearch {
 
     /// For the line of the motion that leaves the band there, between two nodes.
     void take_lock_end(const LockEnd &end, const Node &a, const Node &b);
+    void take_lock_end(const LockEnd &end, int line);
 
     /// A line that is there at one node and real at the other.
     void follow_to_zero(Node there, Node gone, int line);
@@ -57,7 +58,6 @@ class CrossingSearch {
     [[nodiscard]] int leaving_line(const Node &a, const Node &b) const;
     [[nodiscard]] int slowest_line(const Node &node, bool or_stands) const;
     void find_lock_ends(const Node &a, const Node &b, int line);
-    void take_lock_end(const LockEnd &end, int line);
     [[nodiscard]] StepEnd end(const Node &node, std::size_t place, bool towards_higher) const;
     [[nodiscard]] bool held(const Node &node, std::size_t place) const;
     [[nodiscard]] bool upper_whirl(const Node &node, std::size_t place) const;

@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace whirl::tracking {
 
@@ -34,13 +36,6 @@ bool inside(const Locked &interval, double a, double b) {
     return interval.from <= a && interval.to >= b;
 }
 
-bool same_band(const Locked &a, const Locked &b) {
-    // Of the speed: a hundred times what the ends of a band are found to.
-    constexpr double same = 1e-9;
-    return std::abs(a.from - b.from) <= same * std::abs(a.from) &&
-           std::abs(a.to - b.to) <= same * std::abs(a.to);
-}
-
 bool overlap_of(const Locked &interval, double a, double b) {
     return interval.from <= b && interval.to >= a;
 }
@@ -52,12 +47,15 @@ class Sweep {
 
     void run(double multiple, Crossings &out) const {
         CrossingSearch search(_nodes.solver(), multiple, out);
-        const std::vector<Locked> on_multiple = intervals_on(multiple, out.found);
+        const std::vector<LockedBand> of_series =
+            hill() ? locked_bands(_nodes, multiple) : std::vector<LockedBand>();
+        const std::vector<Locked> on_multiple =
+            hill() ? intervals_of(of_series, out.found) : intervals_on_multiple(_nodes, multiple);
         const bool bands = multiple == 1 && _nodes.count() > 1 &&
                            results::in_rotating_axes(_nodes.solver().form());
         const int wanted = bands ? wanted_for_bands() : 0;
         if (bands)
-            find_bands(search, wanted);
+            find_bands(search, wanted, of_series);
         const std::vector<FollowedCrossing> plain = followed_crossings(_nodes, multiple);
         for (const FollowedCrossing &crossing : plain)
             search.take(crossing.line, crossing.speed, crossing.real);
@@ -68,12 +66,11 @@ class Sweep {
                 search_step(search, k, multiple, on_multiple, plain);
         }
         drop_inside(on_multiple, multiple, hill(), out.found);
-        out.locked.insert(out.locked.end(), on_multiple.begin(), on_multiple.end());
+        if (!bands || !hill()) // else they are among those locked to the rotor
+            out.locked.insert(out.locked.end(), on_multiple.begin(), on_multiple.end());
         if (bands) {
             const std::vector<Locked> to_rotor =
                 intervals_locked_to_rotor(_nodes, search.band_ends(), wanted);
-            for (const Locked &band : to_rotor)
-                drop_replaced_by(band, out);
             out.locked.insert(out.locked.end(), to_rotor.begin(), to_rotor.end());
         }
     }
@@ -83,21 +80,21 @@ class Sweep {
 
     [[nodiscard]] bool hill() const { return _nodes.solver().form() == results::Form::hill; }
 
-    /// Intervals on the multiple; of bands of periodic equations their ends inside the range are
-    /// crossings.
-    [[nodiscard]] std::vector<Locked> intervals_on(double multiple,
+    [[nodiscard]] bool inside_range(double speed) const {
+        return speed > _nodes.speed(0) && speed < _nodes.speed(_nodes.count() - 1);
+    }
+
+    /// Of bands of periodic equations their ends inside the range are crossings.
+    [[nodiscard]] std::vector<Locked> intervals_of(const std::vector<LockedBand> &bands,
                                                    std::vector<results::Crossing> &found) const {
-        if (!hill())
-            return intervals_on_multiple(_nodes, multiple);
         std::vector<Locked> on_multiple;
-        for (const LockedBand &band : locked_bands(_nodes, multiple)) {
-            const Locked &interval = band.interval;
+        for (const auto &[interval, real_from, real_to] : bands) {
             on_multiple.push_back(interval);
             for (const auto &[speed, real] :
-                 {std::pair(interval.from, band.real_from), std::pair(interval.to, band.real_to)})
-                if (speed > _nodes.speed(0) && speed < _nodes.speed(_nodes.count() - 1)) {
-                    const double frequency = multiple * std::abs(speed);
-                    found.push_back({multiple, speed, frequency, interval.mode,
+                 {std::pair(interval.from, real_from), std::pair(interval.to, real_to)})
+                if (inside_range(speed)) {
+                    const double frequency = interval.multiple * std::abs(speed);
+                    found.push_back({interval.multiple, speed, frequency, interval.mode,
                                      results::damping_of({real, frequency})});
                 }
         }
@@ -119,31 +116,6 @@ class Sweep {
                               c.speed >= interval.from - margin && c.speed <= interval.to + margin;
                    });
         });
-    }
-
-    /// A band that opens and closes within a step may have been found by both searches.
-    static void drop_replaced_by(const Locked &band, Crossings &out) {
-        const auto interval = std::ranges::find_if(out.locked, [&](const Locked &other) {
-            return other.multiple == band.multiple && same_band(other, band);
-        });
-        if (interval == out.locked.end())
-            return;
-        for (const auto &[old_end, end] :
-             {std::pair(interval->from, band.from), std::pair(interval->to, band.to)}) {
-            const auto at = [&](double speed) {
-                return std::ranges::find_if(out.found, [&](const auto &c) {
-                    return c.multiple == band.multiple && c.speed == speed;
-                });
-            };
-            const auto crossing = at(old_end);
-            if (crossing == out.found.end() || old_end == end)
-                continue;
-            if (at(end) == out.found.end())
-                crossing->speed = end;
-            else
-                out.found.erase(crossing);
-        }
-        out.locked.erase(interval);
     }
 
     /// The line goes through a band of periodic equations in this step, or begins or ends in it.
@@ -200,18 +172,23 @@ class Sweep {
 
     /// Of a Hill series: ends in the steps over which the number of locked modes changes, or, where
     /// speeds cost little, may change for a while.
-    [[nodiscard]] std::vector<LockEnd> lock_ends_by_steps(int wanted) const {
+    /// @param known  steps that hold one of these are not searched again
+    [[nodiscard]] std::vector<LockEnd>
+    lock_ends_by_steps(int wanted, const std::vector<LockedBand> &known) const {
         std::vector<LockEnd> ends;
         for (std::size_t k = 0; k + 1 < _nodes.count(); ++k) {
             const double from = _nodes.speed(k);
             const double to = _nodes.speed(k + 1);
-            if (from * to <= 0)
+            if (from * to <= 0 || std::ranges::any_of(known, [&](const LockedBand &band) {
+                    return band.interval.from > from && band.interval.to < to;
+                }))
                 continue;
             const modes::Spectrum &here = _nodes.spectrum(k);
             const modes::Spectrum &next = _nodes.spectrum(k + 1);
             std::vector<LockEnd> more;
             if (_nodes.solver().by_matrix())
-                more = lock_ends(_nodes.solver(), here, next);
+                more = lock_ends(_nodes.solver(), here, _nodes.rates(k).above, next,
+                                 _nodes.rates(k + 1).below);
             else if (locked_motions(here) != locked_motions(next))
                 more = lock_ends(_nodes.solver(), from, to, wanted);
             ends.insert(ends.end(), more.begin(), more.end());
@@ -220,9 +197,17 @@ class Sweep {
     }
 
     /// Ends of bands of locked motion over the whole range, the same whatever its grid.
-    void find_bands(CrossingSearch &search, int wanted) const {
+    /// @param known  of periodic equations
+    void find_bands(CrossingSearch &search, int wanted,
+                    const std::vector<LockedBand> &known) const {
+        for (const auto &[interval, real_from, real_to] : known)
+            for (const auto &[speed, outside, real] :
+                 {std::tuple(interval.from, _nodes.speed(0), real_from),
+                  std::tuple(interval.to, _nodes.speed(_nodes.count() - 1), real_to)})
+                if (inside_range(speed))
+                    search.take_lock_end({speed, outside, real, {}}, interval.mode);
         const std::vector<LockEnd> ends =
-            hill() ? lock_ends_by_steps(wanted)
+            hill() ? lock_ends_by_steps(wanted, known)
                    : lock_ends_over(_nodes.solver(), _nodes.speed(0),
                                     _nodes.speed(_nodes.count() - 1), wanted);
         for (std::size_t k = 0; k + 1 < _nodes.count(); ++k)

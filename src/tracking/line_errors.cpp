@@ -213,11 +213,25 @@ LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &s
             else if (confirmed(lines[i], spectra[k], k)) // alone, beside others that are not found
                 take(i, k, refined_errors(finer, {lines[i]}, spectra[k], k));
     }
+    const auto nothing_known = [&](std::size_t i) {
+        return std::ranges::none_of(errors[i], &std::optional<double>::has_value);
+    };
+    // Lines that are at none of these speeds, or whose finer mode is not found there: at others.
+    constexpr int tries = 4;
+    for (std::size_t i = 0; series && i < lines.size(); ++i) {
+        int left = tries;
+        for (std::size_t k = spectra.size(); k-- > 0 && left > 0 && nothing_known(i);)
+            if (probes.count(k) == 0 && confirmed(lines[i], spectra[k], k) &&
+                !many_terms(solver, spectra[k])) {
+                --left;
+                take(i, k, refined_errors(finer, {lines[i]}, spectra[k], k));
+            }
+    }
     // Hill's series of a finer mesh is a large problem: only for lines of which nothing is known,
     // once a speed.
     std::vector<std::size_t> unknown;
     for (std::size_t i = 0; series && i < lines.size(); ++i)
-        if (std::ranges::none_of(errors[i], &std::optional<double>::has_value))
+        if (nothing_known(i))
             unknown.push_back(i);
     for (const std::size_t k : probes) {
         std::vector<std::size_t> here;

@@ -251,10 +251,6 @@ bool heavily_damped(std::complex<double> eigenvalue) {
 
 } // namespace
 
-bool may_turn_real(const modes::Spectrum &spectrum) {
-    return std::ranges::any_of(spectrum.modes, heavily_damped, &modes::WhirlMode::eigenvalue);
-}
-
 bool may_turn_real(const Snapshot &a, const Snapshot &b, const Matching &matching) {
     constexpr int parts = 16; // of the step, in which a cubic is tried
     const double step = b.spectrum.speed - a.spectrum.speed;

@@ -46,8 +46,6 @@ struct Matching {
 /// in its place: (Im l)^2, which goes through zero there as a smooth function, comes down to it by
 /// its values and slopes.
 [[nodiscard]] bool may_turn_real(const Snapshot &a, const Snapshot &b, const Matching &matching);
-/// Whether any mode of a speed is so heavily damped that this must be asked, with its rates.
-[[nodiscard]] bool may_turn_real(const modes::Spectrum &spectrum);
 
 /// What is left unsure is settled within groups of modes that span one space at both speeds (modes
 /// that come close mix): by continuity of eigenvalues and their slopes.

@@ -125,8 +125,8 @@ class ModeFollower {
           _between(between), _out(out) {}
 
     /// With the vectors of its modes.
-    [[nodiscard]] SharedSnapshot node(modes::Spectrum spectrum, bool rates = true) const {
-        modes::ModeBasis basis = _solver.basis(spectrum, rates);
+    [[nodiscard]] SharedSnapshot node(modes::Spectrum spectrum) const {
+        modes::ModeBasis basis = _solver.basis(spectrum);
         return std::make_shared<const Snapshot>(Snapshot{std::move(spectrum), std::move(basis)});
     }
 
@@ -186,7 +186,7 @@ class ModeFollower {
             const auto [known, is_new] = _between.try_emplace(middle);
             if (is_new || static_cast<int>(known->second.modes.size()) < wanted)
                 known->second = spectrum_between(middle, wanted);
-            return node(known->second, may_turn_real(known->second));
+            return node(known->second);
         } catch (const model::AnalysisFailure &) { // a speed that nobody asked for
             _between.erase(middle);
             return nullptr;
@@ -385,8 +385,7 @@ std::complex<double> slope_between(const std::vector<modes::Spectrum> &spectra, 
     return (behind * secant(k - 1) + before * secant(k)) / (before + behind);
 }
 
-/// Rates that no eigenvector gives (form hill, motions hidden by rounding:
-/// modes::SpectrumSolver::basis).
+/// Rates that no eigenvector gives (form hill).
 void add_slopes(const std::vector<modes::Spectrum> &spectra, Tracking &out) {
     for (std::size_t k = 0; k < spectra.size(); ++k)
         for (const Line &line : out.lines)

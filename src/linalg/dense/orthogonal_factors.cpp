@@ -5,6 +5,7 @@
 #include <petscsys.h>
 #include <slepcblaslapack.h>
 
+#include <utility>
 #include <vector>
 
 namespace whirl::linalg {
@@ -19,14 +20,18 @@ OrthogonalFactors orthogonal_factors(Eigen::MatrixXd A) {
     std::vector<double> reflections(static_cast<std::size_t>(columns));
     std::vector<double> work(static_cast<std::size_t>(room));
     LAPACKgeqrf_(&rows, &columns, A.data(), &rows, reflections.data(), work.data(), &room, &failed);
-    const Eigen::VectorXd signs =
-        (A.diagonal().array() < 0).select(-Eigen::ArrayXd::Ones(A.cols()), 1.0);
     OrthogonalFactors out;
-    out.R = signs.asDiagonal() * A.topRows(A.cols());
-    out.R.triangularView<Eigen::StrictlyLower>().setZero();
+    out.R = Eigen::MatrixXd::Zero(A.cols(), A.cols());
+    for (Eigen::Index j = 0; j < A.cols(); ++j)
+        for (Eigen::Index i = 0; i <= j; ++i)
+            out.R(i, j) = A(i, i) < 0 ? -A(i, j) : A(i, j);
+    const Eigen::VectorXd diagonal = A.diagonal();
     LAPACKorgqr_(&rows, &columns, &columns, A.data(), &rows, reflections.data(), work.data(), &room,
                  &failed);
-    out.Q = A * signs.asDiagonal();
+    for (Eigen::Index j = 0; j < A.cols(); ++j)
+        if (diagonal(j) < 0)
+            A.col(j) = -A.col(j);
+    out.Q = std::move(A);
     return out;
 }
 

@@ -77,11 +77,10 @@ class Search {
     std::vector<Wanted> _met;
     double _near = agreement;
 
-    /// Of slow speeds those that are not far slower than all motions: nearer to rest these add to
+    /// Of slow speeds those at which the matrix resolves all motions: nearer to rest these add to
     /// the same shapes, and it takes long to follow them there.
     void choose_speeds() {
-        // Of slow(), from which motions are followed down: a little of the way.
-        constexpr double slowest = 0.25;
+        constexpr double slowest = 1.01; // of slow(), from which motions are followed down
         const auto shapes = std::make_shared<const Eigen::MatrixXd>(_planar.matrix());
         const RotatingSpectrum rotor(_d, 0, _balancers, few_harmonics, shapes.get());
         const FloquetSpectrum spectrum(_d, rotor, _balancers, shapes);

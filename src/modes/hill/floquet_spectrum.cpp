@@ -122,10 +122,19 @@ std::optional<Spectrum> FloquetSpectrum::by_monodromy(double speed, int wanted) 
     constexpr double margin = 1.15;
     const double size = std::abs(speed);
     const double all = of_average * steady(speed).fastest + turning * size;
+    // That most_steps reach, but for rounding; nearly all of the modes will do then.
+    const double farthest =
+        size * ((1 - 1e-9) * most_steps * periodic::resolved_angle / std::numbers::pi - turning);
+    const auto nearly_all = [wanted](std::ptrdiff_t count) { return 4 * count >= 3 * wanted; };
     double &usual = _usual[wanted];
     if (usual == 0)
         usual = margin * (slowest(speed, wanted) + size);
     double reach = std::min(all, std::max(usual, 2 * size));
+    if (reach > farthest &&
+        nearly_all(std::ranges::count_if(steady(speed).values, [farthest](const auto &value) {
+            return value.imag() > 0 && std::abs(value) <= farthest;
+        })))
+        reach = farthest;
     while (true) {
         std::optional<Spectrum> found = up_to(speed, reach, reach >= all);
         if (!found)
@@ -139,11 +148,13 @@ std::optional<Spectrum> FloquetSpectrum::by_monodromy(double speed, int wanted) 
             usual = margin * (moduli[last] + size);
             return found;
         }
-        if (reach >= all)
+        if (reach >= all || (reach == farthest && nearly_all(std::ssize(moduli))))
             return found;
-        reach = std::min(all, moduli.size() > last
-                                  ? std::max(more * reach, margin * (moduli[last] + size))
-                                  : more * reach);
+        const double next = std::min(
+            all, moduli.size() > last ? std::max(more * reach, margin * (moduli[last] + size))
+                                      : more * reach);
+        reach =
+            next > farthest && reach < farthest && nearly_all(std::ssize(moduli)) ? farthest : next;
     }
 }
 

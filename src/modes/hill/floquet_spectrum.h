@@ -32,8 +32,10 @@ class FloquetSpectrum {
                     std::vector<balancers::BalancerElement> balancers,
                     std::shared_ptr<const Eigen::MatrixXd> shapes);
 
-    /// At least the `wanted` modes with the lowest frequencies in the fixed frame, or all; shapes
-    /// over the planar unknowns of the discretization, vectors over those of the rotor.
+    /// At least the `wanted` modes with the lowest frequencies in the fixed frame, or all; at slow
+    /// speeds, where the fastest of them would take too many steps, at least three quarters of
+    /// them. Shapes over the planar unknowns of the discretization, vectors over those of the
+    /// rotor.
     /// @throws linalg::SolverError
     [[nodiscard]] Spectrum modes(double speed, int wanted) const;
 

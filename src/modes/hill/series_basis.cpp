@@ -137,33 +137,4 @@ ModeBasis series_basis(const Eigen::SparseMatrix<double> &mass, Eigen::Index par
     return out;
 }
 
-Eigen::VectorXcd rates_between(const Spectrum &spectrum, const Spectrum &neighbour) {
-    // Change of an eigenvalue over that of the speed: more is another mode (as branch_point.h).
-    constexpr double steepest = 100;
-    constexpr double clearly = 0.1; // of the distance of the next one
-    const double step = neighbour.speed - spectrum.speed;
-    const double unknown = std::numeric_limits<double>::quiet_NaN();
-    Eigen::VectorXcd out =
-        Eigen::VectorXcd::Constant(std::ssize(spectrum.modes), Complex(unknown, unknown));
-    for (std::size_t i = 0; i < spectrum.modes.size(); ++i) {
-        const WhirlMode &mode = spectrum.modes[i];
-        double nearest = std::numeric_limits<double>::infinity();
-        double next = nearest;
-        Complex change;
-        for (const WhirlMode &other : neighbour.modes) {
-            const Complex difference = other.eigenvalue - mode.eigenvalue;
-            const double distance = std::abs(difference);
-            if (distance < nearest) {
-                next = std::exchange(nearest, distance);
-                change = difference;
-            } else {
-                next = std::min(next, distance);
-            }
-        }
-        if (nearest < clearly * next && nearest < steepest * std::abs(step))
-            out(static_cast<Eigen::Index>(i)) = change / step;
-    }
-    return out;
-}
-
 } // namespace whirl::modes

@@ -11,8 +11,7 @@ namespace whirl::modes {
 /// which of them `modes` hold may change from speed to speed.
 ///
 /// The left vectors of a series cut off are not to be had for all aliases: left is the dual basis
-/// of the states and their aliases among themselves, in the kinetic energy. Rates are unknown
-/// (rates_between).
+/// of the states and their aliases among themselves, in the kinetic energy. Rates are unknown.
 ///
 /// @param mass   of the rotor in rotating axes
 /// @param harmonics  of the states
@@ -20,12 +19,5 @@ namespace whirl::modes {
 /// @param parts  first unknown of balancers' parts, which are measured in rotating axes at rest too
 [[nodiscard]] ModeBasis series_basis(const Eigen::SparseMatrix<double> &mass, Eigen::Index parts,
                                      int harmonics, bool slow, const Spectrum &spectrum);
-
-/// Over the speed, of a spectrum beside another one.
-inline constexpr double rate_step = 1e-5;
-
-/// Changes of eigenvalues with speed, of the modes of a spectrum and those of one just beside it;
-/// not a number where it is not clear which one a mode becomes.
-[[nodiscard]] Eigen::VectorXcd rates_between(const Spectrum &spectrum, const Spectrum &neighbour);
 
 } // namespace whirl::modes

@@ -17,7 +17,6 @@
 #include "results/formulation.h"
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -40,7 +39,6 @@ struct SpectrumSolver::Data {
     std::shared_ptr<const Eigen::MatrixXd> shapes;       ///< this rotor is one on these
     std::unique_ptr<FloquetSpectrum> floquet;            ///< form hill; none: by Hill's series
     std::unique_ptr<periodic::WholeRotor> series;        ///< form hill: single motions
-    std::map<double, Spectrum> neighbours;               ///< with floquet: next to some speeds
     int refinement;
     bool all_unknowns = false;  ///< damped forms of the fixed frame: no shapes
     bool reduced_roots = false; ///< the same: on shapes alone

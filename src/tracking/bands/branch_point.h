@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace whirl::tracking {
 
@@ -17,24 +18,31 @@ namespace whirl::tracking {
     return square > steepest * width * std::abs(speed);
 }
 
+/// Two motions next to a multiple of the spin speed at a speed: outside a band the square of the
+/// distance of both from it, inside with a minus that of half of what their real parts differ by.
+/// This is (with a minus) the discriminant of the two roots, which passes through an end of the
+/// band as a smooth function, and over a narrow band is a parabola.
+struct Pair {
+    double speed = 0;  ///< rad/s
+    double square = 0; ///< (rad/s)^2; minus infinity: inside, not known
+};
+using SquareAt = std::function<double(double speed)>;
+
 /// Between which two speeds a motion leaves a multiple of the spin speed.
 struct BranchPoint {
     double inside = 0, outside = 0; ///< rad/s, apart by no more than asked for
 };
 
-/// At a speed the square of the distance of the nearest motion outside a band; nothing inside it.
-using SquareAt = std::function<std::optional<double>(double)>;
-
-/// The end of a band between a speed inside it and one outside. Beyond a branch point the distance
-/// of the motion from the multiple grows as the square root of the way, so that the line through
-/// the squares at the two nearest speeds outside leads to it; where it does not, as where the
-/// frequency jumps, the part is halved.
+/// The end of a band between a speed inside it and one outside, where the parabola through the
+/// squares at the three nearest speeds leads to; where it does not, as where the frequency jumps,
+/// the part is halved.
 /// @param relative  width of the result over the speed
-[[nodiscard]] BranchPoint band_end(double inside, double outside, double relative,
-                                   const SquareAt &square);
+/// @param others    squares at other speeds, if known
+[[nodiscard]] BranchPoint band_end(const Pair &inside, const Pair &outside, double relative,
+                                   const SquareAt &square, std::vector<Pair> others = {});
 
 /// The same; nothing where the frequency jumps.
-[[nodiscard]] std::optional<BranchPoint> branch_point(double inside, double outside,
+[[nodiscard]] std::optional<BranchPoint> branch_point(const Pair &inside, const Pair &outside,
                                                       double relative, const SquareAt &square);
 
 } // namespace whirl::tracking

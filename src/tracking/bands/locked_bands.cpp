@@ -1,12 +1,14 @@
 #include "tracking/bands/locked_bands.h"
 
 #include "tracking/bands/branch_point.h"
+#include "tracking/bands/locked_whirl.h"
 #include "tracking/crossing_search.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace whirl::tracking {
 
@@ -21,6 +23,14 @@ struct Sides {
     /// Of the nearest other one, rad/s and 1/s.
     double distance = std::numeric_limits<double>::infinity();
     double real = 0;
+    /// Of those on the multiple half of the least difference of real parts, 1/s.
+    double split = std::numeric_limits<double>::infinity();
+
+    /// Among others that stand still there.
+    [[nodiscard]] bool is_on(std::ptrdiff_t others) const { return on > 0 || synchronous > others; }
+    [[nodiscard]] Pair pair(std::ptrdiff_t others) const {
+        return {speed, is_on(others) ? -split * split : distance * distance};
+    }
 };
 
 class BandSearch {
@@ -35,9 +45,9 @@ class BandSearch {
     [[nodiscard]] std::vector<LockedBand> find() {
         for (std::size_t k = 0; k < _nodes.size(); ++k) {
             if (is_locked(_nodes[k], _nodes[k].synchronous))
-                take(k, k, _nodes[k]);
+                take(k, k, {_nodes[k], _nodes[k], _nodes[k]});
             if (k + 1 < _nodes.size() && !only_jumps(k))
-                if (const std::optional<Sides> inside = between(_nodes[k], _nodes[k + 1]))
+                if (const std::optional<Inside> inside = between(_nodes[k], _nodes[k + 1]))
                     take(k, k + 1, *inside);
         }
         return std::move(_bands);
@@ -55,12 +65,16 @@ class BandSearch {
     }
     [[nodiscard]] Sides sides(const modes::Spectrum &spectrum) const {
         Sides out{spectrum.speed};
+        std::vector<double> real_on;
         for (const modes::WhirlMode &mode : spectrum.modes) {
-            if (locked_to_rotor(mode, spectrum.speed)) {
+            const bool stands = locked_to_rotor(mode, spectrum.speed);
+            const int side = stands ? 0 : side_of(mode, spectrum.speed, _multiple);
+            if (side == 0)
+                real_on.push_back(mode.eigenvalue.real());
+            if (stands) {
                 ++out.synchronous;
                 continue;
             }
-            const int side = side_of(mode, spectrum.speed, _multiple);
             const double distance =
                 std::abs(mode.eigenvalue.imag() - _multiple * std::abs(spectrum.speed));
             if (side != 0 && distance < out.distance) {
@@ -70,21 +84,18 @@ class BandSearch {
             out.below += side < 0 ? 1 : 0;
             out.on += side == 0 ? 1 : 0;
         }
+        out.split = half_of_least_difference(std::move(real_on));
         return out;
     }
     [[nodiscard]] Sides at(double speed) const {
         return sides(_sweep.solver().at(speed, _wanted, modes::Errors::of_right_vectors));
     }
-    /// Among others that stand still there.
-    [[nodiscard]] static bool is_on(const Sides &here, std::ptrdiff_t synchronous) {
-        return here.on > 0 || here.synchronous > synchronous;
-    }
     /// On the multiple to both sides too: no mere crossing.
     [[nodiscard]] bool is_locked(const Sides &here, std::ptrdiff_t synchronous) const {
         constexpr double offset = 1e-8; // of the speed: 1000 times the tolerance of the band's ends
-        return here.speed != 0 && is_on(here, synchronous) &&
-               (is_on(at(here.speed * (1 + offset)), synchronous) ||
-                is_on(at(here.speed * (1 - offset)), synchronous));
+        return here.speed != 0 && here.is_on(synchronous) &&
+               (at(here.speed * (1 + offset)).is_on(synchronous) ||
+                at(here.speed * (1 - offset)).is_on(synchronous));
     }
 
     /// No line comes to the multiple from this node to the next, whatever jumps across it. Of 1x
@@ -109,9 +120,14 @@ class BandSearch {
         return below == below_next;
     }
 
+    /// A speed inside a band, and the nearest known ones on both sides.
+    struct Inside {
+        Sides below, here, above;
+    };
+
     /// A speed inside a band between two others where numbers below the multiple differ. (Where
     /// numbers of those that stand differ too, one begins or ends to, which is found apart.)
-    [[nodiscard]] std::optional<Sides> between(Sides a, Sides b) const {
+    [[nodiscard]] std::optional<Inside> between(Sides a, Sides b) const {
         if (a.on > 0 || b.on > 0 || a.below == b.below || a.synchronous != b.synchronous ||
             a.speed * b.speed <= 0)
             return std::nullopt;
@@ -127,8 +143,9 @@ class BandSearch {
         while (may_hold_band()) {
             const double part = leads ? passed_at(a.distance, b.distance) : 0.5;
             const Sides middle = at(a.speed + part * (b.speed - a.speed));
-            if (is_on(middle, synchronous))
-                return is_locked(middle, synchronous) ? std::optional(middle) : std::nullopt;
+            if (middle.is_on(synchronous))
+                return is_locked(middle, synchronous) ? std::optional(Inside{a, middle, b})
+                                                      : std::nullopt;
             const double least = std::min(a.distance, b.distance);
             const double width = std::abs(b.speed - a.speed);
             (middle.below == a.below ? a : b) = middle;
@@ -155,40 +172,54 @@ class BandSearch {
     };
 
     /// Last speed inside, between one inside and one outside.
-    [[nodiscard]] End end_between(double inside, const Sides &outside) const {
+    /// @param beyond  another one, beyond the other end of the band if not inside it
+    [[nodiscard]] End end_between(const Sides &inside, const Sides &outside,
+                                  const Sides &beyond) const {
+        const std::ptrdiff_t others = outside.synchronous;
         double real = outside.real;
-        const BranchPoint found =
-            band_end(inside, outside.speed, resolved, [&](double speed) -> std::optional<double> {
+        std::vector<Pair> known;
+        if (beyond.speed != inside.speed)
+            known.push_back(beyond.pair(others));
+        const BranchPoint found = band_end(
+            inside.pair(others), outside.pair(others), resolved,
+            [&](double speed) {
                 const Sides here = at(speed);
-                if (is_on(here, outside.synchronous))
-                    return std::nullopt;
-                real = here.real;
-                return here.distance * here.distance;
-            });
+                if (!here.is_on(others))
+                    real = here.real;
+                return here.pair(others).square;
+            },
+            known);
         return {found.inside, real};
     }
 
-    /// The end of a band from the speed k of the sweep on, or that of the range.
-    [[nodiscard]] End end_from(const Sides &inside, std::size_t k, int step) const {
+    /// The end of a band from a speed inside it, or that of the range.
+    /// @param next    known towards the end
+    /// @param beyond  known on the other side
+    /// @param k       of the sweep, not before `next`
+    [[nodiscard]] End end_from(const Sides &inside, const Sides &next, const Sides &beyond,
+                               std::size_t k, int step) const {
         const std::size_t border = step < 0 ? 0 : _nodes.size() - 1;
-        double last = inside.speed;
-        for (; _nodes[k].on > 0; k = step < 0 ? k - 1 : k + 1) {
-            last = _nodes[k].speed;
+        const Sides *last = &inside;
+        const Sides *here = &next;
+        while (here->on > 0) {
+            last = here;
             if (k == border)
-                return {last, 0};
+                return {last->speed, 0};
+            k = step < 0 ? k - 1 : k + 1;
+            here = &_nodes[k];
         }
-        return end_between(last, _nodes[k]);
+        return end_between(*last, *here, beyond);
     }
 
     /// From a speed inside, between the speeds k and l of the sweep, to the ends of the band.
-    void take(std::size_t k, std::size_t l, const Sides &inside) {
-        const auto covers = [&inside](const LockedBand &band) {
-            return band.interval.from <= inside.speed && inside.speed <= band.interval.to;
+    void take(std::size_t k, std::size_t l, const Inside &inside) {
+        const auto covers = [speed = inside.here.speed](const LockedBand &band) {
+            return band.interval.from <= speed && speed <= band.interval.to;
         };
         if (std::ranges::any_of(_bands, covers))
             return;
-        End first = end_from(inside, k, -1);
-        End last = end_from(inside, l, 1);
+        End first = end_from(inside.here, inside.below, inside.above, k, -1);
+        End last = end_from(inside.here, inside.above, inside.below, l, 1);
         if (first.speed > last.speed)
             std::swap(first, last);
         if (const int line = nearest_line(k); line != no_line && first.speed < last.speed)

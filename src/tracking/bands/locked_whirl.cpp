@@ -250,6 +250,14 @@ std::ptrdiff_t locked_motions(const modes::Spectrum &spectrum) {
         spectrum.modes, [&](const modes::WhirlMode &mode) { return locked(mode, spectrum.speed); });
 }
 
+double half_of_least_difference(std::vector<double> numbers) {
+    std::ranges::sort(numbers);
+    double out = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < numbers.size(); ++i)
+        out = std::min(out, (numbers[i] - numbers[i - 1]) / 2);
+    return out;
+}
+
 Count count_of(const modes::SpectrumSolver &solver, const modes::Spectrum &spectrum) {
     const double speed = spectrum.speed;
     Count out{speed, 0, spectrum.modes};
@@ -257,6 +265,10 @@ Count count_of(const modes::SpectrumSolver &solver, const modes::Spectrum &spect
         std::partition(out.others.begin(), out.others.end(),
                        [speed](const modes::WhirlMode &mode) { return !locked(mode, speed); });
     out.motions = std::distance(others, out.others.end());
+    std::vector<double> real;
+    for (auto mode = others; mode != out.others.end(); ++mode)
+        real.push_back(mode->eigenvalue.real());
+    out.split = half_of_least_difference(std::move(real));
     out.others.erase(others, out.others.end());
     const auto turn = [&](const modes::WhirlMode &mode) {
         return turn_in_rotor(mode, speed, solver.form());

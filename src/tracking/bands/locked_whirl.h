@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -23,7 +24,11 @@ struct Count {
     double speed = 0;
     std::ptrdiff_t motions = 0;
     std::vector<modes::WhirlMode> others;
+    /// Of the locked motions half of the least difference of real parts, 1/s.
+    double split = std::numeric_limits<double>::infinity();
 };
+/// Half of the least difference of some numbers; infinite where there are less than two.
+[[nodiscard]] double half_of_least_difference(std::vector<double> numbers);
 [[nodiscard]] Count count_of(const modes::SpectrumSolver &solver, const modes::Spectrum &spectrum);
 /// Of the `wanted` lowest modes at a speed.
 [[nodiscard]] Count count_at(const modes::SpectrumSolver &solver, double speed, int wanted);
@@ -56,9 +61,12 @@ struct BandEnd {
 
 /// The same for a solver by_matrix() between two of its spectra, of speeds of one sign: also bands
 /// that open and close between them.
+/// @param rates_from,rates_to  of their modes, of this step; not a number where unknown
 [[nodiscard]] std::vector<LockEnd> lock_ends(const modes::SpectrumSolver &solver,
                                              const modes::Spectrum &from,
-                                             const modes::Spectrum &to);
+                                             const Eigen::VectorXcd &rates_from,
+                                             const modes::Spectrum &to,
+                                             const Eigen::VectorXcd &rates_to);
 
 /// The same over a whole range, which may hold 0, in 200 parts, and closely about each speed near
 /// which the rotor without damping would have a motion stand still: a narrow band lies about one of

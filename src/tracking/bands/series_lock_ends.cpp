@@ -53,17 +53,15 @@ double slowest(const Count &count) {
 /// Some motion turns less and less towards a speed that far away, so that it may stand before it.
 /// Motions on higher multiples than these stand in the rotor as aliases that hardly deflect: they
 /// are not of the bands of 1x, and fast ones pass such multiples at every few speeds.
-bool slows_down(const modes::SpectrumSolver &solver, const Count &from, double way) {
+bool slows_down(const modes::Spectrum &from, const Eigen::VectorXcd &rates, double way) {
     constexpr double farther = 1.5;        // than its slope leads
     constexpr double highest_multiple = 3; // 1x and 3x, as said above
-    modes::Spectrum moving;
-    moving.speed = from.speed;
-    moving.modes = from.others;
-    const Eigen::VectorXcd rates = solver.rates(moving);
-    for (std::size_t i = 0; i < moving.modes.size(); ++i) {
-        const double turn = turn_in_rotor(moving.modes[i], from.speed, results::Form::hill);
+    for (std::size_t i = 0; i < from.modes.size(); ++i) {
+        if (locked(from.modes[i], from.speed))
+            continue;
+        const double turn = turn_in_rotor(from.modes[i], from.speed, results::Form::hill);
         // Still in the rotor is on an odd multiple of the speed in the fixed frame.
-        const double frequency = moving.modes[i].eigenvalue.imag();
+        const double frequency = from.modes[i].eigenvalue.imag();
         const double size = std::abs(from.speed);
         const double multiple = 2 * std::round((frequency / size - 1) / 2) + 1;
         if (multiple > highest_multiple)
@@ -71,21 +69,21 @@ bool slows_down(const modes::SpectrumSolver &solver, const Count &from, double w
         const double slope =
             std::copysign(1.0, frequency - multiple * size) *
             (rates(static_cast<Eigen::Index>(i)).imag() - std::copysign(multiple, from.speed));
-        if (turn + farther * slope * way < 0)
+        if (std::isfinite(slope) ? turn + farther * slope * way < 0
+                                 : turn < farther * std::abs(way))
             return true;
     }
     return false;
 }
 
 /// A band that opens and closes between two speeds: outside it a motion turns by no more than about
-/// as much as the speed is away, and less towards it from both.
-bool may_hide_band(const modes::SpectrumSolver &solver, const Count &a, const Count &b) {
+/// as much as the speed is away.
+bool may_hide_band(const Count &a, const Count &b) {
     // A motion locked at its end moves with slope 1 in rotating axes; half as much again allows
     // for bending.
     constexpr double steepest = 1.5;
     const double width = b.speed - a.speed;
-    return slowest(a) + slowest(b) < steepest * width && slows_down(solver, a, width) &&
-           slows_down(solver, b, -width);
+    return slowest(a) + slowest(b) < steepest * width;
 }
 
 /// Modes to ask for so that those that stand between two speeds, and those that may begin to, are
@@ -119,7 +117,7 @@ void add_series_ends(const modes::SpectrumSolver &solver, const Count &a, const 
                      int wanted, int halves, std::vector<LockEnd> &ends) {
     // Halvings: 1/256 of a step; narrower bands are left out, as the notes say.
     constexpr int most = 8;
-    if (halves > most || (a.motions == b.motions && !may_hide_band(solver, a, b)))
+    if (halves > most || (a.motions == b.motions && !may_hide_band(a, b)))
         return;
     if (a.motions != b.motions)
         if (const std::optional<LockEnd> end = end_in_series(solver, a, b, wanted)) {
@@ -143,13 +141,13 @@ std::optional<LockEnd> end_in_series(const modes::SpectrumSolver &solver, const 
     const bool leaves = from.motions > to.motions;
     const Count &inside = leaves ? from : to;
     const Count &outside = leaves ? to : from;
-    const std::optional<BranchPoint> found = branch_point(
-        inside.speed, outside.speed, resolved, [&](double speed) -> std::optional<double> {
-            const Count here = count_at(solver, speed, wanted);
-            if (here.motions > outside.motions)
-                return std::nullopt;
-            return slowest(here) * slowest(here);
-        });
+    const auto square = [&](const Count &here) {
+        return here.motions > outside.motions ? -here.split * here.split
+                                              : slowest(here) * slowest(here);
+    };
+    const std::optional<BranchPoint> found =
+        branch_point({inside.speed, square(inside)}, {outside.speed, square(outside)}, resolved,
+                     [&](double speed) { return square(count_at(solver, speed, wanted)); });
     if (!found)
         return std::nullopt;
     LockEnd end = at_branch_point(found->inside, inside.speed > outside.speed);
@@ -161,11 +159,15 @@ std::optional<LockEnd> end_in_series(const modes::SpectrumSolver &solver, const 
 }
 
 std::vector<LockEnd> lock_ends(const modes::SpectrumSolver &solver, const modes::Spectrum &from,
-                               const modes::Spectrum &to) {
+                               const Eigen::VectorXcd &rates_from, const modes::Spectrum &to,
+                               const Eigen::VectorXcd &rates_to) {
     const Count a = count_of(solver, from);
     const Count b = count_of(solver, to);
     std::vector<LockEnd> ends;
-    add_series_ends(solver, a, b, modes_in_play(a, b), 0, ends);
+    const double way = to.speed - from.speed;
+    if (a.motions != b.motions ||
+        (slows_down(from, rates_from, way) && slows_down(to, rates_to, -way)))
+        add_series_ends(solver, a, b, modes_in_play(a, b), 0, ends);
     return ends;
 }
 
