@@ -26,6 +26,10 @@ class DefinitePencil {
     DefinitePencil(DefinitePencil &&) = delete;
     DefinitePencil &operator=(DefinitePencil &&) = delete;
 
+    /// So many values of s are asked for next, here or by other processes: those that share them go
+    /// the same way, and find the same to the last digit.
+    void expect(int values);
+
     /// At least `wanted` eigenvalues (all, if there are fewer) of least modulus, by modulus;
     /// complete up to the last one returned, which the inertia count has confirmed.
     /// @throws SolverError where the count cannot be met.

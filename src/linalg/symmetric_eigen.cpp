@@ -3,6 +3,8 @@
 #include "linalg/check.h"
 #include "linalg/handles.h"
 
+#include <petscblaslapack.h>
+
 #include <algorithm>
 
 namespace whirl::linalg {
@@ -57,28 +59,29 @@ void deflate(EPS eps, const std::vector<Eigen::VectorXd> &deflated) {
     check(EPSSetDeflationSpace(eps, static_cast<PetscInt>(raw.size()), raw.data()));
 }
 
-std::vector<std::pair<double, Eigen::VectorXd>>
-solve(const SymmetricOperator &op, EPSWhich which, int wanted,
-      const std::vector<Eigen::VectorXd> &deflated) {
-    const MatOwner shell = shell_of(op);
-    const int room = op.size - static_cast<int>(deflated.size());
-    const int nev = std::min(wanted, room);
-    EPS eps = nullptr;
-    check(EPSCreate(PETSC_COMM_SELF, &eps));
-    const EpsOwner owner(eps);
-    check(EPSSetOperators(eps, shell.get(), nullptr));
-    check(EPSSetProblemType(eps, EPS_HEP));
-    check(EPSSetType(eps, EPSKRYLOVSCHUR));
-    check(EPSSetWhichEigenpairs(eps, which));
-    check(EPSSetDimensions(eps, nev, std::min(room, std::max(2 * nev + 8, 24)), PETSC_DEFAULT));
-    check(EPSSetTolerances(eps, 1e-9, 500));
+int wanted_of(const SymmetricOperator &op, int wanted, std::size_t deflated) {
+    return std::min(wanted, op.size - static_cast<int>(deflated));
+}
+
+EpsOwner new_solver(Mat shell, EPSWhich which, int nev, int room) {
+    EPS raw = nullptr;
+    check(EPSCreate(PETSC_COMM_SELF, &raw));
+    EpsOwner eps(raw);
+    check(EPSSetOperators(raw, shell, nullptr));
+    check(EPSSetProblemType(raw, EPS_HEP));
+    check(EPSSetType(raw, EPSKRYLOVSCHUR));
+    check(EPSSetWhichEigenpairs(raw, which));
+    check(EPSSetDimensions(raw, nev, std::min(room, std::max(2 * nev + 8, 24)), PETSC_DEFAULT));
+    check(EPSSetTolerances(raw, 1e-9, 500));
     // The projected tridiagonal problem by divide and conquer: QR rotations were a fifth of the
     // time.
     DS ds = nullptr;
-    check(EPSGetDS(eps, &ds));
+    check(EPSGetDS(raw, &ds));
     check(DSSetMethod(ds, 2));
-    if (!deflated.empty())
-        deflate(eps, deflated);
+    return eps;
+}
+
+std::vector<std::pair<double, Eigen::VectorXd>> run(EPS eps, const SymmetricOperator &op, int nev) {
     const VecOwner start = vector_of(op.start);
     Vec space = start.get();
     check(EPSSetInitialSpace(eps, 1, &space));
@@ -97,6 +100,18 @@ solve(const SymmetricOperator &op, EPSWhich which, int wanted,
         check(VecRestoreArrayRead(start.get(), &array));
     }
     return pairs;
+}
+
+std::vector<std::pair<double, Eigen::VectorXd>>
+solve(const SymmetricOperator &op, EPSWhich which, int wanted,
+      const std::vector<Eigen::VectorXd> &deflated) {
+    const MatOwner shell = shell_of(op);
+    const int nev = wanted_of(op, wanted, deflated.size());
+    const EpsOwner eps =
+        new_solver(shell.get(), which, nev, op.size - static_cast<int>(deflated.size()));
+    if (!deflated.empty())
+        deflate(eps.get(), deflated);
+    return run(eps.get(), op, nev);
 }
 
 } // namespace
@@ -140,6 +155,35 @@ Eigen::VectorXd deterministic_vector(int size) {
     return vector;
 }
 
+struct RepeatedEigensolver::Kept {
+    SymmetricOperator op; ///< the shell matrix refers to it
+    int wanted = 0;
+    MatOwner shell;
+    EpsOwner eps;
+};
+
+RepeatedEigensolver::RepeatedEigensolver() : _kept(std::make_unique<Kept>()) {}
+RepeatedEigensolver::~RepeatedEigensolver() = default;
+
+std::vector<std::pair<double, Eigen::VectorXd>>
+RepeatedEigensolver::largest_magnitude(const SymmetricOperator &op, int wanted) {
+    const int nev = wanted_of(op, wanted, 0);
+    const bool fits = _kept->eps && _kept->op.size == op.size && _kept->wanted == nev;
+    _kept->op = op;
+    if (!fits) {
+        _kept->eps.reset();
+        _kept->shell = shell_of(_kept->op);
+        _kept->eps = new_solver(_kept->shell.get(), EPS_LARGEST_MAGNITUDE, nev, op.size);
+        _kept->wanted = nev;
+    }
+    try {
+        return run(_kept->eps.get(), op, nev);
+    } catch (const SolverError &) {
+        _kept->eps.reset(); // whatever state it is in
+        throw;
+    }
+}
+
 std::vector<std::pair<double, Eigen::VectorXd>>
 largest_magnitude(const SymmetricOperator &op, int wanted,
                   const std::vector<Eigen::VectorXd> &deflated) {
@@ -158,6 +202,28 @@ Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> symmetric_eigenpairs(const Eigen:
     if (solver.info() != Eigen::Success)
         throw SolverError("the dense symmetric eigensolver did not converge");
     return solver;
+}
+
+LeftSingular left_singular(Eigen::MatrixXd A) {
+    const auto n = static_cast<PetscBLASInt>(A.rows());
+    LeftSingular out{Eigen::VectorXd(n), {}};
+    double no_right_vectors = 0;
+    PetscBLASInt failed = 0;
+    PetscBLASInt room = -1; // asks how much is best
+    double best = 0;
+    // "O": the vectors overwrite the matrix.
+    const auto decompose = [&](double *work) {
+        LAPACKgesvd_("O", "N", &n, &n, A.data(), &n, out.values.data(), nullptr, &n,
+                     &no_right_vectors, &n, work, &room, &failed);
+    };
+    decompose(&best);
+    room = static_cast<PetscBLASInt>(best);
+    Eigen::VectorXd work(room);
+    decompose(work.data());
+    if (failed != 0)
+        throw SolverError("the dense singular value decomposition did not converge");
+    out.vectors = std::move(A);
+    return out;
 }
 
 } // namespace whirl::linalg

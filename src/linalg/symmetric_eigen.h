@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -42,6 +43,26 @@ template <class Factors> [[nodiscard]] int negative_pivots(const Factors &factor
 /// Components between 0.5 and 1.5, the same at every call.
 [[nodiscard]] Eigen::VectorXd deterministic_vector(int size);
 
+/// Finds eigenpairs of largest modulus again and again for operators of one size: what SLEPc sets
+/// up for the first is kept for the others. Results do not depend on earlier solves.
+class RepeatedEigensolver {
+  public:
+    RepeatedEigensolver();
+    ~RepeatedEigensolver();
+    RepeatedEigensolver(const RepeatedEigensolver &) = delete;
+    RepeatedEigensolver &operator=(const RepeatedEigensolver &) = delete;
+    RepeatedEigensolver(RepeatedEigensolver &&) = delete;
+    RepeatedEigensolver &operator=(RepeatedEigensolver &&) = delete;
+
+    /// @throws SolverError where fewer than `wanted` converge.
+    [[nodiscard]] std::vector<std::pair<double, Eigen::VectorXd>>
+    largest_magnitude(const SymmetricOperator &op, int wanted);
+
+  private:
+    struct Kept;
+    std::unique_ptr<Kept> _kept;
+};
+
 /// Eigenpairs of largest modulus of a symmetric operator, orthogonal to `deflated`, by SLEPc's
 /// Krylov-Schur; vectors have length 1.
 /// @throws SolverError where fewer than `wanted` converge.
@@ -58,5 +79,14 @@ largest_positive(const SymmetricOperator &op, int wanted,
 /// @throws SolverError where the iteration does not converge.
 [[nodiscard]] Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>
 symmetric_eigenpairs(const Eigen::MatrixXd &A);
+
+/// Singular values of a full square matrix, descending, and their left vectors.
+struct LeftSingular {
+    Eigen::VectorXd values;
+    Eigen::MatrixXd vectors; ///< columns
+};
+
+/// By LAPACK's dgesvd. @throws SolverError where it does not converge.
+[[nodiscard]] LeftSingular left_singular(Eigen::MatrixXd A);
 
 } // namespace whirl::linalg

@@ -70,6 +70,9 @@ Spectrum SpectrumSolver::symmetric(double speed, int wanted) const {
 }
 
 void SpectrumSolver::expect(const std::vector<double> &speeds, int wanted) const {
+    const bool planar = _data->form == results::Form::planar;
+    if ((planar || _data->form == results::Form::hyperbolic) && !_data->tables)
+        _data->at_speed(_data->symmetric, 0, planar).expect(static_cast<int>(speeds.size()));
     if (!refines() || speeds.empty())
         return;
     const int all = wanted + _data->most_zero_modes(speeds.front());

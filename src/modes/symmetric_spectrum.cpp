@@ -68,6 +68,11 @@ std::vector<WhirlMode> SymmetricSpectrum::modes_of(const std::vector<linalg::Rea
     return out;
 }
 
+void SymmetricSpectrum::expect(int speeds) {
+    if (_pencil)
+        _pencil->expect(speeds);
+}
+
 std::vector<WhirlMode> SymmetricSpectrum::modes(double speed, int wanted) const {
     if (!_supported)
         return free_modes(speed, wanted);

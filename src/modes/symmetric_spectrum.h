@@ -16,6 +16,9 @@ class SymmetricSpectrum {
     SymmetricSpectrum(const assembly::Discretization &discretization, bool planar,
                       double bearing_speed);
 
+    /// As DefinitePencil::expect.
+    void expect(int speeds);
+
     /// At least `wanted` modes with the lowest frequencies, or all; unsorted, whirl set only in
     /// planar form.
     [[nodiscard]] std::vector<WhirlMode> modes(double speed, int wanted) const;
