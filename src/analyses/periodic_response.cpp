@@ -134,9 +134,11 @@ struct Watched {
 
 /// What is looked at of it: under the weight what moves.
 /// @param first  multiple of the spin speed that a load drives
-TurnParts seen(const Motions &motions, const Watched &watched, int first) {
-    const TurnParts parts = watched.parts(motions);
+TurnParts seen(const Motions &motions, const TurnParts &parts, int first) {
     return first > 1 ? motions.moving(parts) : parts;
+}
+TurnParts seen(const Motions &motions, const Watched &watched, int first) {
+    return seen(motions, watched.parts(motions), first);
 }
 
 /// A row of numbers a quantity: x and y of each of its parts.
@@ -200,18 +202,18 @@ forced::CurvePeaks amplitudes(Motions &motions, const std::vector<Watched> &watc
             return std::nullopt;
         std::vector<Eigen::RowVectorXcd> rows;
         Eigen::Index columns = 2; // of what does not move
+        linalg::RationalCurve::Values out;
+        out.rounding.setZero(std::ssize(watched));
         for (const Watched &one : watched) {
-            rows.push_back(numbers_of(seen(motions, one, first)));
+            const TurnParts parts = one.parts(motions);
+            out.rounding(std::ssize(rows)) = motions.least_rounding() * parts.largest();
+            rows.push_back(numbers_of(seen(motions, parts, first)));
             columns = std::max(columns, rows.back().size());
         }
-        linalg::RationalCurve::Values out;
         out.numbers.setZero(std::ssize(rows), columns);
-        out.rounding.setZero(std::ssize(rows));
         for (Eigen::Index i = 0; i < std::ssize(rows); ++i) {
             const Eigen::RowVectorXcd &row = rows[static_cast<std::size_t>(i)];
             out.numbers.row(i).head(row.size()) = row;
-            out.rounding(i) = motions.least_rounding() *
-                              watched[static_cast<std::size_t>(i)].parts(motions).largest();
         }
         return out;
     };

@@ -40,13 +40,10 @@ CurvePeaks::CurvePeaks(const std::vector<double> &cuts, const linalg::RationalCu
     }
 }
 
-const linalg::RationalCurve &CurvePeaks::piece_of(double speed) const {
+/// Of the piece that a speed lies in.
+std::size_t CurvePeaks::place_of(double speed) const {
     const auto after = std::ranges::upper_bound(_pieces, speed, {}, &linalg::RationalCurve::from);
-    return after == _pieces.begin() ? _pieces.front() : *std::prev(after);
-}
-
-linalg::RationalCurve &CurvePeaks::piece_of(double speed) {
-    return const_cast<linalg::RationalCurve &>(std::as_const(*this).piece_of(speed));
+    return after == _pieces.begin() ? 0 : static_cast<std::size_t>(after - _pieces.begin() - 1);
 }
 
 std::vector<std::pair<double, double>> CurvePeaks::unsettled() const {
@@ -119,7 +116,8 @@ bool CurvePeaks::confirmed() {
     std::vector<std::vector<double>> places(_pieces.size());
     std::optional<double> last;
     for (const double speed : speeds) {
-        linalg::RationalCurve &piece = piece_of(speed);
+        const std::size_t place = place_of(speed);
+        const linalg::RationalCurve &piece = _pieces[place];
         double width = piece.to() - piece.from();
         for (const std::complex<double> pole : piece.poles())
             width = std::min(width, std::abs(pole - speed));
@@ -127,7 +125,7 @@ bool CurvePeaks::confirmed() {
         if (last && speed - *last < near_enough * width)
             continue;
         last = speed;
-        places[static_cast<std::size_t>(&piece - _pieces.data())].push_back(speed);
+        places[place].push_back(speed);
     }
     bool news = false;
     for (std::size_t i = 0; i < _pieces.size(); ++i) {

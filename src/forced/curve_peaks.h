@@ -62,8 +62,10 @@ class CurvePeaks {
     std::vector<Sample> _samples;
     std::vector<Top> _tops;
 
-    [[nodiscard]] linalg::RationalCurve &piece_of(double speed);
-    [[nodiscard]] const linalg::RationalCurve &piece_of(double speed) const;
+    [[nodiscard]] std::size_t place_of(double speed) const;
+    [[nodiscard]] const linalg::RationalCurve &piece_of(double speed) const {
+        return _pieces[place_of(speed)];
+    }
     [[nodiscard]] Sample sample(double speed) const;
     [[nodiscard]] double value(std::size_t quantity, double speed) const;
     [[nodiscard]] double slope(std::size_t quantity, double speed) const;

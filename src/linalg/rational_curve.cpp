@@ -99,8 +99,7 @@ Eigen::VectorXcd least_direction(const Eigen::MatrixXcd &A) {
             entry = rounding;
     const auto upper = R.triangularView<Eigen::Upper>();
     Eigen::VectorXcd x = Eigen::VectorXcd::Ones(A.cols()).normalized();
-    constexpr int steps =
-        4; // two where one direction is much less than the others; any of these do
+    constexpr int steps = 4; // two do where one direction is much less than the others
     for (int i = 0; i < steps; ++i) {
         upper.adjoint().solveInPlace(x);
         x.normalize();
@@ -142,12 +141,11 @@ double RationalCurve::take_in(const std::vector<double> &places) {
     _misfit = 0;
     bool news = false;
     for (const double place : places) {
-        const Eigen::MatrixXcd before = at(place);
         if (!solve(place))
             continue;
         news = true;
         const Values &values = _solved.at(place);
-        _misfit = std::max(_misfit, relative(difference(before, values.numbers), values, usual));
+        _misfit = std::max(_misfit, relative(difference(at(place), values.numbers), values, usual));
     }
     if (news)
         fit();

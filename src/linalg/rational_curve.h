@@ -29,8 +29,7 @@ class RationalCurve {
 
     /// Functions with so many poles that 150 places do not do are left as they are then: misfit().
     /// @param enough  misfit at new places, relative to the size of a quantity, that is accepted
-    /// beyond
-    ///                rounding
+    ///                beyond rounding
     /// @throws SolverError where nothing is solved, or eigenvalues do not converge
     RationalCurve(double from, double to, Solve solve, double enough);
 
