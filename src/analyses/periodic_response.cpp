@@ -1,7 +1,6 @@
 #include "analyses/periodic_response.h"
 
 #include "analyses/operating/operating.h"
-#include "forced/bent_supports.h"
 #include "forced/curve_peaks.h"
 #include "forced/periodic_motion.h"
 #include "forced/response_places.h"
@@ -13,6 +12,7 @@
 #include "process/processes.h"
 #include "process/progress.h"
 #include "results/sentence.h"
+#include "synchronous/parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -159,6 +159,27 @@ TurnParts parts_of(const Eigen::RowVectorXcd &numbers, int first) {
     return out;
 }
 
+/// Rows of all bearing tables, rad/s, between neighbouring ones of which every coefficient stays
+/// within 1 % of the largest one of its kind there of a straight line: all rows of a coarse table,
+/// few of one with many rows along a curve.
+std::vector<double> rows_of_straight_pieces(const model::Rotor &rotor) {
+    constexpr double straight = 0.01;
+    const std::vector<double> rows = synchronous::table_speeds(rotor);
+    const std::vector<double> bends = rotor.table_bends();
+    std::vector<double> out;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const bool last = i + 1 == rows.size();
+        const bool needed = last || std::ranges::binary_search(bends, rows[i]) ||
+                            std::ranges::any_of(rotor.bearings, [&](const auto &bearing) {
+                                return bearing.depends_on_speed() &&
+                                       bearing.bend_between(out.back(), rows[i + 1]) > straight;
+                            });
+        if (needed)
+            out.push_back(rows[i]);
+    }
+    return out;
+}
+
 /// The ends of a range of speeds of one sign, the rows of bearing tables between and halves of the
 /// fastest: multiples of the spin speed crowd resonances towards rest. Of a range on both sides of
 /// rest two.
@@ -175,7 +196,7 @@ std::vector<std::vector<double>> cuts_of(const model::Rotor &rotor,
         double half = std::abs(from) > std::abs(to) ? from : to;
         for (int i = 0; i < halves; ++i)
             cuts.push_back(half /= 2);
-        for (const double row : forced::rows_of_straight_pieces(rotor))
+        for (const double row : rows_of_straight_pieces(rotor))
             cuts.push_back(row);
         std::erase_if(cuts, [=](double cut) { return cut < from || cut > to; });
         std::ranges::sort(cuts);
@@ -224,7 +245,9 @@ forced::CurvePeaks amplitudes(Motions &motions, const std::vector<Watched> &watc
                                 const Eigen::RowVectorXcd &changes) {
         return parts_of(numbers, first).change_of_largest(parts_of(changes, first));
     };
-    return {cuts, solve, {size, change}};
+    // Values of peaks are solved for.
+    constexpr double enough = 1e-8;
+    return {{cuts, cuts.front(), cuts.back(), enough}, solve, {size, change}};
 }
 
 /// Largest values of the quantities over the range, and their curves.
@@ -240,10 +263,10 @@ class PeakSearch {
               std::vector<model::Sentence> &notes) {
         curves.values.resize(_watched.size());
         curves.phases.resize(_watched.size());
-        std::vector<forced::Top> tops;
+        std::vector<forced::Peak> tops;
         for (const std::vector<double> &cuts : ranges) {
             const forced::CurvePeaks found = amplitudes(_motions, _watched, _first, cuts);
-            tops.insert(tops.end(), found.tops().begin(), found.tops().end());
+            tops.insert(tops.end(), found.peaks().begin(), found.peaks().end());
             for (const auto &[from, to] : found.unsettled())
                 notes.emplace_back(
                     model::Weight::warning,
@@ -258,8 +281,8 @@ class PeakSearch {
                 }
             }
         }
-        std::ranges::stable_sort(tops, {}, &forced::Top::quantity);
-        for (const forced::Top &top : tops)
+        std::ranges::stable_sort(tops, {}, &forced::Peak::quantity);
+        for (const forced::Peak &top : tops)
             peaks.push_back(peak(top));
     }
 
@@ -274,7 +297,7 @@ class PeakSearch {
         return _motions.limited() ? seen(_motions, _watched[i], _first).largest() : unlimited;
     }
 
-    results::ResponsePeak peak(const forced::Top &top) {
+    results::ResponsePeak peak(const forced::Peak &top) {
         const std::size_t i = top.quantity;
         results::ResponsePeak out = _watched[i].peak;
         if (std::isinf(top.value))

@@ -331,8 +331,7 @@ std::vector<results::ResponsePeak> add_imbalance_peaks(results::ResponseResult &
     const std::size_t others = all.quantities.size();
     watch_clearances(all, d);
     forced::add_peaks(result.peaks, result.curves, d, result.model.formulation.form, all,
-                      model::required_speeds(scene),
-                      {synchronous_drive(scene), with_errors, scene.reduction});
+                      model::required_speeds(scene), {synchronous_drive(scene), with_errors});
     return clearance_peaks(result, others);
 }
 
@@ -435,7 +434,7 @@ void add_force_responses(results::ResponseResult &result, const assembly::Discre
         note_resonances(result, out, "force");
         stage.emplace("peaks under the forces", share(0.6), share(1));
         forced::add_peaks(out.peaks, out.curves, d, results::Form::general, watched_places(d),
-                          model::required_speeds(scene), {drives[i], true, scene.reduction});
+                          model::required_speeds(scene), {drives[i], true});
     }
     if (!first_process)
         result.forces.clear();
@@ -448,12 +447,9 @@ void add_operating(results::ResponseResult &result, const assembly::Discretizati
     std::vector<std::unique_ptr<Mover>> movers;
     const auto add = [&](results::Form form, const forced::Drive &drive) {
         const auto response = std::make_shared<Response>(d, form, nodes, drive);
-        movers.push_back(forced_mover(
-            d, form, drive,
-            [response](double speed) {
-                return response->solve(speed) ? std::optional(response->solved()) : std::nullopt;
-            },
-            scene.reduction));
+        movers.push_back(forced_mover(d, form, drive, [response](double speed) {
+            return response->solve(speed) ? std::optional(response->solved()) : std::nullopt;
+        }));
     };
     if (!scene.rotor.imbalances.empty())
         add(result.model.formulation.form, synchronous_drive(scene));

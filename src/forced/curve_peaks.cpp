@@ -5,51 +5,62 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <numbers>
-#include <utility>
 
 namespace whirl::forced {
 
 namespace {
 
-/// Misfit of the interpolated motion at new speeds that is accepted, relative: lower peaks than
-/// that beside what else moves are none. Values of peaks are solved for.
-constexpr double enough = 1e-8;
 /// Step over the distance to the nearest pole: an analytic function is a cubic there to 1e-4.
 constexpr double step_over_distance = 0.2;
-constexpr int steps_at_least = 200; // for pictures
-/// Smallest step, of the speed: narrower resonances are as without damping.
-constexpr double smallest_step = 1e-7;
+constexpr int steps_at_least = 300;    // for pictures
+constexpr double smallest_step = 1e-7; // of the speed
+/// Poles that are so near to the real speeds, of the speed, may be without damping.
+constexpr double next_to_real = 1e-5;
+
+std::complex<double> nearest_pole(const linalg::RationalCurve &piece, double speed) {
+    std::complex<double> out(std::numeric_limits<double>::infinity(), 0);
+    for (const std::complex<double> pole : piece.poles())
+        if (std::abs(pole - speed) < std::abs(out - speed))
+            out = pole;
+    return out;
+}
+
+/// What is solved for over a power of the speed.
+linalg::RationalCurve::Solve by_power(const linalg::RationalCurve::Solve &solve, int power) {
+    return [solve, power](double speed) {
+        auto out = solve(speed);
+        if (out) {
+            out->numbers /= std::pow(speed, power);
+            out->rounding /= std::abs(std::pow(speed, power));
+        }
+        return out;
+    };
+}
 
 } // namespace
 
-CurvePeaks::CurvePeaks(const std::vector<double> &cuts, const linalg::RationalCurve::Solve &solve,
-                       Size size)
-    : _size(std::move(size)) {
-    for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
-        _pieces.emplace_back(cuts[i], cuts[i + 1], solve, enough);
+CurvePeaks::CurvePeaks(Range range, const linalg::RationalCurve::Solve &solve, Size size)
+    : _range(std::move(range)), _solve(solve), _size(std::move(size)),
+      _motion(_range.cuts, by_power(solve, _range.power), _range.enough, _range.most) {
     constexpr int most_rounds = 6; // a guard: each solves for the motion at the maxima found
     for (int round = 0; round < most_rounds; ++round) {
         _samples.clear();
-        for (const linalg::RationalCurve &piece : _pieces)
+        _peaks.clear();
+        for (const linalg::RationalCurve &piece : _motion.pieces())
             sample_piece(piece);
-        find();
-        if (confirmed())
+        for (std::size_t q = 0; q < _samples.front().values.size(); ++q)
+            find(q);
+        _misfit = _motion.take_in(compared_speeds(_peaks));
+        if (_misfit <= _range.enough)
             break;
     }
 }
 
-/// Of the piece that a speed lies in.
-std::size_t CurvePeaks::place_of(double speed) const {
-    const auto after = std::ranges::upper_bound(_pieces, speed, {}, &linalg::RationalCurve::from);
-    return after == _pieces.begin() ? 0 : static_cast<std::size_t>(after - _pieces.begin() - 1);
-}
-
 std::vector<std::pair<double, double>> CurvePeaks::unsettled() const {
     std::vector<std::pair<double, double>> out;
-    for (const linalg::RationalCurve &piece : _pieces)
-        if (piece.misfit() > enough) {
+    for (const linalg::RationalCurve &piece : _motion.pieces())
+        if (!piece.settled()) {
             if (!out.empty() && out.back().second == piece.from())
                 out.back().second = piece.to();
             else
@@ -58,29 +69,38 @@ std::vector<std::pair<double, double>> CurvePeaks::unsettled() const {
     return out;
 }
 
-CurvePeaks::Sample CurvePeaks::sample(double speed) const {
-    Sample out{speed, piece_of(speed).at(speed), {}};
-    for (Eigen::Index i = 0; i < out.numbers.rows(); ++i)
+CurvePeaks::WithSlope CurvePeaks::with_slope(const linalg::RationalCurve &piece,
+                                             double speed) const {
+    auto [numbers, changes] = piece.with_slope(speed);
+    if (const int power = _range.power; power != 0) {
+        const double factor = std::pow(speed, power);
+        numbers *= factor;
+        changes = factor * changes + (power / speed) * numbers;
+    }
+    return {std::move(numbers), std::move(changes)};
+}
+
+CurvePeaks::Sample CurvePeaks::sample(const linalg::RationalCurve &piece, double speed) const {
+    auto [numbers, changes] = with_slope(piece, speed);
+    Sample out{speed, std::move(numbers), {}, {}};
+    for (Eigen::Index i = 0; i < out.numbers.rows(); ++i) {
         out.values.push_back(_size.of(out.numbers.row(i)));
+        out.slopes.push_back(_size.change(out.numbers.row(i), changes.row(i)));
+    }
     return out;
 }
 
-double CurvePeaks::value(std::size_t quantity, double speed) const {
-    return _size.of(piece_of(speed).at(speed).row(static_cast<Eigen::Index>(quantity)));
-}
-
-double CurvePeaks::slope(std::size_t quantity, double speed) const {
-    const linalg::RationalCurve &piece = piece_of(speed);
+std::pair<double, double> CurvePeaks::value_and_slope(std::size_t quantity, double speed) const {
+    const auto [numbers, changes] = with_slope(speed);
     const auto row = static_cast<Eigen::Index>(quantity);
-    return _size.change(piece.at(speed).row(row), piece.slope(speed).row(row));
+    return {_size.of(numbers.row(row)), _size.change(numbers.row(row), changes.row(row))};
 }
 
 void CurvePeaks::sample_piece(const linalg::RationalCurve &piece) {
-    const double range = _pieces.back().to() - _pieces.front().from();
+    const double range = _range.cuts.back() - _range.cuts.front();
     double speed = piece.from();
     while (true) {
-        if (_samples.empty() || _samples.back().speed < speed)
-            _samples.push_back(sample(speed));
+        _samples.push_back(sample(piece, speed));
         if (speed >= piece.to())
             return;
         double step = range / steps_at_least;
@@ -92,108 +112,168 @@ void CurvePeaks::sample_piece(const linalg::RationalCurve &piece) {
     }
 }
 
-void CurvePeaks::find() {
-    _tops.clear();
-    for (std::size_t q = 0; q < _samples.front().values.size(); ++q)
-        for (std::size_t k = 1; k + 1 < _samples.size(); ++k) {
-            const double here = _samples[k].values[q];
-            // Less than that are no maxima of a motion that changes on the scale of the steps.
-            const double noise = 10 * std::max(piece_of(_samples[k].speed).misfit(), enough);
-            const double least = (1 - std::min(noise, 0.1)) * here;
-            if (here > 0 && _samples[k - 1].values[q] < here && _samples[k + 1].values[q] <= here &&
-                std::min(_samples[k - 1].values[q], _samples[k + 1].values[q]) < least)
-                _tops.push_back(top_about(q, k));
-        }
-}
-
-/// Solves for the motion at the maxima. @returns whether it is as interpolated
-bool CurvePeaks::confirmed() {
-    std::vector<double> speeds;
-    for (const Top &top : _tops)
-        if (std::isfinite(top.value))
-            speeds.push_back(top.speed);
-    std::ranges::sort(speeds);
-    std::vector<std::vector<double>> places(_pieces.size());
-    std::optional<double> last;
-    for (const double speed : speeds) {
-        const std::size_t place = place_of(speed);
-        const linalg::RationalCurve &piece = _pieces[place];
-        double width = piece.to() - piece.from();
-        for (const std::complex<double> pole : piece.poles())
-            width = std::min(width, std::abs(pole - speed));
-        constexpr double near_enough = 0.1; // of the distance to the pole
-        if (last && speed - *last < near_enough * width)
+void CurvePeaks::find(std::size_t quantity) {
+    for (std::size_t k = 0; k + 1 < _samples.size(); ++k) {
+        const Sample &a = _samples[k];
+        const Sample &b = _samples[k + 1];
+        if (b.speed <= _range.from || a.speed >= _range.to || !(a.slopes[quantity] > 0) ||
+            !(b.slopes[quantity] <= 0) || !stands_out(quantity, k))
             continue;
-        last = speed;
-        places[place].push_back(speed);
+        Peak peak = peak_between(quantity, k);
+        if (peak.speed > _range.from && peak.speed < _range.to)
+            _peaks.push_back(std::move(peak));
     }
-    bool news = false;
-    for (std::size_t i = 0; i < _pieces.size(); ++i) {
-        const bool settled = _pieces[i].misfit() <= enough; // else it never is
-        if (settled && !places[i].empty() && _pieces[i].take_in(places[i]) > enough)
-            news = true;
-    }
-    return !news;
 }
 
-Top CurvePeaks::top_about(std::size_t quantity, std::size_t middle) const {
-    Top out;
-    out.quantity = quantity;
-    const double from = _samples[middle - 1].speed;
-    const double to = _samples[middle + 1].speed;
-    for (const std::complex<double> pole : piece_of(_samples[middle].speed).poles())
-        if (pole.real() > from && pole.real() < to &&
-            std::abs(pole.imag()) < smallest_step * std::abs(pole.real())) {
-            out.speed = pole.real();
-            out.value = std::numeric_limits<double>::infinity();
-            return out;
+bool CurvePeaks::stands_out(std::size_t quantity, std::size_t left) const {
+    // Of the top: a dip as small is rounding or a flat curve, not a valley between peaks.
+    constexpr double shallow = 1e-6;
+    const Sample &a = _samples[left];
+    const Sample &b = _samples[left + 1];
+    const double top = std::max(a.values[quantity], b.values[quantity]);
+    const linalg::RationalCurve &piece = _motion.piece_at(a.speed);
+    constexpr double allowance = 100; // a fit adds up rounding of many speeds
+    const double rounding = allowance * std::abs(std::pow(a.speed, _range.power)) *
+                            piece.rounding(a.speed)(static_cast<Eigen::Index>(quantity));
+    if (a.speed == b.speed) // a kink at the row of a bearing table
+        return top > rounding;
+    const Sample &before = _samples[left > 0 ? left - 1 : left];
+    const Sample &after = _samples[std::min(left + 2, _samples.size() - 1)];
+    const double unsure = std::max(shallow, 10 * std::min(piece.misfit(), 0.01));
+    return std::min(before.values[quantity], after.values[quantity]) <
+           top - std::max(unsure * top, rounding);
+}
+
+std::vector<double> CurvePeaks::compared_speeds(std::vector<Peak> peaks) {
+    std::ranges::sort(peaks, {}, &Peak::speed);
+    std::vector<double> out;
+    constexpr double near_enough = 0.1; // of the width
+    for (const Peak &peak : peaks)
+        if (std::isfinite(peak.value) &&
+            (out.empty() || peak.speed - out.back() > near_enough * peak.width))
+            out.push_back(peak.speed);
+    return out;
+}
+
+double CurvePeaks::solved_value(std::size_t quantity, double speed) const {
+    const auto solved = _solve(speed);
+    return solved ? _size.of(solved->numbers.row(static_cast<Eigen::Index>(quantity)))
+                  : std::numeric_limits<double>::infinity();
+}
+
+/// Where the quantity grows like 1 / distance to the end, about a pole next to the real speeds: by
+/// a factor of ten at a tenth of the distance. A resonance that damping limits would have a damping
+/// ratio below 1e-7 to come so near to that.
+std::optional<double> CurvePeaks::endless(std::size_t quantity, double pole) {
+    constexpr double far = 1e-6; // of the speed
+    double &speed = _poles.try_emplace(pole, 0).first->second;
+    if (speed == 0) {
+        speed = pole;
+        for (const double part : {10 * far, far, far / 10}) {
+            const double d = part * std::abs(speed);
+            const double left = 1 / solved_value(quantity, speed - d);
+            const double right = 1 / solved_value(quantity, speed + d);
+            if (left + right > 0)
+                speed += d * (left - right) / (left + right);
         }
-    const auto slope_at = [&](double speed) { return slope(quantity, speed); };
-    const double before = slope_at(from);
-    const double after = slope_at(to);
-    out.speed =
-        before > 0 && after < 0
-            ? linalg::root_between(slope_at, from, before, to, after)
-            : linalg::least_place([&](double speed) { return -value(quantity, speed); }, from, to);
-    out.value = value(quantity, out.speed);
-    out.lower = half_power(out, middle, -1);
-    out.upper = half_power(out, middle, 1);
+    }
+    for (const double side : {-far, far})
+        if (!(solved_value(quantity, speed * (1 + side / 10)) >
+              9 * solved_value(quantity, speed * (1 + side))))
+            return std::nullopt;
+    return speed;
+}
+
+Peak CurvePeaks::peak_between(std::size_t quantity, std::size_t left) {
+    const Sample &a = _samples[left];
+    const Sample &b = _samples[left + 1];
+    Peak out;
+    out.quantity = quantity;
+    const linalg::RationalCurve &piece = _motion.piece_at(a.speed);
+    for (const std::complex<double> pole : piece.poles())
+        if (pole.real() > a.speed && pole.real() < b.speed &&
+            std::abs(pole.imag()) < next_to_real * std::abs(pole.real()))
+            if (const auto speed = endless(quantity, pole.real())) {
+                out.speed = *speed;
+                out.value = std::numeric_limits<double>::infinity();
+                out.phase = std::numeric_limits<double>::quiet_NaN();
+                return out;
+            }
+    out.speed = a.speed; // at the row of a bearing table the slope jumps
+    if (b.speed > a.speed)
+        out.speed = linalg::root_between(
+            [&](double speed) { return value_and_slope(quantity, speed).second; }, a.speed,
+            a.slopes[quantity], b.speed, b.slopes[quantity]);
+    const Eigen::RowVectorXcd numbers = at(out.speed).row(static_cast<Eigen::Index>(quantity));
+    out.value = _size.of(numbers);
+    out.phase = std::arg(numbers(0));
+    const std::complex<double> pole = nearest_pole(piece, out.speed);
+    const double farthest = std::max(std::abs(_range.cuts.front()), std::abs(_range.cuts.back()));
+    out.width = std::isfinite(pole.real()) && pole.imag() != 0 ? std::abs(pole.imag()) : farthest;
+    out.lower = half_power(out, left, -1);
+    out.upper = half_power(out, left + 1, 1);
     return out;
 }
 
 /// Where the curve has fallen to 1/sqrt(2) of a maximum, before it rises above that.
-std::optional<double> CurvePeaks::half_power(const Top &top, std::size_t start,
+std::optional<double> CurvePeaks::half_power(const Peak &peak, std::size_t start,
                                              int direction) const {
-    const double level = top.value / std::numbers::sqrt2;
-    const auto above = [&](double speed) { return value(top.quantity, speed) - level; };
-    double inside = top.speed;
-    for (auto j = static_cast<std::ptrdiff_t>(start); j >= 0 && j < std::ssize(_samples);
-         j += direction) {
-        const Sample &s = _samples[static_cast<std::size_t>(j)];
-        const double there = s.values[top.quantity];
-        constexpr double rounding = 1e-7;
-        if (there > (1 + rounding) * top.value)
-            return std::nullopt;
-        if ((s.speed - top.speed) * direction <= 0)
-            continue;
-        if (there > level) {
-            inside = s.speed;
-            continue;
-        }
+    const std::size_t q = peak.quantity;
+    const double level = peak.value / std::numbers::sqrt2;
+    const auto crossing = [&](double near, double near_value, double far, double far_value) {
         constexpr double close = 1e-12; // of the speed
-        return linalg::root_between(above, inside, above(inside), s.speed, there - level, close);
+        return linalg::root_between(
+            [&](double speed) { return value_and_slope(q, speed).first - level; }, near,
+            near_value - level, far, far_value - level, close);
+    };
+    double near = peak.speed;
+    double near_value = peak.value;
+    const Sample *before = nullptr;
+    for (auto i = static_cast<std::ptrdiff_t>(start); i >= 0 && i < std::ssize(_samples);
+         i += direction) {
+        const Sample &s = _samples[static_cast<std::size_t>(i)];
+        if (s.values[q] <= level)
+            return crossing(near, near_value, s.speed, s.values[q]);
+        // A valley between two samples may reach down to the level.
+        if (before != nullptr && before->speed != s.speed && direction * before->slopes[q] < 0 &&
+            direction * s.slopes[q] > 0) {
+            const double bottom =
+                linalg::root_between([&](double speed) { return value_and_slope(q, speed).second; },
+                                     before->speed, before->slopes[q], s.speed, s.slopes[q]);
+            if (const double value = value_and_slope(q, bottom).first; value <= level)
+                return crossing(near, near_value, bottom, value);
+        }
+        constexpr double rounding = 1e-9;
+        if (s.values[q] > peak.value * (1 + rounding)) // a higher one before
+            return std::nullopt;
+        near = s.speed;
+        near_value = s.values[q];
+        before = &s;
     }
     return std::nullopt;
 }
 
 std::vector<CurvePeaks::Sample> CurvePeaks::drawn() const {
-    constexpr double seen = 0.03; // of a value
-    const double step = (_samples.back().speed - _samples.front().speed) / steps_at_least;
+    constexpr double seen = 0.03;   // of a value
+    constexpr double turned = 0.15; // of a phase, rad: at a peak the value stands still
+    const double step = (_range.to - _range.from) / steps_at_least;
+    // A curve without limit is drawn up to 3e-4 beside it.
+    const auto without_limit = [&](double speed) {
+        return std::ranges::any_of(_peaks, [speed](const Peak &peak) {
+            return std::isinf(peak.value) && std::abs(peak.speed - speed) < 3e-4 * std::abs(speed);
+        });
+    };
     std::vector<Sample> out;
     for (const Sample &s : _samples) {
-        bool keep = out.empty() || s.speed - out.back().speed >= step;
-        for (std::size_t i = 0; !keep && i < s.values.size(); ++i)
-            keep = std::abs(s.values[i] - out.back().values[i]) > seen * s.values[i];
+        if (s.speed < _range.from || s.speed > _range.to || without_limit(s.speed))
+            continue;
+        bool keep = out.empty() || s.speed - out.back().speed > step;
+        for (std::size_t i = 0; !keep && i < s.values.size(); ++i) {
+            const auto row = static_cast<Eigen::Index>(i);
+            const double turn = std::arg(s.numbers(row, 0)) - std::arg(out.back().numbers(row, 0));
+            keep = std::abs(s.values[i] - out.back().values[i]) > seen * s.values[i] ||
+                   std::abs(std::remainder(turn, 2 * std::numbers::pi)) > turned;
+        }
         if (keep)
             out.push_back(s);
     }

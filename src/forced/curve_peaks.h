@@ -1,10 +1,12 @@
 #pragma once
 
-#include "linalg/rational_curve.h"
+#include "linalg/rational_pieces.h"
 
 #include <Eigen/Core>
 
 #include <functional>
+#include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -12,18 +14,24 @@
 namespace whirl::forced {
 
 /// A local maximum of a quantity over the spin speed.
-struct Top {
+struct Peak {
     std::size_t quantity = 0;
     double speed = 0;            ///< rad/s
-    double value = 0;            ///< interpolated; infinite: a pole next to the real speeds
+    double value = 0;            ///< infinite: a resonance without damping
+    double phase = 0;            ///< of the first number, rad; NaN where the value is infinite
     std::optional<double> lower; ///< where it is 1/sqrt(2) of that below, rad/s; none: not reached
     std::optional<double> upper; ///< and above
+    double width = 0;            ///< distance of the nearest pole from the real speeds, rad/s
+    double rounding = 0;         ///< relative error of the value by rounding
 };
 
-/// Amplitudes of quantities over a range of speeds, and all their local maxima strictly inside: the
-/// motion of the whole rotor, interpolated between the speeds at which it was solved for, those of
-/// the maxima among them. Steps are a part of the distance to the nearest pole of the motion, the
-/// scale on which it changes.
+/// Amplitudes of quantities over a range of speeds, and all their local maxima strictly inside.
+///
+/// The motion is interpolated by rational functions between the speeds at which it was solved for,
+/// those of the maxima among them. It changes on the scale of the distance to its nearest pole: it
+/// is looked at in steps of a part of that, with its derivative, and where that changes from growth
+/// to decline a maximum is found as the root of the derivative. Half-power points are looked for
+/// in all that is interpolated.
 class CurvePeaks {
   public:
     /// Amplitude of a quantity from its numbers, and what it changes with these.
@@ -33,47 +41,66 @@ class CurvePeaks {
                              const Eigen::RowVectorXcd &changes)>
             change;
     };
+    /// What is looked for, rad/s.
+    struct Range {
+        /// Ascending, at least two: what the motion follows is analytic between.
+        std::vector<double> cuts;
+        double from, to;        ///< where maxima count
+        double enough;          ///< misfit of the motion at new speeds, relative
+        std::size_t most = 150; ///< speeds solved for between two cuts
+        int power = 0;          ///< of the speed, by which the motion has a limit at rest
+    };
 
-    /// @param cuts   rad/s, ascending, at least two: what the motion follows is analytic between
     /// @param solve  a row of numbers a quantity; nothing where it has no limit
     /// @throws linalg::SolverError where nothing is solved between two cuts
-    CurvePeaks(const std::vector<double> &cuts, const linalg::RationalCurve::Solve &solve,
-               Size size);
+    CurvePeaks(Range range, const linalg::RationalCurve::Solve &solve, Size size);
 
     struct Sample {
         double speed = 0;
         Eigen::MatrixXcd numbers; ///< a row a quantity
         std::vector<double> values;
+        std::vector<double> slopes; ///< per rad/s
     };
     /// Ascending by quantity, then by speed.
-    [[nodiscard]] const std::vector<Top> &tops() const { return _tops; }
-    /// The speeds looked at, ascending: between two of them no quantity has a maximum that neither
-    /// of them shows.
-    [[nodiscard]] const std::vector<Sample> &samples() const { return _samples; }
-    /// Those that a picture needs.
+    [[nodiscard]] const std::vector<Peak> &peaks() const { return _peaks; }
+    /// Those of the speeds looked at that a picture needs.
     [[nodiscard]] std::vector<Sample> drawn() const;
+    /// Speeds at which peaks are compared with what is solved for, ascending: of every finite peak
+    /// one within a tenth of its width, those of several quantities at one resonance together.
+    [[nodiscard]] static std::vector<double> compared_speeds(std::vector<Peak> peaks);
+    /// Largest relative difference of what was interpolated from what was solved for at the peaks.
+    [[nodiscard]] double misfit() const { return _misfit; }
     /// Speeds between which the motion is not interpolated to what is accepted, rad/s: maxima can
     /// be missing.
     [[nodiscard]] std::vector<std::pair<double, double>> unsettled() const;
+    /// The interpolated numbers.
+    [[nodiscard]] Eigen::MatrixXcd at(double speed) const { return with_slope(speed).first; }
 
   private:
-    std::vector<linalg::RationalCurve> _pieces;
+    Range _range;
+    linalg::RationalCurve::Solve _solve;
     Size _size;
-    std::vector<Sample> _samples;
-    std::vector<Top> _tops;
+    linalg::RationalPieces _motion;
+    std::map<double, double> _poles; ///< exact place by the interpolated one, rad/s
+    std::vector<Sample> _samples;    ///< at the cuts twice
+    std::vector<Peak> _peaks;
+    double _misfit = 0;
 
-    [[nodiscard]] std::size_t place_of(double speed) const;
-    [[nodiscard]] const linalg::RationalCurve &piece_of(double speed) const {
-        return _pieces[place_of(speed)];
+    using WithSlope = std::pair<Eigen::MatrixXcd, Eigen::MatrixXcd>;
+    [[nodiscard]] WithSlope with_slope(const linalg::RationalCurve &piece, double speed) const;
+    [[nodiscard]] WithSlope with_slope(double speed) const {
+        return with_slope(_motion.piece_at(speed), speed);
     }
-    [[nodiscard]] Sample sample(double speed) const;
-    [[nodiscard]] double value(std::size_t quantity, double speed) const;
-    [[nodiscard]] double slope(std::size_t quantity, double speed) const;
+    [[nodiscard]] Sample sample(const linalg::RationalCurve &piece, double speed) const;
+    [[nodiscard]] std::pair<double, double> value_and_slope(std::size_t quantity,
+                                                            double speed) const;
     void sample_piece(const linalg::RationalCurve &piece);
-    void find();
-    [[nodiscard]] bool confirmed();
-    [[nodiscard]] Top top_about(std::size_t quantity, std::size_t middle) const;
-    [[nodiscard]] std::optional<double> half_power(const Top &top, std::size_t start,
+    void find(std::size_t quantity);
+    [[nodiscard]] bool stands_out(std::size_t quantity, std::size_t left) const;
+    [[nodiscard]] Peak peak_between(std::size_t quantity, std::size_t left);
+    [[nodiscard]] double solved_value(std::size_t quantity, double speed) const;
+    [[nodiscard]] std::optional<double> endless(std::size_t quantity, double pole);
+    [[nodiscard]] std::optional<double> half_power(const Peak &peak, std::size_t start,
                                                    int direction) const;
 };
 

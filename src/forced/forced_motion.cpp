@@ -94,27 +94,22 @@ Eigen::Matrix2d quarter_turned(const Eigen::Matrix2d &block) {
 ForcedMotion::ForcedMotion(const assembly::Discretization &discretization, results::Form form,
                            Drive drive)
     : _discretization(discretization), _drive(std::move(drive)),
-      _planar(_drive.imbalances() &&
-              (form == results::Form::planar || form == results::Form::rotating)),
+      _planar(_drive.imbalances() && form == results::Form::planar),
       _rotating(form == results::Form::rotating) {
+    const std::vector<model::Bearing> &bearings = discretization.rotor().bearings;
+    for (int i = 0; i < static_cast<int>(bearings.size()); ++i)
+        if (bearings[static_cast<std::size_t>(i)].depends_on_speed())
+            _tabled.push_back(i);
     if (_drive.weight())
         _weight = weight_loads(discretization);
     if (!_drive.forces.empty() && form != results::Form::general)
         throw std::logic_error("forces of one frequency are solved in x and y of the fixed frame");
 }
 
-void ForcedMotion::for_each_table(double spin, const assembly::AddCoupling &add) const {
-    const std::vector<model::Bearing> &bearings = _discretization.rotor().bearings;
-    for (std::size_t i = 0; i < bearings.size(); ++i)
-        if (bearings[i].depends_on_speed())
-            assembly::assemble_film(_discretization, static_cast<int>(i), spin, add);
-}
-
-linalg::HarmonicSolver::Entries ForcedMotion::table_changes(double spin, double frequency) const {
-    linalg::HarmonicSolver::Entries out;
-    const bool in_pairs = _rotating || !_planar;
-    const auto add = [&](double share, assembly::Term term, int i, int j,
-                         const Eigen::Matrix2d &block) {
+void ForcedMotion::add_films(const std::vector<int> &bearings, double coefficients_at, double spin,
+                             double frequency, double share,
+                             linalg::HarmonicSolver::Entries &out) const {
+    const auto add = [&](assembly::Term term, int i, int j, const Eigen::Matrix2d &block) {
         Eigen::Matrix2cd A = Eigen::Matrix2cd::Zero();
         const Eigen::Matrix2d b = _rotating ? all_round(block) : block;
         if (term == assembly::Term::stiffness)
@@ -126,16 +121,26 @@ linalg::HarmonicSolver::Entries ForcedMotion::table_changes(double spin, double 
             if (_rotating) // the axes turn
                 A += (spin * quarter_turned(b)).cast<std::complex<double>>();
         }
-        if (!in_pairs)
+        if (_planar)
             out.emplace_back(i, j, share * A(0, 0));
-        for (int k = 0; k < (in_pairs ? 4 : 0); ++k)
+        for (int k = 0; k < (_planar ? 0 : 4); ++k)
             out.emplace_back(2 * i + k / 2, 2 * j + k % 2, share * A(k / 2, k % 2));
     };
-    for (const auto &[at, share] : {std::pair(spin, 1.0), std::pair(0.0, -1.0)})
-        for_each_table(at, [&, share = share](assembly::Term term, int i, int j,
-                                              const Eigen::Matrix2d &block) {
-            add(share, term, i, j, block);
-        });
+    for (const int bearing : bearings)
+        assembly::assemble_film(_discretization, bearing, coefficients_at, add);
+}
+
+linalg::HarmonicSolver::Entries ForcedMotion::films(const std::vector<int> &bearings, double spin,
+                                                    double speed) const {
+    linalg::HarmonicSolver::Entries out;
+    add_films(bearings, spin, _drive.sweep.spin_at(speed), frequency(speed), 1, out);
+    return out;
+}
+
+linalg::HarmonicSolver::Entries ForcedMotion::table_changes(double spin, double frequency) const {
+    linalg::HarmonicSolver::Entries out;
+    add_films(_tabled, spin, spin, frequency, 1, out);
+    add_films(_tabled, 0, spin, frequency, -1, out);
     return out;
 }
 
@@ -178,8 +183,6 @@ void ForcedMotion::assemble(double spin) {
     _solver = std::make_unique<linalg::HarmonicSolver>(terms, false, changes);
 }
 
-int ForcedMotion::size() const { return (_planar ? 1 : 2) * _discretization.planar_size(); }
-
 Eigen::MatrixXcd ForcedMotion::forces(double speed) const {
     if (_drive.sets.empty())
         return forces_of(speed, _discretization.rotor().imbalances);
@@ -218,7 +221,7 @@ Eigen::VectorXcd ForcedMotion::forces_of(double speed,
 void ForcedMotion::solve(double speed) {
     _speed = speed;
     if (speed == 0 && _drive.imbalances()) { // no force; a free rotor's matrix would be singular
-        _displacements = Eigen::VectorXcd::Zero(size());
+        _displacements = Eigen::VectorXcd::Zero(planes() * _discretization.planar_size());
         _solutions.resize(0, 0);
         _rounding = 0;
         return;
@@ -237,10 +240,11 @@ void ForcedMotion::look_at(std::size_t set) {
     if (_solutions.size() == 0) // at rest none moves
         return;
     _displacements = _solutions.col(static_cast<Eigen::Index>(set));
-    if (_rotating && _drive.imbalances()) // (x, y) stand still: w = x + i y
-        _displacements = (_displacements(Eigen::seq(0, Eigen::last, 2)) +
-                          imaginary_unit * _displacements(Eigen::seq(1, Eigen::last, 2)))
-                             .eval();
+}
+
+Eigen::MatrixXcd ForcedMotion::under(const Eigen::MatrixXcd &forces) {
+    const double spin = _drive.sweep.spin_at(_speed);
+    return _solver->solve(spin, frequency(_speed), forces, table_changes(spin, frequency(_speed)));
 }
 
 double ForcedMotion::rounding() const {
@@ -253,25 +257,30 @@ double ForcedMotion::rounding() const {
     return largest;
 }
 
-Phasor ForcedMotion::pair(const assembly::Combination &combination) const {
+Phasor ForcedMotion::as_solved(const assembly::Combination &combination,
+                               const Eigen::Ref<const Eigen::VectorXcd> &displacements) const {
     Phasor out;
     for (const auto &[unknown, value] : combination) {
-        out.x += value * _displacements(2 * unknown);
-        out.y += value * _displacements(2 * unknown + 1);
+        out.x += value * displacements(planes() * unknown);
+        if (!_planar)
+            out.y += value * displacements(2 * unknown + 1);
     }
     return out;
 }
 
-Phasor ForcedMotion::motion(const assembly::Combination &combination) const {
-    if (!_planar && !_drive.weight())
-        return pair(combination);
-    std::complex<double> w;
+Phasor ForcedMotion::in_fixed_frame(const Phasor &as_solved) const {
+    const auto circle = [](std::complex<double> w) { return Phasor{w, -imaginary_unit * w}; };
     if (_planar)
-        for (const auto &[unknown, value] : combination)
-            w += value * _displacements(unknown);
-    else if (_rotating)
-        w = WhirlParts(pair(combination)).a;
-    return {w, -imaginary_unit * w};
+        return circle(as_solved.x);
+    if (stands_still()) // w = x + i y
+        return circle(as_solved.x + imaginary_unit * as_solved.y);
+    if (_drive.weight())
+        return circle(_rotating ? WhirlParts(as_solved).a : 0);
+    return as_solved;
+}
+
+Phasor ForcedMotion::motion(const assembly::Combination &combination) const {
+    return in_fixed_frame(as_solved(combination, _displacements));
 }
 
 Phasor ForcedMotion::of(const Quantity &quantity) const {
@@ -281,7 +290,7 @@ Phasor ForcedMotion::of(const Quantity &quantity) const {
 }
 
 std::complex<double> ForcedMotion::at_rest(const assembly::Combination &combination) const {
-    const Phasor q = pair(combination);
+    const Phasor q = as_solved(combination, _displacements);
     return _rotating ? std::conj(WhirlParts(q).d) : q.x.real() + imaginary_unit * q.y.real();
 }
 
@@ -296,18 +305,20 @@ std::complex<double> ForcedMotion::bearing_force_at_rest(int bearing) const {
 Eigen::MatrixXcd ForcedMotion::planar_motion() const {
     if (_planar)
         return _displacements;
-    return _displacements.reshaped<Eigen::RowMajor>(_displacements.size() / 2, 2);
+    const Eigen::MatrixXcd pairs =
+        _displacements.reshaped<Eigen::RowMajor>(_displacements.size() / 2, 2);
+    if (stands_still()) // w = x + i y
+        return pairs.col(0) + imaginary_unit * pairs.col(1);
+    return pairs;
 }
 
-Phasor ForcedMotion::bearing_force(int bearing) const {
-    const Phasor u = stretch(bearing);
+Phasor ForcedMotion::bearing_force(int bearing, const Phasor &stretch, double speed) const {
     const model::BearingCoefficients at =
         _discretization.rotor().bearings[static_cast<std::size_t>(bearing)].at(
-            _drive.sweep.spin_at(_speed));
-    const double frequency = _drive.frequency_at(_speed);
+            _drive.sweep.spin_at(speed));
+    const double w = _drive.frequency_at(speed);
     const Eigen::Vector2cd force =
-        (at.k - frequency * frequency * at.m + imaginary_unit * frequency * at.c) *
-        Eigen::Vector2cd(u.x, u.y);
+        (at.k - w * w * at.m + imaginary_unit * w * at.c) * Eigen::Vector2cd(stretch.x, stretch.y);
     return {force(0), force(1)};
 }
 

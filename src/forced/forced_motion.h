@@ -168,7 +168,11 @@ class ForcedMotion {
     /// The same quantity of this discretisation, which need not be the one that it was made for.
     [[nodiscard]] Phasor of(const Quantity &quantity) const;
     /// Force k u + c u' of a bearing on the shaft's support in the last solution, N.
-    [[nodiscard]] Phasor bearing_force(int bearing) const;
+    [[nodiscard]] Phasor bearing_force(int bearing) const {
+        return bearing_force(bearing, stretch(bearing), _speed);
+    }
+    /// That of a stretch, which moves as under the drive at a place of the sweep.
+    [[nodiscard]] Phasor bearing_force(int bearing, const Phasor &stretch, double speed) const;
     /// Under the weight: what stands still in the fixed frame, x + i y of a combination (m) and of
     /// the force of a bearing (N).
     [[nodiscard]] std::complex<double> at_rest(const assembly::Combination &combination) const;
@@ -178,8 +182,30 @@ class ForcedMotion {
     [[nodiscard]] Eigen::MatrixXcd planar_motion() const;
     /// Relative error of the last solution by rounding, of several sets the largest.
     [[nodiscard]] double rounding() const;
+    /// What of that changes from speed to speed (linalg/harmonic_solve.h).
+    [[nodiscard]] double noise() const { return _solver ? _solver->noise() : 0; }
     /// Unknowns of the real linear system.
-    [[nodiscard]] int unknowns() const { return 2 * size(); }
+    [[nodiscard]] int unknowns() const {
+        return 2 * (stands_still() ? 1 : planes()) * _discretization.planar_size();
+    }
+
+    /// As the equations are solved, with one complex unknown in the place of each planar one, or
+    /// with two, x and y.
+    [[nodiscard]] int planes() const { return _planar ? 1 : 2; }
+    /// The last solution, over these unknowns; before one zero.
+    [[nodiscard]] const Eigen::VectorXcd &solution() const { return _displacements; }
+    /// Under other forces with the frequency and at the spin speed of the last solution, a column
+    /// each.
+    [[nodiscard]] Eigen::MatrixXcd under(const Eigen::MatrixXcd &forces);
+    /// x and y of a combination of planar unknowns, as they are solved for; x alone.
+    [[nodiscard]] Phasor as_solved(const assembly::Combination &combination,
+                                   const Eigen::Ref<const Eigen::VectorXcd> &displacements) const;
+    /// The motion that such a pair is, as motion().
+    [[nodiscard]] Phasor in_fixed_frame(const Phasor &as_solved) const;
+    /// What bearings are in the equations at a place of the sweep.
+    /// @param spin  that their coefficients are those of
+    [[nodiscard]] linalg::HarmonicSolver::Entries films(const std::vector<int> &bearings,
+                                                        double spin, double speed) const;
 
   private:
     const assembly::Discretization &_discretization;
@@ -191,14 +217,16 @@ class ForcedMotion {
     bool _at_rest = false;                           ///< it is of a rotor that does not turn
     double _speed = 0;                               ///< of the last solution, as given
     Eigen::MatrixXcd _loads, _solutions;             ///< a column a set of imbalances
-    Eigen::VectorXcd _displacements;                 ///< in the axes that they are read in
+    Eigen::VectorXcd _displacements;                 ///< the one that is read
+    std::vector<int> _tabled;                        ///< bearings with tables
     mutable std::optional<double> _rounding;         ///< once asked for
 
     void assemble(double spin);
-    void for_each_table(double spin, const assembly::AddCoupling &add) const;
     /// What the bearings with tables are at a speed beside what they are at rest.
     [[nodiscard]] linalg::HarmonicSolver::Entries table_changes(double spin,
                                                                 double frequency) const;
+    void add_films(const std::vector<int> &bearings, double coefficients_at, double spin,
+                   double frequency, double share, linalg::HarmonicSolver::Entries &out) const;
     [[nodiscard]] Eigen::MatrixXcd forces(double speed) const;
     [[nodiscard]] Eigen::VectorXcd forces_of(double speed,
                                              const std::vector<model::Imbalance> &imbalances) const;
@@ -208,9 +236,9 @@ class ForcedMotion {
             return _drive.frequency_at(speed);
         return _rotating == _drive.weight() ? speed : 0;
     }
-    [[nodiscard]] int size() const; ///< of the displacements
-    /// x and y of a combination of the unknowns in pairs.
-    [[nodiscard]] Phasor pair(const assembly::Combination &combination) const;
+    /// Under imbalances the motion stands still in rotating axes: x and y are real but for the
+    /// phase.
+    [[nodiscard]] bool stands_still() const { return _rotating && _drive.imbalances(); }
 };
 
 /// The form the response uses: planar with isotropic bearings, damped or not, else general.

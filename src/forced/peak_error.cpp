@@ -91,11 +91,14 @@ void PeakError::solve_about(double middle, double width) {
     }
 }
 
-PeakErrors PeakError::of(const Peak &peak, double middle, double width, ReducedMotion &reduced) {
+PeakErrors PeakError::of(const Peak &peak, double middle, double width, const CurvePeaks &curves) {
     const std::size_t q = peak.quantity;
     std::array<Phasor, 3> mine;
-    for (int i = 0; i < 3; ++i)
-        mine[static_cast<std::size_t>(i)] = reduced.at(middle + (i - 1) * width)[q].value;
+    for (int i = 0; i < 3; ++i) {
+        const Eigen::MatrixXcd numbers = curves.at(middle + (i - 1) * width);
+        const auto row = static_cast<Eigen::Index>(q);
+        mine[static_cast<std::size_t>(i)] = {numbers(row, 0), numbers(row, 1)};
+    }
     const LocalCurve coarse(mine);
     const auto share = [](double difference, double size) {
         return mesh_error::estimate_safety * std::abs(difference) / size;
@@ -122,7 +125,7 @@ PeakErrors PeakError::of(const Peak &peak, double middle, double width, ReducedM
     return {share(a - b, std::max(a, b)), not_known};
 }
 
-std::vector<PeakErrors> PeakError::of(const std::vector<Peak> &peaks, ReducedMotion &reduced) {
+std::vector<PeakErrors> PeakError::of(const std::vector<Peak> &peaks, const CurvePeaks &curves) {
     std::vector<PeakErrors> out(peaks.size());
     if (_finer.none())
         return out;
@@ -146,9 +149,8 @@ std::vector<PeakErrors> PeakError::of(const std::vector<Peak> &peaks, ReducedMot
             middle = peak.speed;
             width = std::min(part * peak.width, widest * std::abs(peak.speed));
         }
-        reduced.enter_piece(middle);
         try {
-            out[i] = of(peak, middle, width, reduced);
+            out[i] = of(peak, middle, width, curves);
         } catch (const linalg::SolverError &) { // the finer rotor at a resonance
             out[i] = {not_known, not_known};
         }

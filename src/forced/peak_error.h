@@ -1,6 +1,6 @@
 #pragma once
 
-#include "forced/peak_search.h"
+#include "forced/curve_peaks.h"
 #include "forced/response_error.h"
 
 #include <array>
@@ -22,10 +22,10 @@ class PeakError {
     PeakError(const assembly::Discretization &coarse, results::Form form,
               const std::vector<Quantity> &quantities, const Drive &drive = {});
 
-    /// Errors of peaks of the reduced rotor, which is that of the coarse one; NaN where the finer
-    /// rotor's peak was not found.
+    /// Errors of peaks of the coarse rotor's curves; NaN where the finer rotor's peak was not
+    /// found.
     [[nodiscard]] std::vector<PeakErrors> of(const std::vector<Peak> &peaks,
-                                             ReducedMotion &reduced);
+                                             const CurvePeaks &curves);
 
   private:
     const std::vector<Quantity> &_quantities;
@@ -37,7 +37,7 @@ class PeakError {
 
     void solve_about(double middle, double width);
     [[nodiscard]] PeakErrors of(const Peak &peak, double middle, double width,
-                                ReducedMotion &reduced);
+                                const CurvePeaks &curves);
 };
 
 } // namespace whirl::forced

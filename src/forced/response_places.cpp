@@ -133,9 +133,9 @@ results::ResponsePeak described(const Peak &peak, results::ResponsePeak place) {
     return place;
 }
 
-void set_errors(results::ResponsePeak &peak, const PeakErrors &of_mesh, double by_reduction,
+void set_errors(results::ResponsePeak &peak, const PeakErrors &of_mesh, double by_interpolation,
                 double by_rounding) {
-    peak.error_parts = {of_mesh.value, by_reduction, by_rounding};
+    peak.error_parts = {of_mesh.value, by_interpolation, by_rounding};
     peak.error = peak.error_parts.sum();
     peak.speed_error = std::max(of_mesh.speed, 4 * std::numeric_limits<double>::epsilon());
 }
@@ -156,14 +156,16 @@ void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurve
             const std::size_t quantity = found.peaks[i].quantity;
             results::ResponsePeak peak = described(found.peaks[i], all.places[quantity]);
             if (options.with_errors)
-                set_errors(peak, found.errors[i], found.reduction_error, found.peaks[i].rounding);
+                set_errors(peak, found.errors[i], found.interpolation_error,
+                           found.peaks[i].rounding);
             found_at.emplace_back(quantity, std::move(peak));
         }
-        for (const PeakSearch::Sample &sample : found.curve) {
+        for (const CurvePeaks::Sample &sample : found.curve) {
             curves.speeds.push_back(sample.speed);
             for (std::size_t i = 0; i < all.quantities.size(); ++i) {
-                curves.values[i].push_back(sample.value[i]);
-                curves.phases[i].push_back(sample.phase[i]);
+                curves.values[i].push_back(sample.values[i]);
+                curves.phases[i].push_back(
+                    std::arg(sample.numbers(static_cast<Eigen::Index>(i), 0)));
             }
         }
     };

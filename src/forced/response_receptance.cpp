@@ -132,7 +132,7 @@ void add_receptance_peaks(results::ReceptanceResponse &out, const assembly::Disc
     std::vector<results::ResponsePeak> peaks;
     results::ResponseCurves curves;
     add_peaks(peaks, curves, d, results::Form::general, all, scene.response.frequencies,
-              {unit_force(from, axis, out.speed), true, scene.reduction});
+              {unit_force(from, axis, out.speed), true});
     for (const results::ResponsePeak &peak : peaks) {
         const auto &[receptance, direction] = places.at(static_cast<std::size_t>(peak.place));
         out.peaks.push_back(described(peak, out, receptance,

@@ -100,7 +100,13 @@ HarmonicSolver::HarmonicSolver(const HarmonicTerms &terms, bool pairs, const Ent
         if (of[i].nonZeros() == 0)
             continue;
         const Sparse on_pattern = 0.0 * _A + of[i];
-        _terms[i] = on_pattern.coeffs();
+        for (Eigen::Index place = 0; place < on_pattern.nonZeros(); ++place) {
+            const std::complex<double> entry = on_pattern.coeffs()(place);
+            if (entry.real() != 0)
+                _terms[i].real.emplace_back(place, entry.real());
+            if (entry.imag() != 0)
+                _terms[i].imaginary.emplace_back(place, entry.imag());
+        }
     }
 }
 
@@ -151,21 +157,32 @@ Eigen::MatrixXcd HarmonicSolver::pairs_of(Eigen::MatrixXcd parts) const {
 }
 
 void HarmonicSolver::set(double spin, double frequency, const Entries &changes) {
-    const std::array<double, factor_count> factors{
-        1, spin, spin * spin, -frequency * frequency, frequency, frequency * spin};
+    const long double W = spin;
+    const long double w = frequency;
+    const std::array<long double, factor_count> factors{1, W, W * W, -w * w, w, w * W};
     if (factors == _factors && std::ranges::equal(changes, _added, same_entry))
         return;
     _factors = factors;
     _added = changes;
     _factorized = false;
-    _A.coeffs().setZero();
+    _real.setZero(_A.nonZeros());
+    _imaginary.setZero(_A.nonZeros());
     for (std::size_t i = 0; i < factor_count; ++i)
-        if (_factors[i] != 0 && _terms[i].size() > 0)
-            _A.coeffs() += _factors[i] * _terms[i];
+        if (_factors[i] != 0) {
+            for (const auto &[place, value] : _terms[i].real)
+                _real(place) += _factors[i] * static_cast<long double>(value);
+            for (const auto &[place, value] : _terms[i].imaginary)
+                _imaginary(place) += _factors[i] * static_cast<long double>(value);
+        }
     _changes = changes.empty() ? Sparse(size(), size()) : solved_for(changes);
     for (Eigen::Index column = 0; column < _changes.outerSize() && !changes.empty(); ++column)
-        for (Sparse::InnerIterator entry(_changes, column); entry; ++entry)
-            _A.coeffRef(entry.row(), entry.col()) += entry.value();
+        for (Sparse::InnerIterator entry(_changes, column); entry; ++entry) {
+            const auto place = &_A.coeffRef(entry.row(), entry.col()) - _A.valuePtr();
+            _real(place) += static_cast<long double>(entry.value().real());
+            _imaginary(place) += static_cast<long double>(entry.value().imag());
+        }
+    _A.coeffs().real() = _real.cast<double>();
+    _A.coeffs().imag() = _imaginary.cast<double>();
     _sizes = Sparse();
 }
 
@@ -174,9 +191,13 @@ const HarmonicSolver::Sparse &HarmonicSolver::sizes() const {
         return _sizes;
     _sizes = _A;
     _sizes.coeffs().setZero();
-    for (std::size_t i = 0; i < factor_count; ++i)
-        if (_factors[i] != 0 && _terms[i].size() > 0)
-            _sizes.coeffs() += std::abs(_factors[i]) * moduli(_terms[i]);
+    for (std::size_t i = 0; i < factor_count; ++i) {
+        const auto factor = static_cast<double>(std::abs(_factors[i]));
+        for (const auto &[place, value] : _terms[i].real)
+            _sizes.coeffs()(place) += factor * std::abs(value);
+        for (const auto &[place, value] : _terms[i].imaginary)
+            _sizes.coeffs()(place) += std::complex<double>(0, factor * std::abs(value));
+    }
     for (Eigen::Index column = 0; column < _changes.outerSize(); ++column)
         for (Sparse::InnerIterator entry(_changes, column); entry; ++entry)
             _sizes.coeffRef(entry.row(), entry.col()) += std::complex<double>(
@@ -195,6 +216,49 @@ Eigen::VectorXcd HarmonicSolver::sizes_of(const Eigen::VectorXcd &f,
     return out;
 }
 
+Eigen::VectorXcd HarmonicSolver::rest(const Eigen::Ref<const Eigen::VectorXcd> &f,
+                                      const Eigen::Ref<const Eigen::VectorXcd> &q) const {
+    Eigen::ArrayX<long double> real = f.real().cast<long double>();
+    Eigen::ArrayX<long double> imaginary = f.imag().cast<long double>();
+    for (Eigen::Index column = 0; column < _A.cols(); ++column) {
+        const auto x = static_cast<long double>(q(column).real());
+        const auto y = static_cast<long double>(q(column).imag());
+        for (auto i = _A.outerIndexPtr()[column]; i < _A.outerIndexPtr()[column + 1]; ++i) {
+            const auto row = _A.innerIndexPtr()[i];
+            real(row) -= _real(i) * x - _imaginary(i) * y;
+            imaginary(row) -= _real(i) * y + _imaginary(i) * x;
+        }
+    }
+    Eigen::VectorXcd out(f.size());
+    out.real() = real.cast<double>().matrix();
+    out.imag() = imaginary.cast<double>().matrix();
+    return out;
+}
+
+double HarmonicSolver::refine(const Eigen::Ref<const Eigen::VectorXcd> &f, Eigen::MatrixXcd &q,
+                              Eigen::Index column, const Eigen::VectorXcd &rest) {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    constexpr auto longer = static_cast<double>(std::numeric_limits<long double>::epsilon());
+    constexpr int most = 6; // a guard
+    Eigen::VectorXcd step = _lu.solution(rest);
+    double size = step.norm() / q.col(column).norm();
+    double noise = size * (longer / epsilon); // what the digits of the rest leave
+    for (int i = 0; i < most; ++i) {
+        q.col(column) += step;
+        if (!(size > epsilon) || size * size <= epsilon / 2)
+            break;
+        step = _lu.solution(this->rest(f, q.col(column)));
+        const double next = step.norm() / q.col(column).norm();
+        if (!(next < size / 2)) { // as it stands
+            noise = std::max(noise, next);
+            break;
+        }
+        size = next;
+    }
+    constexpr double of_sums = 16; // behind a deflection
+    return std::max(noise, of_sums * epsilon);
+}
+
 double HarmonicSolver::solved(const Eigen::MatrixXcd &f, Eigen::MatrixXcd &q) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     _factorized = _factorized || _lu.factorize(_A);
@@ -202,18 +266,19 @@ double HarmonicSolver::solved(const Eigen::MatrixXcd &f, Eigen::MatrixXcd &q) {
         return infinity;
     q = f;
     _lu.solve(q);
+    _noise = 0;
     if (!q.allFinite())
         return infinity;
     double out = 0;
     for (Eigen::Index column = 0; column < q.cols(); ++column) {
-        const Eigen::VectorXcd rest = f.col(column) - _A * q.col(column);
+        const Eigen::VectorXcd rest = this->rest(f.col(column), q.col(column));
         // The diagonal alone is most of it: where that is enough, nothing else is summed up.
         double size = _A.diagonal().cwiseProduct(q.col(column)).cwiseAbs().maxCoeff() / 2;
         if (!(largest_part(rest) <= residual_of_old_pivots * size))
             size = largest_part(sizes_of(f.col(column), q.col(column)));
         if (size > 0)
             out = std::max(out, largest_part(rest) / size);
-        q.col(column) += _lu.solution(rest); // a step of refinement
+        _noise = std::max(_noise, refine(f.col(column), q, column, rest));
     }
     return out;
 }
@@ -259,7 +324,7 @@ double HarmonicSolver::absolute_form(const Eigen::VectorXcd &displacements) cons
 }
 
 bool HarmonicSolver::conserves() const {
-    return _terms[i_frequency].size() == 0 && _terms[spin_once].size() == 0;
+    return _terms[i_frequency].zero() && _terms[spin_once].zero();
 }
 
 } // namespace whirl::linalg

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <complex>
+#include <utility>
 #include <vector>
 
 namespace whirl::linalg {
@@ -55,6 +56,11 @@ class HarmonicSolver {
     [[nodiscard]] double rounding(const Eigen::VectorXcd &forces,
                                   const Eigen::VectorXcd &displacements) const;
 
+    /// By how much, relative, solutions at two neighbouring speeds depart from a smooth curve: what
+    /// the arithmetic of the last one left. Rounding of the entries of the terms, which rounding()
+    /// tells, is the same at all speeds.
+    [[nodiscard]] double noise() const { return _noise; }
+
     /// |q|^T |A| |q| with the A of the last solution, |A| the sum of the moduli of the terms.
     [[nodiscard]] double absolute_form(const Eigen::VectorXcd &displacements) const;
 
@@ -78,13 +84,22 @@ class HarmonicSolver {
 
     bool _pairs;
     Eigen::VectorXd _scales; ///< of the unknowns, powers of two, alike in a pair
-    /// Entries of the terms on the pattern of all, scaled; empty: zero.
-    std::array<Eigen::ArrayXcd, factor_count> _terms;
+    /// Entries of a term that are not zero, scaled, by their places among those of A.
+    struct Term {
+        std::vector<std::pair<Eigen::Index, double>> real, imaginary;
+        [[nodiscard]] bool zero() const { return real.empty() && imaginary.empty(); }
+    };
+    std::array<Term, factor_count> _terms;
     Sparse _A;
-    std::array<double, factor_count> _factors{}; ///< of the terms in A
-    Entries _added;                              ///< what else is in A, as given
-    Sparse _changes;                             ///< the same, of the unknowns solved for
-    bool _factorized = false;                    ///< this A is
+    /// Real and imaginary parts of its entries with the digits that their sums lose: short elements
+    /// and stiff discs are stiffer than the rotor by many powers of ten, and motions of it as a
+    /// whole would be off by that times 1e-16, by something else at every speed.
+    Eigen::ArrayX<long double> _real, _imaginary;
+    std::array<long double, factor_count> _factors{}; ///< of the terms in A
+    Entries _added;                                   ///< what else is in A, as given
+    Sparse _changes;                                  ///< the same, of the unknowns solved for
+    bool _factorized = false;                         ///< this A is
+    double _noise = 0;                                ///< of the last solution
     mutable Sparse _sizes; ///< the moduli of all summands of A; without entries: not asked for
     SparseFactor<std::complex<double>> _lu{true};
 
@@ -99,6 +114,14 @@ class HarmonicSolver {
     /// Largest |f - A q| over the largest |A| |q| + |f| of the columns; infinite where A is
     /// singular.
     [[nodiscard]] double solved(const Eigen::MatrixXcd &f, Eigen::MatrixXcd &q);
+    /// Steps of refinement, until they do not get less.
+    /// @param rest  f - A q
+    /// @returns     what is left, relative
+    [[nodiscard]] double refine(const Eigen::Ref<const Eigen::VectorXcd> &f, Eigen::MatrixXcd &q,
+                                Eigen::Index column, const Eigen::VectorXcd &rest);
+    /// f - A q, summed up with these digits.
+    [[nodiscard]] Eigen::VectorXcd rest(const Eigen::Ref<const Eigen::VectorXcd> &f,
+                                        const Eigen::Ref<const Eigen::VectorXcd> &q) const;
     [[nodiscard]] Eigen::VectorXcd sizes_of(const Eigen::VectorXcd &f,
                                             const Eigen::VectorXcd &q) const;
 };

@@ -21,8 +21,6 @@ using Complex = std::complex<double>;
 
 /// Places solved for to begin with.
 constexpr int first_places = 9;
-/// A guard: functions that need more are not what this is for.
-constexpr std::size_t most_places = 150;
 /// Part of the misfit accepted at new places that the fit of known ones is allowed.
 constexpr double share_of_fit = 0.1;
 /// Part of its usual size that a quantity which passes zero is measured by there.
@@ -40,13 +38,16 @@ Eigen::MatrixXcd difference(const Eigen::MatrixXcd &a, const Eigen::MatrixXcd &b
     return widened(a, columns) - widened(b, columns);
 }
 
-/// Geometric mean of the size of each quantity over the places: what peaks do not decide.
-Eigen::VectorXd usual_sizes(const std::map<double, RationalCurve::Values> &solved) {
+/// Geometric mean of the size of each quantity over the places: what peaks do not decide. One that
+/// is nothing but rounding is as large as where that would be a misfit accepted.
+Eigen::VectorXd usual_sizes(const std::map<double, RationalCurve::Values> &solved, double enough) {
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(solved.begin()->second.numbers.rows());
     Eigen::VectorXd counts = sums;
     for (const auto &[place, values] : solved)
         for (Eigen::Index i = 0; i < sums.size(); ++i)
-            if (const double size = values.numbers.row(i).norm(); size > 0) {
+            if (const double size =
+                    std::max(values.numbers.row(i).norm(), values.rounding(i) / enough);
+                size > 0) {
                 sums(i) += std::log(size);
                 counts(i) += 1;
             }
@@ -59,8 +60,11 @@ double relative(const Eigen::MatrixXcd &differences, const RationalCurve::Values
     constexpr double of_fit = 10; // the fit adds up rounding of many places
     double worst = 0;
     for (Eigen::Index i = 0; i < usual.size(); ++i) {
-        const double size = of.numbers.row(i).norm() + passing_zero * usual(i);
-        const double beyond = differences.row(i).norm() - of_fit * of.rounding(i);
+        const double here = of.numbers.row(i).norm();
+        const double size = here + passing_zero * usual(i);
+        // Next to a pole, rounding of its place is as large as the values are.
+        const double rounding = of.rounding(i) * std::max(1.0, usual(i) > 0 ? here / usual(i) : 1);
+        const double beyond = differences.row(i).norm() - of_fit * rounding;
         if (beyond > 0)
             worst = std::max(worst, beyond / size);
     }
@@ -111,7 +115,7 @@ Eigen::VectorXcd least_direction(const Eigen::MatrixXcd &A) {
 
 } // namespace
 
-RationalCurve::RationalCurve(double from, double to, Solve solve, double enough)
+RationalCurve::RationalCurve(double from, double to, Solve solve, double enough, std::size_t most)
     : _from(from), _to(to), _solve(std::move(solve)), _enough(enough) {
     for (int i = 0; i < first_places; ++i) { // Chebyshev's points of the second kind
         const double part = (1 - std::cos(std::numbers::pi * i / (first_places - 1))) / 2;
@@ -120,9 +124,19 @@ RationalCurve::RationalCurve(double from, double to, Solve solve, double enough)
     if (_solved.empty())
         throw SolverError("no value of a curve was solved for");
     fit();
-    while (take_in(places_between()) > _enough)
-        if (_solved.size() + _none.size() > most_places)
-            return;
+    constexpr double small = 1e-6; // no function of few poles is misfitted by so little for long
+    for (double before = std::numeric_limits<double>::infinity();
+         !_settled && _solved.size() + _none.size() <= most; before = _misfit) {
+        take_in(places_between());
+        _settled = _misfit <= _enough || (_misfit < small && _misfit > before / 2);
+    }
+}
+
+Eigen::VectorXd RationalCurve::rounding(double place) const {
+    const auto after = _solved.lower_bound(place);
+    const auto before = after == _solved.begin() ? after : std::prev(after);
+    return before->second.rounding.cwiseMax(
+        (after == _solved.end() ? before : after)->second.rounding);
 }
 
 bool RationalCurve::solve(double place) {
@@ -137,7 +151,7 @@ bool RationalCurve::solve(double place) {
 }
 
 double RationalCurve::take_in(const std::vector<double> &places) {
-    const Eigen::VectorXd usual = usual_sizes(_solved);
+    const Eigen::VectorXd usual = usual_sizes(_solved, _enough);
     _misfit = 0;
     bool news = false;
     for (const double place : places) {
@@ -152,40 +166,31 @@ double RationalCurve::take_in(const std::vector<double> &places) {
     return _misfit;
 }
 
-Eigen::MatrixXcd RationalCurve::at(double place) const {
-    Eigen::MatrixXcd sum;
-    Complex weights = 0;
-    for (std::size_t k = 0; k < _support.size(); ++k) {
-        const Eigen::MatrixXcd &values = _solved.at(_support[k]).numbers;
-        if (place == _support[k])
-            return values;
-        const Complex weight = _weights(static_cast<Eigen::Index>(k)) / (place - _support[k]);
-        weights += weight;
-        if (sum.cols() < values.cols())
-            sum = sum.size() == 0 ? Eigen::MatrixXcd::Zero(values.rows(), values.cols()).eval()
-                                  : widened(sum, values.cols());
-        sum.leftCols(values.cols()) += weight * values;
+/// r = sum of c_k f_k / sum of c_k, c_k = w_k / (s - s_k), and
+/// r' = sum of c_k (r - f_k) / (s - s_k) / sum of c_k (C. Schneider, W. Werner, Math. Comp. 47
+/// (1986) 285), with the nearest support put aside, so that nothing cancels next to it.
+std::pair<Eigen::MatrixXcd, Eigen::MatrixXcd> RationalCurve::with_slope(double place) const {
+    const auto apart = [&](double support) { return std::abs(place - support); };
+    const auto nearest = std::ranges::min_element(_support, {}, apart) - _support.begin();
+    const double beside = place - _support[static_cast<std::size_t>(nearest)];
+    Eigen::VectorXcd once(_weights.size());  // c_k
+    Eigen::VectorXcd twice(_weights.size()); // c_k / (s - s_k)
+    for (Eigen::Index k = 0; k < once.size(); ++k) {
+        const double inverse =
+            k == nearest ? 0 : 1 / (place - _support[static_cast<std::size_t>(k)]);
+        once(k) = _weights(k) * inverse;
+        twice(k) = once(k) * inverse;
     }
-    return sum / weights;
-}
-
-/// r' = sum of w_k / (s - s_k) (r - f_k) / (s - s_k), over the sum of w_k / (s - s_k): C.
-/// Schneider, W. Werner, Math. Comp. 47 (1986) 285.
-Eigen::MatrixXcd RationalCurve::slope(double place) const {
-    const double beside = std::sqrt(std::numeric_limits<double>::epsilon()) * (_to - _from);
-    if (std::ranges::find(_support, place) != _support.end())
-        place += place + beside < _to ? beside : -beside;
-    const Eigen::MatrixXcd values = at(place);
-    Eigen::MatrixXcd sum = Eigen::MatrixXcd::Zero(values.rows(), values.cols());
-    Complex weights = 0;
-    for (std::size_t k = 0; k < _support.size(); ++k) {
-        const double apart = place - _support[k];
-        const Complex weight = _weights(static_cast<Eigen::Index>(k)) / apart;
-        weights += weight;
-        const Eigen::MatrixXcd change = difference(values, _solved.at(_support[k]).numbers);
-        sum += (weight / apart) * change;
-    }
-    return sum / weights;
+    const Complex weight = _weights(nearest);
+    const Complex all = weight + beside * once.sum(); // times beside
+    const Eigen::VectorXcd here = _values.col(nearest);
+    // (r - f) / beside of the nearest, and r'.
+    const Eigen::VectorXcd divided = (_values * once - once.sum() * here) / all;
+    const Eigen::VectorXcd value = here + beside * divided;
+    const Eigen::VectorXcd slope =
+        (weight * divided + beside * (twice.sum() * value - _values * twice)) / all;
+    const Eigen::Index rows = _solved.begin()->second.numbers.rows();
+    return {value.reshaped(rows, value.size() / rows), slope.reshaped(rows, value.size() / rows)};
 }
 
 /// The weights by which the linear misfit at the other places is least: rows and columns by the
@@ -218,7 +223,7 @@ Eigen::VectorXcd RationalCurve::weights(const std::vector<double> &others,
 }
 
 void RationalCurve::fit() {
-    const Eigen::VectorXd usual = usual_sizes(_solved);
+    const Eigen::VectorXd usual = usual_sizes(_solved, _enough);
     Eigen::Index columns = 0;
     std::vector<double> places;
     for (const auto &[place, values] : _solved) {
@@ -233,11 +238,15 @@ void RationalCurve::fit() {
         for (const double place : places)
             if (std::ranges::find(_support, place) == _support.end())
                 others.push_back(place);
-        if (others.empty()) {
-            _weights = Eigen::VectorXcd::Ones(std::ssize(_support));
+        _weights = others.empty() ? Eigen::VectorXcd::Ones(std::ssize(_support))
+                                  : weights(others, mixed, places);
+        _values.resize(usual.size() * columns, std::ssize(_support));
+        for (Eigen::Index k = 0; k < _values.cols(); ++k)
+            _values.col(k) =
+                widened(_solved.at(_support[static_cast<std::size_t>(k)]).numbers, columns)
+                    .reshaped();
+        if (others.empty())
             break;
-        }
-        _weights = weights(others, mixed, places);
         std::vector<std::pair<double, double>> misfits; // and places
         for (const double place : others) {
             const Values &values = _solved.at(place);
@@ -253,12 +262,12 @@ void RationalCurve::fit() {
             if (misfits[i].first > share_of_fit * _enough)
                 _support.push_back(misfits[i].second);
     }
-    find_poles();
+    find_poles(usual);
 }
 
 /// Zeros of the sum of w_k / (s - s_k): eigenvalues of an arrow pencil A - s B, of which B has two
 /// zeros; as those of (A - shift B)^-1 B.
-void RationalCurve::find_poles() {
+void RationalCurve::find_poles(const Eigen::VectorXd &usual) {
     _poles.clear();
     if (_support.size() < 2) // constant
         return;
@@ -270,15 +279,54 @@ void RationalCurve::find_poles() {
     Eigen::MatrixXcd B = Eigen::MatrixXcd::Identity(n, n);
     B(0, 0) = 0;
     for (Eigen::Index k = 1; k < n; ++k) {
-        A(0, k) = _weights(k - 1);
-        A(k, 0) = 1;
+        // Alike in row and column: weights beside a pole are small.
+        A(0, k) = A(k, 0) = std::sqrt(_weights(k - 1));
         A(k, k) = (_support[static_cast<std::size_t>(k - 1)] - middle) / half - shift;
     }
     constexpr double far = 10; // half ranges
     const Eigen::MatrixXcd inverse = Eigen::PartialPivLU<Eigen::MatrixXcd>(A).solve(B);
-    for (const Complex value : complex_schur(inverse).T.diagonal())
-        if (std::abs(value) * far > 1)
-            _poles.push_back(middle + half * (shift + 1.0 / value));
+    for (const Complex value : complex_schur(inverse).T.diagonal()) {
+        const Complex pole = refined_pole(middle + half * (shift + 1.0 / value));
+        if (std::abs(value) * far > 1 && felt(pole, usual))
+            _poles.push_back(pole);
+    }
+}
+
+/// By Newton's method, as long as it moves by little.
+Complex RationalCurve::refined_pole(Complex pole) const {
+    constexpr int most = 8; // a guard: quadratic
+    double before = 1e-3 * (_to - _from);
+    for (int i = 0; i < most; ++i) {
+        Complex sum = 0;
+        Complex slope = 0;
+        for (Eigen::Index k = 0; k < _weights.size(); ++k) {
+            const Complex inverse = 1.0 / (pole - _support[static_cast<std::size_t>(k)]);
+            sum += _weights(k) * inverse;
+            slope -= _weights(k) * inverse * inverse;
+        }
+        const Complex step = sum / slope;
+        if (!(std::abs(step) < before))
+            break;
+        pole -= step;
+        before = std::abs(step);
+    }
+    return pole;
+}
+
+/// Its residue is more than the misfit accepted makes of it. Where there are more places than
+/// poles, rounding has poles of its own, each next to a zero.
+bool RationalCurve::felt(Complex pole, const Eigen::VectorXd &usual) const {
+    Eigen::VectorXcd once(_weights.size());
+    Complex slope = 0; // of the sum of w_k / (s - s_k), but for its sign
+    for (Eigen::Index k = 0; k < once.size(); ++k) {
+        const Complex apart = pole - _support[static_cast<std::size_t>(k)];
+        once(k) = _weights(k) / apart;
+        slope += once(k) / apart;
+    }
+    const Eigen::VectorXcd sums = _values * once;
+    const Eigen::VectorXd residues =
+        (sums / slope).reshaped(usual.size(), sums.size() / usual.size()).rowwise().norm();
+    return (residues.array() > _enough * (_to - _from) / 2 * usual.array()).any();
 }
 
 /// Where the curve has not been confirmed: in the middle of the largest step between places solved

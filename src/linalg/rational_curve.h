@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace whirl::linalg {
@@ -27,26 +28,33 @@ class RationalCurve {
     /// The values at a place; nothing where there is no solution.
     using Solve = std::function<std::optional<Values>(double)>;
 
-    /// Functions with so many poles that 150 places do not do are left as they are then: misfit().
+    /// Functions with so many poles that the places do not do are left as they are then: misfit().
     /// @param enough  misfit at new places, relative to the size of a quantity, that is accepted
     ///                beyond rounding
+    /// @param most    places
     /// @throws SolverError where nothing is solved, or eigenvalues do not converge
-    RationalCurve(double from, double to, Solve solve, double enough);
+    RationalCurve(double from, double to, Solve solve, double enough, std::size_t most = 150);
 
     [[nodiscard]] double from() const { return _from; }
     [[nodiscard]] double to() const { return _to; }
 
     /// The interpolated values.
-    [[nodiscard]] Eigen::MatrixXcd at(double place) const;
-    /// Their derivatives; at places that the functions are interpolated at to half of the digits.
-    [[nodiscard]] Eigen::MatrixXcd slope(double place) const;
+    [[nodiscard]] Eigen::MatrixXcd at(double place) const { return with_slope(place).first; }
+    /// Their derivatives.
+    [[nodiscard]] Eigen::MatrixXcd slope(double place) const { return with_slope(place).second; }
+    [[nodiscard]] std::pair<Eigen::MatrixXcd, Eigen::MatrixXcd> with_slope(double place) const;
     /// Where the functions have no limit: complex places about the range; those far off are what
     /// the sum of all others looks like from it.
     [[nodiscard]] const std::vector<std::complex<double>> &poles() const { return _poles; }
     /// Largest misfit at places when they were solved for last, relative to the size of a quantity.
     [[nodiscard]] double misfit() const { return _misfit; }
+    /// It is what was asked for, or what rounding of the values leaves: small, and more places make
+    /// it no less.
+    [[nodiscard]] bool settled() const { return _settled; }
     /// Solves at these places too. @returns the largest misfit that was there
     double take_in(const std::vector<double> &places);
+    /// Rounding of each quantity about a place: the largest at the next ones that were solved for.
+    [[nodiscard]] Eigen::VectorXd rounding(double place) const;
 
   private:
     double _from, _to;
@@ -56,12 +64,16 @@ class RationalCurve {
     std::set<double> _none;           ///< places without a solution
     std::vector<double> _support;     ///< where the functions are interpolated
     Eigen::VectorXcd _weights;        ///< of the support
+    Eigen::MatrixXcd _values;         ///< there: a column each, numbers of all quantities
     std::vector<std::complex<double>> _poles;
     double _misfit = 0;
+    bool _settled = false;
 
     bool solve(double place);
     void fit();
-    void find_poles();
+    void find_poles(const Eigen::VectorXd &usual);
+    [[nodiscard]] std::complex<double> refined_pole(std::complex<double> pole) const;
+    [[nodiscard]] bool felt(std::complex<double> pole, const Eigen::VectorXd &usual) const;
     [[nodiscard]] Eigen::VectorXcd weights(const std::vector<double> &others,
                                            const Eigen::MatrixXcd &mixed,
                                            const std::vector<double> &places) const;

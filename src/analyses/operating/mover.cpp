@@ -45,10 +45,9 @@ namespace {
 class ForcedMover : public Mover {
   public:
     ForcedMover(const assembly::Discretization &d, results::Form form, forced::Drive drive,
-                MotionAt motion_at, bool reduction)
+                MotionAt motion_at)
         : Mover(drive.imbalances() || drive.unbalanced), _d(d), _form(form),
-          _drive(std::move(drive)), _motion_at(std::move(motion_at)), _reduction(reduction),
-          _quick(d, form, _drive) {}
+          _drive(std::move(drive)), _motion_at(std::move(motion_at)), _quick(d, form, _drive) {}
 
     bool solve(double speed, bool with_error) override {
         _speed = speed;
@@ -82,7 +81,7 @@ class ForcedMover : public Mover {
                             const std::vector<forced::Quantity> &quantities) const override {
         Look out;
         const forced::CertifiedPeaks found =
-            forced::response_peaks(_d, _form, quantities, from, to, {_drive, false, _reduction});
+            forced::response_peaks(_d, _form, quantities, from, to, {_drive, false});
         for (const auto &sample : found.curve)
             out.speeds.push_back(sample.speed);
         for (const forced::Peak &peak : found.peaks) {
@@ -98,7 +97,6 @@ class ForcedMover : public Mover {
     results::Form _form;
     forced::Drive _drive;
     MotionAt _motion_at;
-    bool _reduction;
     forced::ForcedMotion _quick;
     std::optional<SolvedMotion> _full;
     double _speed = 0;
@@ -107,9 +105,8 @@ class ForcedMover : public Mover {
 } // namespace
 
 std::unique_ptr<Mover> forced_mover(const assembly::Discretization &d, results::Form form,
-                                    forced::Drive drive, MotionAt motion_at, bool reduction) {
-    return std::make_unique<ForcedMover>(d, form, std::move(drive), std::move(motion_at),
-                                         reduction);
+                                    forced::Drive drive, MotionAt motion_at) {
+    return std::make_unique<ForcedMover>(d, form, std::move(drive), std::move(motion_at));
 }
 
 } // namespace whirl::analyses

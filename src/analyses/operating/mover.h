@@ -61,6 +61,6 @@ class Mover {
 /// @param motion_at  solves with errors, and tells resonances
 [[nodiscard]] std::unique_ptr<Mover> forced_mover(const assembly::Discretization &d,
                                                   results::Form form, forced::Drive drive,
-                                                  MotionAt motion_at, bool reduction);
+                                                  MotionAt motion_at);
 
 } // namespace whirl::analyses

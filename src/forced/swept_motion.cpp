@@ -1,0 +1,237 @@
+#include "forced/swept_motion.h"
+
+#include "linalg/dense/products.h"
+#include "synchronous/parts.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace whirl::forced {
+
+namespace {
+
+using Values = linalg::RationalCurve::Values;
+
+/// Misfit of the motions with mean coefficients: near what their rounding leaves, since sharp
+/// resonances of the rotor with its bearings as they are make more of it.
+constexpr double enough_of_means = 1e-11;
+constexpr std::size_t most_places = 2000;
+
+} // namespace
+
+SweptMotion::Mean::Mean(const model::Rotor &rotor, int order, results::Form form,
+                        const Drive &drive)
+    : discretization(rotor, order), motion(discretization, form, drive) {}
+
+SweptMotion::SweptMotion(const assembly::Discretization &discretization, results::Form form,
+                         const std::vector<Quantity> &quantities, const Drive &drive, double from,
+                         double to)
+    : _discretization(discretization), _quantities(quantities), _drive(drive), _from(from), _to(to),
+      _whole(discretization, form, drive) {
+    const model::Rotor &rotor = discretization.rotor();
+    if (drive.sweep.spin_rate == 0 || synchronous::table_speeds(rotor).empty())
+        return;
+    _mean = std::make_unique<Mean>(with_means(rotor), discretization.order(), form, drive);
+    for (int i = 0; i < static_cast<int>(rotor.bearings.size()); ++i)
+        if (rotor.bearings[static_cast<std::size_t>(i)].depends_on_speed())
+            _tabled.push_back(i);
+    for (const auto &entry : _whole.films(_tabled, from, from))
+        _mean->acted_on.push_back(static_cast<int>(entry.row()));
+    std::ranges::sort(_mean->acted_on);
+    _mean->acted_on.erase(std::unique(_mean->acted_on.begin(), _mean->acted_on.end()),
+                          _mean->acted_on.end());
+    const auto count = std::ssize(_mean->acted_on);
+    _mean->units.setZero(_whole.planes() * discretization.planar_size(), count);
+    for (Eigen::Index i = 0; i < count; ++i)
+        _mean->units(_mean->acted_on[static_cast<std::size_t>(i)], i) = 1;
+    _mean->motions.emplace(
+        std::vector{from, to}, [this](double s) { return solved_with_means(s); }, enough_of_means,
+        most_places);
+}
+
+/// The mean of the coefficients at the rows in the range and at its ends. Damping is added to it,
+/// so that no resonance of this rotor in its bearings is sharp.
+model::Rotor SweptMotion::with_means(const model::Rotor &rotor) const {
+    constexpr double added = 0.3; // of the stiffness, at the fastest speed
+    model::Rotor out = rotor;
+    for (model::Bearing &bearing : out.bearings) {
+        if (!bearing.depends_on_speed())
+            continue;
+        std::vector<double> speeds{_from, _to};
+        for (const double row : bearing.speeds)
+            if (row > _from && row < _to)
+                speeds.push_back(row);
+        model::BearingCoefficients mean;
+        for (const double speed : speeds) {
+            const model::BearingCoefficients at = bearing.at(speed);
+            const double share = 1 / static_cast<double>(speeds.size());
+            mean.k += share * at.k;
+            mean.c += share * at.c;
+            mean.m += share * at.m;
+            mean.kt += share * at.kt;
+            mean.ct += share * at.ct;
+        }
+        const double fastest =
+            std::max(std::abs(_drive.frequency_at(_from)), std::abs(_drive.frequency_at(_to)));
+        mean.c += added * mean.k.cwiseAbs().maxCoeff() / fastest * Eigen::Matrix2d::Identity();
+        bearing.speeds.clear();
+        bearing.rows = {mean};
+    }
+    return out;
+}
+
+std::vector<double> SweptMotion::cuts() const {
+    std::vector<double> out{_from, _to};
+    if (_mean)
+        for (const double row : synchronous::table_speeds(_discretization.rotor()))
+            if (row > _from && row < _to)
+                out.push_back(row);
+    std::ranges::sort(out);
+    return out;
+}
+
+Values SweptMotion::values(const Stretches &stretches, double s, double rounding) const {
+    Values out;
+    const auto count = std::ssize(_quantities);
+    out.numbers.resize(count, 2);
+    out.rounding.resize(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const Quantity &quantity = _quantities[static_cast<std::size_t>(i)];
+        const Eigen::MatrixXcd &solved = stretches.numbers;
+        const Phasor stretch =
+            _whole.in_fixed_frame({solved(i, 0), solved.cols() > 1 ? solved(i, 1) : 0});
+        const Phasor seen = quantity.bearing == Quantity::deflection
+                                ? quantity.seen(stretch)
+                                : _whole.bearing_force(quantity.bearing, stretch, s);
+        out.numbers.row(i) << seen.x, seen.y;
+        out.rounding(i) = rounding * stretches.sizes(i);
+        if (const double size = std::hypot(std::abs(stretch.x), std::abs(stretch.y));
+            quantity.bearing != Quantity::deflection && size > 0)
+            out.rounding(i) *= out.numbers.row(i).norm() / size;
+    }
+    return out;
+}
+
+SweptMotion::Stretches
+SweptMotion::stretches(const Eigen::Ref<const Eigen::VectorXcd> &displacements) const {
+    Stretches out;
+    out.numbers.resize(std::ssize(_quantities), _whole.planes());
+    out.sizes.setZero(out.numbers.rows());
+    double largest = 0;
+    for (Eigen::Index i = 0; i < out.numbers.rows(); ++i) {
+        const assembly::Combination &stretch = _quantities[static_cast<std::size_t>(i)].stretch;
+        const Phasor pair = _whole.as_solved(stretch, displacements);
+        out.numbers(i, 0) = pair.x;
+        if (out.numbers.cols() > 1)
+            out.numbers(i, 1) = pair.y;
+        for (const auto &[unknown, value] : stretch) {
+            out.sizes(i) += std::abs(value);
+            for (int k = 0; k < _whole.planes(); ++k)
+                largest = std::max(largest, std::abs(displacements(_whole.planes() * unknown + k)));
+        }
+    }
+    out.sizes *= largest; // one that is zero by symmetry has the rounding of the others
+    return out;
+}
+
+std::optional<Values> SweptMotion::solved(double s) {
+    if (!solves(_whole, s))
+        return std::nullopt;
+    return values(stretches(_whole.solution()), s, _whole.noise());
+}
+
+Eigen::VectorXd SweptMotion::rounding() const {
+    const Stretches last = stretches(_whole.solution());
+    Eigen::VectorXd out = Eigen::VectorXd::Constant(last.numbers.rows(), _whole.rounding());
+    for (Eigen::Index i = 0; _drive.weight() && i < out.size(); ++i) {
+        // What moves is what is left of the sag in axes that turn.
+        const Phasor moves =
+            _whole.in_fixed_frame({last.numbers(i, 0), last.numbers(i, last.numbers.cols() - 1)});
+        const double size = std::hypot(std::abs(moves.x), std::abs(moves.y));
+        out(i) *= size > 0 ? std::max(1.0, last.numbers.row(i).norm() / size) : 1;
+    }
+    return out;
+}
+
+/// Rows: under the loads, then under each unit force, the stretches of all quantities and the
+/// deflections that bearings with tables act on.
+std::optional<Values> SweptMotion::solved_with_means(double s) {
+    ForcedMotion &motion = _mean->motion;
+    if (!solves(motion, s))
+        return std::nullopt;
+    const double noise = motion.noise();
+    Eigen::MatrixXcd columns(_mean->units.rows(), 1 + _mean->units.cols());
+    columns << motion.solution() / std::pow(s, power()), motion.under(_mean->units);
+    const Eigen::Index count = std::ssize(_quantities);
+    const Eigen::Index rows = count + std::ssize(_mean->acted_on);
+    Values out;
+    out.numbers.setZero(rows * columns.cols(), motion.planes());
+    out.rounding.setZero(out.numbers.rows());
+    for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+        const Stretches of = stretches(columns.col(k));
+        out.numbers.middleRows(k * rows, count) = of.numbers;
+        out.rounding.segment(k * rows, count) = of.sizes;
+        for (Eigen::Index i = count; i < rows; ++i)
+            out.rounding(k * rows + i) =
+                std::abs(out.numbers(k * rows + i, 0) =
+                             columns(_mean->acted_on[static_cast<std::size_t>(i - count)], k));
+    }
+    out.rounding *= std::max(noise, motion.noise());
+    return out;
+}
+
+/// What the bearings are beside their means, over the unknowns that they act on.
+Eigen::MatrixXcd SweptMotion::beside_means(double s) const {
+    const std::vector<int> &acted_on = _mean->acted_on;
+    const auto place = [&acted_on](Eigen::Index unknown) {
+        return std::ranges::lower_bound(acted_on, unknown) - acted_on.begin();
+    };
+    const double spin = _drive.sweep.spin_at(s);
+    Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(std::ssize(acted_on), std::ssize(acted_on));
+    for (const auto &entry : _whole.films(_tabled, spin, s))
+        out(place(entry.row()), place(entry.col())) += entry.value();
+    for (const auto &entry : _mean->motion.films(_tabled, spin, s))
+        out(place(entry.row()), place(entry.col())) -= entry.value();
+    return out;
+}
+
+std::optional<Values> SweptMotion::at(double s) {
+    if (!_mean)
+        return solved(s);
+    // (P + Z) u = b with the P of the means: u = P^-1 (b + B f), f = -Z B^T u.
+    const Eigen::MatrixXcd all = _mean->motions->with_slope(s).first;
+    const Eigen::Index forces = std::ssize(_mean->acted_on);
+    const Eigen::Index stretches = std::ssize(_quantities);
+    const Eigen::Index rows = stretches + forces;
+    const Eigen::MatrixXcd Z = beside_means(s);
+    Eigen::MatrixXcd a(forces, 1 + forces);
+    for (Eigen::Index k = 0; k <= forces; ++k)
+        a.col(k) = all.col(0).segment(k * rows + stretches, forces);
+    Eigen::MatrixXcd equations = linalg::times(Z, Eigen::MatrixXcd(a.rightCols(forces)));
+    const double size = equations.norm();
+    equations.diagonal().array() += 1;
+    const Eigen::MatrixXcd inverse = Eigen::PartialPivLU<Eigen::MatrixXcd>(equations).inverse();
+    const Eigen::VectorXcd f = -(inverse * (Z * a.col(0)));
+    if (!f.allFinite())
+        return std::nullopt;
+    Eigen::MatrixXcd numbers = all.topRows(stretches);
+    Eigen::VectorXd sizes = numbers.rowwise().norm();
+    for (Eigen::Index k = 0; k < forces; ++k) {
+        const Eigen::MatrixXcd more = f(k) * all.middleRows((k + 1) * rows, stretches);
+        numbers += more;
+        sizes += more.rowwise().norm();
+    }
+    numbers *= std::pow(s, power());
+    sizes *= std::abs(std::pow(s, power()));
+    return values({numbers, sizes}, s, enough_of_means * (1 + inverse.norm() * size));
+}
+
+bool SweptMotion::take_in(const std::vector<double> &places) {
+    return _mean && _mean->motions->take_in(places) > enough_of_means;
+}
+
+} // namespace whirl::forced
