@@ -92,10 +92,10 @@ Eigen::Matrix2d quarter_turned(const Eigen::Matrix2d &block) {
 }
 
 ForcedMotion::ForcedMotion(const assembly::Discretization &discretization, results::Form form,
-                           Drive drive)
+                           Drive drive, bool smooth)
     : _discretization(discretization), _drive(std::move(drive)),
       _planar(_drive.imbalances() && form == results::Form::planar),
-      _rotating(form == results::Form::rotating) {
+      _rotating(form == results::Form::rotating), _smooth(smooth) {
     const std::vector<model::Bearing> &bearings = discretization.rotor().bearings;
     for (int i = 0; i < static_cast<int>(bearings.size()); ++i)
         if (bearings[static_cast<std::size_t>(i)].depends_on_speed())
@@ -174,13 +174,13 @@ void ForcedMotion::assemble(double spin) {
     if (!_rotating) {
         const linalg::HarmonicTerms terms = synchronous::turned_system(_discretization, _planar, 0);
         _solver = std::make_unique<linalg::HarmonicSolver>(
-            terms, !_planar && couples(terms, _at_rest, changes), changes);
+            terms, !_planar && couples(terms, _at_rest, changes), changes, _smooth);
         return;
     }
     assembly::RotatingSystem s = assembly::assemble_rotating(_discretization, 0, {});
     const linalg::HarmonicTerms terms{std::move(s.M), std::move(s.C),  std::move(s.Cs),
                                       std::move(s.K), std::move(s.Ks), std::move(s.Kss)};
-    _solver = std::make_unique<linalg::HarmonicSolver>(terms, false, changes);
+    _solver = std::make_unique<linalg::HarmonicSolver>(terms, false, changes, _smooth);
 }
 
 Eigen::MatrixXcd ForcedMotion::forces(double speed) const {

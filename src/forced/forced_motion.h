@@ -146,8 +146,10 @@ stretch_of_bearing(const assembly::Discretization &discretization, int bearing);
 /// [K + Omega Kc + i w (C + Omega G) - w^2 M] q = f.
 class ForcedMotion {
   public:
+    /// @param smooth  motions at neighbouring speeds are on a smooth curve
+    /// (linalg/harmonic_solve.h)
     ForcedMotion(const assembly::Discretization &discretization, results::Form form,
-                 Drive drive = {});
+                 Drive drive = {}, bool smooth = false);
 
     /// Solves under the forward synchronous imbalances of the rotor, its weight, or the forces.
     /// @param speed  the spin speed; under forces the place along their sweep
@@ -213,6 +215,7 @@ class ForcedMotion {
     Eigen::VectorXd _weight; ///< under the weight: kg on the planar unknowns
     bool _planar;            ///< one complex deflection in each place
     bool _rotating;          ///< solved in rotating axes
+    bool _smooth;
     std::unique_ptr<linalg::HarmonicSolver> _solver; ///< of the bearings at rest; none before use
     bool _at_rest = false;                           ///< it is of a rotor that does not turn
     double _speed = 0;                               ///< of the last solution, as given

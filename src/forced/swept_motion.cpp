@@ -25,13 +25,13 @@ constexpr std::size_t most_places = 2000;
 
 SweptMotion::Mean::Mean(const model::Rotor &rotor, int order, results::Form form,
                         const Drive &drive)
-    : discretization(rotor, order), motion(discretization, form, drive) {}
+    : discretization(rotor, order), motion(discretization, form, drive, true) {}
 
 SweptMotion::SweptMotion(const assembly::Discretization &discretization, results::Form form,
                          const std::vector<Quantity> &quantities, const Drive &drive, double from,
                          double to)
     : _discretization(discretization), _quantities(quantities), _drive(drive), _from(from), _to(to),
-      _whole(discretization, form, drive) {
+      _whole(discretization, form, drive, true) {
     const model::Rotor &rotor = discretization.rotor();
     if (drive.sweep.spin_rate == 0 || synchronous::table_speeds(rotor).empty())
         return;

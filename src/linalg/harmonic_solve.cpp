@@ -73,8 +73,9 @@ constexpr double residual_of_old_pivots = 1e-14;
 
 } // namespace
 
-HarmonicSolver::HarmonicSolver(const HarmonicTerms &terms, bool pairs, const Entries &changes)
-    : _pairs(pairs), _scales(scales_of(terms, pairs)) {
+HarmonicSolver::HarmonicSolver(const HarmonicTerms &terms, bool pairs, const Entries &changes,
+                               bool smooth)
+    : _pairs(pairs), _smooth(smooth), _scales(scales_of(terms, pairs)) {
     std::array<Sparse, factor_count> of;
     of[one] = solved_for(entries_of(terms.K, 1));
     of[spin_once] = solved_for(entries_of(terms.Kc, 1));
@@ -218,6 +219,8 @@ Eigen::VectorXcd HarmonicSolver::sizes_of(const Eigen::VectorXcd &f,
 
 Eigen::VectorXcd HarmonicSolver::rest(const Eigen::Ref<const Eigen::VectorXcd> &f,
                                       const Eigen::Ref<const Eigen::VectorXcd> &q) const {
+    if (!_smooth)
+        return f - _A * q;
     Eigen::ArrayX<long double> real = f.real().cast<long double>();
     Eigen::ArrayX<long double> imaginary = f.imag().cast<long double>();
     for (Eigen::Index column = 0; column < _A.cols(); ++column) {
@@ -245,7 +248,7 @@ double HarmonicSolver::refine(const Eigen::Ref<const Eigen::VectorXcd> &f, Eigen
     double noise = size * (longer / epsilon); // what the digits of the rest leave
     for (int i = 0; i < most; ++i) {
         q.col(column) += step;
-        if (!(size > epsilon) || size * size <= epsilon / 2)
+        if (!_smooth || !(size > epsilon) || size * size <= epsilon / 2)
             break;
         step = _lu.solution(this->rest(f, q.col(column)));
         const double next = step.norm() / q.col(column).norm();

@@ -33,8 +33,10 @@ class HarmonicSolver {
 
     /// @param pairs    the unknowns are pairs (x, y)
     /// @param changes  where solve() may be given what A is beside the terms
+    /// @param smooth   solutions are refined with long digits until they change no more: those at
+    ///                 neighbouring speeds are on a smooth curve, for twice the time
     explicit HarmonicSolver(const HarmonicTerms &terms, bool pairs = false,
-                            const Entries &changes = {});
+                            const Entries &changes = {}, bool smooth = false);
 
     /// Complex displacements, one column for each column of forces.
     /// @param spin, frequency  W and w, rad/s
@@ -56,9 +58,9 @@ class HarmonicSolver {
     [[nodiscard]] double rounding(const Eigen::VectorXcd &forces,
                                   const Eigen::VectorXcd &displacements) const;
 
-    /// By how much, relative, solutions at two neighbouring speeds depart from a smooth curve: what
-    /// the arithmetic of the last one left. Rounding of the entries of the terms, which rounding()
-    /// tells, is the same at all speeds.
+    /// By how much, relative, smooth solutions at two neighbouring speeds depart from a smooth
+    /// curve: what the arithmetic of the last one left. Rounding of the entries of the terms, which
+    /// rounding() tells, is the same at all speeds.
     [[nodiscard]] double noise() const { return _noise; }
 
     /// |q|^T |A| |q| with the A of the last solution, |A| the sum of the moduli of the terms.
@@ -82,7 +84,7 @@ class HarmonicSolver {
         factor_count
     };
 
-    bool _pairs;
+    bool _pairs, _smooth;
     Eigen::VectorXd _scales; ///< of the unknowns, powers of two, alike in a pair
     /// Entries of a term that are not zero, scaled, by their places among those of A.
     struct Term {

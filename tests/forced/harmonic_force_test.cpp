@@ -4,7 +4,7 @@
 #include "analyses/response.h"
 #include "assembly/discretization.h"
 #include "forced/forced_motion.h"
-#include "forced/reduced_motion.h"
+#include "forced/swept_motion.h"
 #include "model/errors.h"
 #include "oracles/dense_rotor.h"
 #include "results/response.h"
@@ -124,8 +124,8 @@ model::Rotor curved_rotor() {
     return out;
 }
 
-/// On all its shapes the reduced rotor is the whole one: values, slopes and poles of each sweep.
-TEST(HarmonicForces, MoveTheReducedRotorAsTheWholeOne) {
+/// The motion with the tables as they are from those with their means, for each sweep.
+TEST(HarmonicForces, MoveARotorOnTablesAsItsEquationsSay) {
     const model::Rotor rotor = curved_rotor();
     const assembly::Discretization d(rotor, 3);
     const std::vector<forced::Quantity> quantities{{d.deflection_at(0.4)},
@@ -136,31 +136,18 @@ TEST(HarmonicForces, MoveTheReducedRotorAsTheWholeOne) {
         drive.forces = {{0.4, forward}, {0.7, {20, 0}}};
         drive.sweep = sweep;
         drive.unbalanced = sweep.frequency_rate == 1 && sweep.spin_rate == 1;
-        forced::ReducedMotion reduced(d, Form::general, 900, quantities, drive, false);
+        forced::SweptMotion motion(d, Form::general, quantities, drive, 10, 900);
         ForcedMotion whole(d, Form::general, drive);
-        // Not at a row, where slopes jump.
         for (const double s : {33.0, 207.5, 411.0, 633.3, 878.0}) {
-            reduced.enter_piece(s);
-            const std::vector<double> cuts = reduced.cuts(10, 900);
-            const auto above = std::ranges::upper_bound(cuts, s);
-            (void)reduced.poles(*(above - 1), *above);
-            const auto exact = reduced.at(s);
-            const auto quick = reduced.quickly_at(s);
+            const auto found = motion.at(s);
+            ASSERT_TRUE(found);
             whole.solve(s);
-            for (std::size_t q = 0; q < 2; ++q) {
+            for (Eigen::Index q = 0; q < 2; ++q) {
                 const Phasor expected = q == 0 ? whole.at(0.4) : whole.bearing_force(1);
                 const double size = std::hypot(std::abs(expected.x), std::abs(expected.y));
-                for (const Phasor &found : {exact[q].value, quick[q].value}) {
-                    EXPECT_LE(std::abs(found.x - expected.x), 1e-8 * size) << s;
-                    EXPECT_LE(std::abs(found.y - expected.y), 1e-8 * size) << s;
-                }
-                const double step = 1e-4;
-                const double rate = (reduced.quickly_at(s + step)[q].major() -
-                                     reduced.quickly_at(s - step)[q].major()) /
-                                    (2 * step);
-                const double scale = std::abs(rate) + quick[q].major() / s;
-                EXPECT_LE(std::abs(quick[q].major_slope() - rate), 1e-5 * scale) << s;
-                EXPECT_LE(std::abs(exact[q].major_slope() - rate), 1e-5 * scale) << s;
+                // The motions that they are made of are fitted to 1e-11.
+                EXPECT_LE(std::abs(found->numbers(q, 0) - expected.x), 1e-10 * size) << s;
+                EXPECT_LE(std::abs(found->numbers(q, 1) - expected.y), 1e-10 * size) << s;
             }
         }
     }

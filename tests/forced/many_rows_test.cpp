@@ -5,9 +5,8 @@
 #include "analyses/response.h"
 #include "analyses/stability.h"
 #include "assembly/discretization.h"
-#include "forced/peak_search.h"
-#include "forced/reduced_motion.h"
 #include "forced/response_peaks.h"
+#include "forced/swept_motion.h"
 #include "modes/orbits.h"
 #include "results/critical.h"
 #include "results/response.h"
@@ -77,7 +76,7 @@ TEST(ManyRows, OfACurveBendNowhereButAtTheEnds) {
     EXPECT_EQ(coarse.table_bends(), (std::vector<double>{0, 300, 900}));
 }
 
-TEST(ManyRows, ReadingsAreThoseOfTheEquations) {
+TEST(ManyRows, MotionsAreThoseOfTheEquations) {
     for (const bool isotropic : {true, false}) {
         const model::Rotor whole =
             rotor(even(20, 900, rows), [=](double s) { return curve(s, isotropic, true); });
@@ -85,62 +84,39 @@ TEST(ManyRows, ReadingsAreThoseOfTheEquations) {
         const assembly::Discretization d(whole, 4);
         std::vector<forced::Quantity> quantities{{d.deflection_at(0.4)}, {d.deflection_at(1.2)}};
         quantities.push_back({forced::stretch_of_bearing(d, 1), 1});
-        forced::ReducedMotion motion(d, form, 900, quantities, {}, false);
+        forced::SweptMotion motion(d, form, quantities, {}, 10, 900);
+        ASSERT_EQ(motion.cuts().size(), rows + 1U); // the ends, and the rows but for the last
         forced::ForcedMotion full(d, form);
-        const std::vector<double> cuts = motion.cuts(10, 900);
-        ASSERT_LT(cuts.size(), 30U); // pieces have many rows
-        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-            motion.enter_piece((cuts[i] + cuts[i + 1]) / 2);
-            ASSERT_FALSE(motion.poles(cuts[i], cuts[i + 1]).empty());
-            for (const double part : {0.13, 0.5, 0.91}) {
-                // Between two rows: a slope jumps at a row.
-                constexpr double apart = 880.0 / (rows - 1);
-                const double near = cuts[i] + part * (cuts[i + 1] - cuts[i]);
-                const double speed = 20 + (std::floor((near - 20) / apart) + 0.37) * apart;
-                if (speed < cuts[i] || speed > cuts[i + 1])
-                    continue;
-                full.solve(speed);
-                const auto exact = motion.at(speed);
-                const auto quick = motion.quickly_at(speed);
-                for (std::size_t q = 0; q < quantities.size(); ++q) {
-                    const forced::Phasor expected =
-                        q < 2 ? full.motion(quantities[q].stretch) : full.bearing_force(1);
-                    const double size = std::hypot(std::abs(expected.x), std::abs(expected.y));
-                    EXPECT_LE(std::abs(exact[q].value.x - expected.x), 1e-8 * size);
-                    EXPECT_LE(std::abs(exact[q].value.y - expected.y), 1e-8 * size);
-                    EXPECT_LE(std::abs(quick[q].value.x - expected.x), 1e-8 * size);
-                    EXPECT_LE(std::abs(quick[q].value.y - expected.y), 1e-8 * size);
-                    // dvalue/dspeed by a difference within the rows about the speed.
-                    const double step = 1e-4;
-                    const double rate = (motion.quickly_at(speed + step)[q].major() -
-                                         motion.quickly_at(speed - step)[q].major()) /
-                                        (2 * step);
-                    const double scale = std::abs(rate) + quick[q].major() / speed;
-                    EXPECT_LE(std::abs(quick[q].major_slope() - rate), 1e-5 * scale);
-                    EXPECT_LE(std::abs(exact[q].major_slope() - rate), 1e-5 * scale);
-                }
+        for (double speed = 11.3; speed < 900; speed += 7.7) {
+            full.solve(speed);
+            const auto values = motion.at(speed);
+            ASSERT_TRUE(values);
+            for (Eigen::Index q = 0; q < 3; ++q) {
+                const forced::Phasor expected = full.of(quantities[static_cast<std::size_t>(q)]);
+                const double size = std::hypot(std::abs(expected.x), std::abs(expected.y));
+                // The motions that they are made of are fitted to 1e-11.
+                EXPECT_LE(std::abs(values->numbers(q, 0) - expected.x), 1e-10 * size) << speed;
+                EXPECT_LE(std::abs(values->numbers(q, 1) - expected.y), 1e-10 * size) << speed;
             }
         }
     }
 }
 
-/// Without damping the poles of the response are the synchronous critical speeds, found from row
+/// Without damping the amplitude has no limit at the synchronous critical speeds, found from row
 /// to row by another method.
-TEST(ManyRows, PolesWithoutDampingAreTheCriticalSpeeds) {
+TEST(ManyRows, PeaksWithoutDampingAreAtTheCriticalSpeeds) {
     for (const bool isotropic : {true, false}) {
         const model::Rotor whole =
             rotor(even(20, 900, rows), [=](double s) { return curve(s, isotropic, false); });
         const Form form = isotropic ? Form::planar : Form::general;
         const assembly::Discretization d(whole, 4);
-        forced::ReducedMotion motion(d, form, 900, {{d.deflection_at(0.4)}}, {}, false);
         std::vector<double> found;
-        for (const forced::Resonance &r : forced::resonances_about(motion, 20, 900)) {
-            if (r.width > 0.5 * r.speed)
-                continue; // no resonance
-            EXPECT_TRUE(r.undamped()) << r.speed << ' ' << r.width;
-            if (r.speed > 20 && r.speed < 900)
-                found.push_back(r.speed);
-        }
+        forced::PeakOptions options;
+        options.with_errors = false;
+        for (const forced::Peak &peak :
+             forced::response_peaks(d, form, {{d.deflection_at(0.4)}}, 20, 900, options).peaks)
+            if (std::isinf(peak.value))
+                found.push_back(peak.speed);
         std::vector<double> expected;
         for (const modes::WhirlMode &mode :
              synchronous::all_synchronous_modes(d, form, 1, 1000).modes)

@@ -293,7 +293,7 @@ TEST(ResponsePeaks, AreComparedWithTheWholeRotorEachAtItsResonance) {
                 peak.speed = 100 + (resonance * apart + random(-0.04, 0.04)) * width;
                 peaks.push_back(peak);
             }
-        const std::vector<double> speeds = forced::compared_speeds(peaks);
+        const std::vector<double> speeds = forced::CurvePeaks::compared_speeds(peaks);
         EXPECT_EQ(speeds.size(), 3U) << apart;
         for (const forced::Peak &peak : peaks)
             EXPECT_TRUE(std::ranges::any_of(speeds, [&](double speed) {
@@ -301,7 +301,7 @@ TEST(ResponsePeaks, AreComparedWithTheWholeRotorEachAtItsResonance) {
             })) << apart;
         for (forced::Peak &peak : peaks) // nothing to compare at a resonance without damping
             peak.value = INFINITY;
-        EXPECT_TRUE(forced::compared_speeds(peaks).empty());
+        EXPECT_TRUE(forced::CurvePeaks::compared_speeds(peaks).empty());
     }
 }
 
@@ -334,7 +334,7 @@ TEST(ResponsePeaks, OfHeavilyDampedRotorsAreValuesOfTheWholeRotor) {
             const double value = modes::ellipse_of(u.x, u.y).major;
             // Documented: 1e-9; and rounding of what is compared with.
             EXPECT_NEAR(peak.value / value, 1, 1e-9 + peak.rounding + whole.rounding())
-                << "rotor " << rotor << " at " << peak.speed << " shapes " << found.shapes;
+                << "rotor " << rotor << " at " << peak.speed;
             ++compared;
         }
     }

@@ -380,9 +380,8 @@ void check_peaks(const model::Case &as_given, int number, Findings &out) {
         if (q.bearing != forced::Quantity::deflection)
             bearing = scene.rotor.bearings[static_cast<std::size_t>(q.bearing)].at(at);
         const auto value = dense->of(q.stretch, bearing ? &*bearing : nullptr);
-        out.numbers.push_back({found.shapes < d.planar_size() ? "peak, reduced" : "peak, whole",
-                               number, at, std::abs(value.size / peak.value - 1),
-                               found.reduction_error,
+        out.numbers.push_back({"peak", number, at, std::abs(value.size / peak.value - 1),
+                               found.interpolation_error,
                                value.rounding + peak.rounding + 16 * epsilon});
     }
 }
