@@ -92,7 +92,9 @@ TEST(ManyRows, MotionsAreThoseOfTheEquations) {
             const auto values = motion.at(speed);
             ASSERT_TRUE(values);
             for (Eigen::Index q = 0; q < 3; ++q) {
-                const forced::Phasor expected = full.of(quantities[static_cast<std::size_t>(q)]);
+                const forced::Quantity &of = quantities[static_cast<std::size_t>(q)];
+                const forced::Phasor expected =
+                    q < 2 ? full.motion(of.stretch) : full.bearing_force(of.bearing);
                 const double size = std::hypot(std::abs(expected.x), std::abs(expected.y));
                 // The motions that they are made of are fitted to 1e-11.
                 EXPECT_LE(std::abs(values->numbers(q, 0) - expected.x), 1e-10 * size) << speed;
