@@ -28,9 +28,8 @@ struct EndOfGrowth : WholeMotion {
 };
 
 /// The speed next to `guess` at which a root i w of the whole rotor lies on the imaginary axis:
-/// Newton's method for y^H Q(i w, speed) x = 0, two real equations for w and the speed, with x and
-/// y by inverse iteration at each step, so that its error is squared twice over.
-/// @param at_zero  w is zero and stays so: one equation for the speed
+/// Newton's method for its real part, with the root and its rate at each speed.
+/// @param at_zero  w is zero and stays so: the speed is the eigenvalue of K(speed) x = 0
 /// @returns nothing where it does not converge
 [[nodiscard]] std::optional<EndOfGrowth> on_the_axis(const modes::FormMatrices &whole,
                                                      const WholeMotion &guess, bool at_zero);

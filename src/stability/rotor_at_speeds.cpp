@@ -10,6 +10,7 @@
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
 #include "modes/formulation.h"
+#include "modes/roots/whole_pencil.h"
 #include "modes/stiffness_sign.h"
 #include "modes/zero_modes.h"
 #include "reduction/projection.h"
@@ -172,45 +173,6 @@ std::vector<linalg::ComplexPair> pairs_up_to(const ZeroRootSystem &system, doubl
         }
 }
 
-/// Newton's method for a root with its vector. A real one stays real.
-/// @returns whether it converged to one next to the guess
-bool refine(const ZeroRootSystem &system, linalg::ComplexPair &pair) {
-    using Complex = std::complex<double>;
-    using Sparse = Eigen::SparseMatrix<Complex>;
-    const Sparse K = system.K.cast<Complex>();
-    const Sparse Ks = system.Ks.cast<Complex>();
-    const Sparse Kss = system.Kss.cast<Complex>();
-    linalg::SparseFactor<Complex> lu;
-    Complex W = pair.value;
-    Eigen::VectorXcd x = pair.vector;
-    constexpr int most_steps = 12; // a guard: Newton's method is quadratic
-    double before = HUGE_VAL;
-    for (int step = 0; step < most_steps; ++step) {
-        const Sparse slope = Ks + 2.0 * W * Kss;
-        Sparse Q = linalg::sum(Complex(1), K, W, Ks, W * W, Kss);
-        Q.makeCompressed();
-        if (!lu.factorize(Q))
-            return false;
-        const Eigen::VectorXcd next = lu.solution(slope * x);
-        const Complex change = x.squaredNorm() / x.dot(next);
-        W -= change;
-        x = next.normalized();
-        const double part = std::abs(change) / std::abs(pair.value);
-        if (!std::isfinite(part))
-            return false;
-        if (part <= 1e-13 || (part <= 1e-10 && part >= 0.3 * before)) {
-            // Of its modulus: what is farther is another root than the reduced rotor's.
-            constexpr double same_root = 1e-3;
-            const bool same = std::abs(W - pair.value) <= same_root * std::abs(pair.value);
-            pair.value = W;
-            pair.vector = x;
-            return same;
-        }
-        before = part;
-    }
-    return false;
-}
-
 /// Roots of the reduced system, each refined on the whole one; nothing where one of them has no
 /// counterpart.
 std::optional<std::vector<linalg::ComplexPair>> refined(const ZeroRootSystem &system,
@@ -220,6 +182,10 @@ std::optional<std::vector<linalg::ComplexPair>> refined(const ZeroRootSystem &sy
         return Eigen::SparseMatrix<double>(basis.of(A).sparseView());
     };
     constexpr double beyond = 1.01; // the top of the range
+    // Of its modulus: what is farther is another root than the reduced rotor's.
+    constexpr double same_root = 1e-3;
+    modes::WholePencil<double> pencil; // W in the place of an eigenvalue
+    pencil.set({system.Kss, system.Ks, system.K, {}, {}}, top);
     std::vector<linalg::ComplexPair> out;
     try {
         for (linalg::ComplexPair &pair : pairs_up_to(
@@ -227,11 +193,15 @@ std::optional<std::vector<linalg::ComplexPair>> refined(const ZeroRootSystem &sy
             if (!is_asked_for(pair, top, beyond))
                 continue;
             const double speed = pair.value.real();
-            pair.vector = basis.lifted(pair.vector);
-            if (refine(system, pair))
+            const Eigen::VectorXcd vector = basis.lifted(pair.vector);
+            const auto found = pencil.refined({pair.value, vector, vector});
+            if (found && std::abs(found->value - pair.value) <= same_root * std::abs(pair.value)) {
+                pair.value = found->value;
+                pair.vector = found->right;
                 out.push_back(std::move(pair));
-            else if (!is_at_rest(system, speed, top))
+            } else if (!is_at_rest(system, speed, top)) {
                 return std::nullopt;
+            }
         }
     } catch (const linalg::SolverError &) {
         return std::nullopt;
