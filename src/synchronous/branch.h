@@ -1,6 +1,6 @@
 #pragma once
 
-#include "linalg/sparse_factor.h"
+#include "modes/roots/whole_pencil.h"
 #include "synchronous/problem.h"
 
 #include <Eigen/Core>
@@ -8,8 +8,6 @@
 
 #include <complex>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace whirl::synchronous {
 
@@ -28,15 +26,13 @@ struct BranchPoint {
 };
 
 /// The synchronous roots of the whole rotor, each from one near it: l with the bearings as at Im l.
-/// All matrices are kept on one pattern, whose order of elimination is found once.
 class WholeRoots {
   public:
     /// @param problem  must outlive this
     explicit WholeRoots(const SynchronousProblem &problem);
 
     /// The root near `l` with a vector near `x`; none where the iteration goes to none.
-    /// Two-sided Rayleigh quotient iteration with right and left vectors x, y: Newton's method for
-    /// y^H Q(l, s) x = 0, and Im l = s as two real equations, with better vectors at each step.
+    /// Newton's method for Im l(s) = s, with the root and its rate at each s.
     [[nodiscard]] std::optional<BranchPoint> near(std::complex<double> l,
                                                   const Eigen::VectorXcd &x) const;
 
@@ -46,38 +42,23 @@ class WholeRoots {
 
   private:
     using Complex = std::complex<double>;
-    using Entries = std::vector<std::pair<Eigen::Index, Complex>>; ///< place, value
 
     const SynchronousProblem &_problem;
-    Eigen::VectorXd _scale; ///< of the unknowns: the matrices are those of scaled ones
-    Eigen::VectorXcd _M, _D, _K;
-    struct Change {
-        Entries D, K;
-    };
-    std::vector<Change> _changes; ///< of D and K at the rows
-    mutable ComplexQuadratic::Sparse _Q;
-    mutable linalg::SparseFactor<Complex> _factors;
+    mutable modes::WholePencil<Complex> _pencil;
+    mutable bool _is_set = false; ///< to a problem that is constant
     mutable Eigen::SimplicialLDLT<ComplexQuadratic::Sparse> _inertia;
 
-    /// D and K at a speed in a piece of the tables, and their rates.
-    struct At {
-        Eigen::VectorXcd D, K;
-        Entries D_rate, K_rate;
-        double from = 0, to = 0; ///< rad/s; equal: constant
+    /// A piece of the tables.
+    struct Piece {
+        ComplexQuadratic first, rate; ///< at its beginning, and of D and K over speed
+        double from = 0, to = 0;      ///< rad/s; equal: constant
+
+        [[nodiscard]] ComplexQuadratic at(double speed) const;
     };
-    [[nodiscard]] Entries entries_of(const ComplexQuadratic::Sparse &A) const;
     [[nodiscard]] std::size_t piece_of(double speed) const;
-    [[nodiscard]] At piece(std::size_t i) const;
-    void read_at(const At &piece, double speed, At &out) const;
-    [[nodiscard]] std::optional<BranchPoint> in_piece(const At &piece, Complex l,
+    [[nodiscard]] Piece piece(std::size_t i) const;
+    [[nodiscard]] std::optional<BranchPoint> in_piece(const Piece &piece, Complex l,
                                                       const Eigen::VectorXcd &x) const;
-    [[nodiscard]] bool factorize(const At &at, Complex l) const;
-    [[nodiscard]] Complex product(const Eigen::VectorXcd &y, const Eigen::VectorXcd &values,
-                                  const Eigen::VectorXcd &x) const;
-    [[nodiscard]] Complex product(const Eigen::VectorXcd &y, const Entries &entries,
-                                  const Eigen::VectorXcd &x) const;
-    [[nodiscard]] double rounding(const At &at, Complex l, const Eigen::VectorXcd &x,
-                                  const Eigen::VectorXcd &y, Complex derivative) const;
 };
 
 } // namespace whirl::synchronous

@@ -259,11 +259,23 @@ bool add_constant(const ReducedSynchronous &reduced, const WholeRoots &roots, do
             continue;
         if (l.imag() > top * (1 + reduced_error) && enough(l.imag()))
             return false;
-        const auto point = roots.near(l, reduced.lifted(root.right));
+        Eigen::VectorXcd start = reduced.lifted(root.right);
+        auto point = roots.near(l, start);
+        const auto is_known = [&] {
+            return point && std::ranges::any_of(found, [&](const FoundRoot &other) {
+                       return same(other.mode, found_root(*point).mode);
+                   });
+        };
+        if (is_known()) { // of two that are nearly one: from what lies across the one found
+            constexpr double across = 0.1; // of the vector, at least
+            const double length = start.norm();
+            start -= (point->shape.dot(start) / point->shape.squaredNorm()) * point->shape;
+            if (start.norm() > across * length)
+                if (auto other = roots.near(l, start))
+                    point = std::move(other);
+        }
         const bool near = point && std::abs(point->eigenvalue - l) <= reduced_error * std::abs(l);
-        const bool twice = point && std::ranges::any_of(found, [&](const FoundRoot &other) {
-                               return same(other.mode, found_root(*point).mode);
-                           });
+        const bool twice = is_known();
         // Next to a row it may be one of the piece beyond; else two that became one lack one.
         const bool beside_row = std::abs(l.imag() - speed) <= 2 * reduced_error * speed;
         if (!near || (twice && !beside_row))
