@@ -17,6 +17,7 @@
 #include <complex>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace whirl::analyses {
@@ -196,9 +197,10 @@ Balance balance_of(const Known &known, const model::Rotor &rotor) {
     return balance;
 }
 
-Solution solved(const Balance &balance, model::WeightsMethod method) {
-    return method == model::WeightsMethod::minimax ? balancing::minimax(balance)
-                                                   : balancing::least_squares(balance);
+using Method = Solution (*)(const Balance &);
+Method method_of(const WeightsSettings &settings) {
+    return settings.method == model::WeightsMethod::minimax ? balancing::minimax
+                                                            : balancing::least_squares;
 }
 
 double rms_of(const Eigen::VectorXcd &vibration) {
@@ -301,12 +303,13 @@ class Answer {
   public:
     Answer(const model::Case &scene, const Known &known, WeightsResult &result)
         : _scene(scene), _rotor(scene.rotor), _known(known), _result(result),
-          _balance(balance_of(known, scene.rotor)) {}
+          _balance(balance_of(known, scene.rotor)), _method(method_of(*scene.weights)) {}
 
     Eigen::VectorXcd add() {
-        const model::WeightsMethod method = _scene.weights->method;
         leave_out_idle_planes();
-        const Solution best = solved(_balance, method);
+        std::vector<std::size_t> all(_rotor.planes.size());
+        std::iota(all.begin(), all.end(), 0);
+        const Solution best = with(all);
         note_solution(best);
         _w = best.w;
         clear_rounding();
@@ -315,7 +318,7 @@ class Answer {
         for (Eigen::Index i = 0; i < after.size(); ++i)
             after(i) = balancing::without_rounding(after(i), terms(i));
         const double places = std::sqrt(static_cast<double>(after.size()));
-        const bool squares = method == model::WeightsMethod::least_squares;
+        const bool squares = _scene.weights->method == model::WeightsMethod::least_squares;
         _result.reached = squares ? best.value / places : best.value;
         _result.bound = squares ? best.bound / places : best.bound;
         _result.rms = rms_of(after);
@@ -337,6 +340,8 @@ class Answer {
     const Known &_known;
     WeightsResult &_result;
     Balance _balance;
+    Method _method;
+    std::map<std::vector<std::size_t>, Solution> _solutions; ///< of sets of planes
     Eigen::VectorXcd _w;
 
     [[nodiscard]] std::string name(std::size_t plane) const { return _rotor.plane_name(plane); }
@@ -401,7 +406,7 @@ class Answer {
                          : "some planes do nothing that others cannot do: other weights may leave "
                            "the same");
         }
-        if (best.bounded)
+        if (balancing::bounds_cost(_balance, best, _method))
             notes.emplace_back("a weight is at its bound (plane.max): without bounds less would "
                                "stay");
         for (const results::DoubtfulReading &reading : _result.outliers)
@@ -457,9 +462,12 @@ class Answer {
             }
     }
 
-    /// Solved again with some of the planes.
-    [[nodiscard]] Solution with(const std::vector<std::size_t> &planes) const {
-        return solved(_balance.of_planes(planes), _scene.weights->method);
+    /// Solved with some of the planes: once, whatever asks for it.
+    const Solution &with(const std::vector<std::size_t> &planes) {
+        const auto known = _solutions.find(planes);
+        return known != _solutions.end()
+                   ? known->second
+                   : _solutions.emplace(planes, _method(_balance.of_planes(planes))).first->second;
     }
     [[nodiscard]] Eigen::VectorXcd left_by(const std::vector<std::size_t> &planes,
                                            const Solution &solution) const {
@@ -479,7 +487,7 @@ class Answer {
                 for (std::size_t p = 0; p < planes; ++p)
                     if (p != out)
                         others.push_back(p);
-                const Solution without = with(others);
+                const Solution &without = with(others);
                 if (!(without.value < least))
                     continue;
                 least = without.value;
@@ -510,7 +518,7 @@ class Answer {
         const Balance reduced = balancing::reduced(_balance);
         for (std::size_t count = 1; count <= planes; ++count) {
             const std::vector<std::size_t> chosen = best_planes(reduced, count);
-            const Solution solution = with(chosen);
+            const Solution &solution = with(chosen);
             const Eigen::VectorXcd left = left_by(chosen, solution);
             _result.choices.push_back(
                 {names(chosen), rms_of(left), max_of(left), solution.w.lpNorm<Eigen::Infinity>()});

@@ -114,19 +114,20 @@ Eigen::MatrixXd real_rows(const Eigen::MatrixXcd &H) {
 /// where the function is self-concordant and its value rounded to more than is left, whole steps.
 /// @param function  at a place, with its derivatives or without; none outside its domain
 /// @param settled  square of Newton's decrement at which it ends
+/// @returns the function where it ends
 template <class Function>
-void descend(const Function &function, Eigen::VectorXd &x, double settled) {
+Local descend(const Function &function, Eigen::VectorXd &x, double settled) {
     constexpr double near = 0.05; // whole steps stay inside and converge below 0.38^2
     constexpr double least_share = 1e-6;
     constexpr double enough = 0.1; // of the descent that the slope promises
     double last = std::numeric_limits<double>::infinity();
     for (int step = 0; step < most_newton_steps; ++step) {
-        const Local here = *function(x, true);
+        Local here = *function(x, true);
         const Eigen::VectorXd d = -here.hessian.ldlt().solve(here.gradient);
         const double slope = here.gradient.dot(d);
         const double squared = -slope;
         if (!(squared > settled) || (squared < near && squared > last / 2))
-            return; // done, or rounding is larger than what is left
+            return here; // done, or rounding is larger than what is left
         last = squared < near ? squared : last;
         double share = 1;
         while (share > least_share) {
@@ -136,9 +137,10 @@ void descend(const Function &function, Eigen::VectorXd &x, double settled) {
             share /= 2;
         }
         if (share <= least_share)
-            return;
+            return here;
         x += share * d;
     }
+    return *function(x, true);
 }
 
 /// t weight - sum log(t^2 - |r|^2) of all places, with the bounds; unknowns are the changes of the
@@ -154,32 +156,39 @@ std::optional<Local> largest_barrier(const Scaled &scaled, const Eigen::MatrixXd
     if (!(t > 0) || !add_bounds(balance.largest, scaled.all(x.head(n)), f))
         return std::nullopt;
     const Eigen::VectorXd r = A * x.head(n) + in_reals(balance.a);
-    Eigen::VectorXd room(rows);
-    for (Eigen::Index i = 0; i < rows; ++i) {
-        const double size = std::hypot(r(i), r(rows + i));
-        room(i) = (t - size) * (t + size);
-        if (!(room(i) > 0))
-            return std::nullopt;
-        f.value -= std::log(room(i));
-    }
+    const auto re = r.head(rows).array();
+    const auto im = r.tail(rows).array();
+    const Eigen::ArrayXd size = (re.square() + im.square()).sqrt();
+    const Eigen::ArrayXd room = (t - size) * (t + size);
+    if (!(room.minCoeff() > 0))
+        return std::nullopt;
+    f.value -= room.log().sum();
     if (!derivatives)
         return f;
     // Of each place, u = (Re r, Im r): slope (2 u, -2 t)/room, bend slope slope^T + diag(2, 2,
-    // -2)/room.
-    Eigen::VectorXd slope(2 * rows), even(2 * rows);
-    slope << 2 * r.head(rows).cwiseQuotient(room), 2 * r.tail(rows).cwiseQuotient(room);
-    even << 2 * room.cwiseInverse(), 2 * room.cwiseInverse();
-    const Eigen::VectorXd of_t = -2 * t * room.cwiseInverse();
-    const Eigen::MatrixXd along = slope.head(rows).asDiagonal() * A.topRows(rows) +
-                                  slope.tail(rows).asDiagonal() * A.bottomRows(rows);
-    const Eigen::MatrixXd spread = even.asDiagonal() * A;
-    const Eigen::VectorXd mixed = along.transpose() * of_t;
-    f.gradient.head(n) += A.transpose() * slope;
+    // -2)/room. What of the bend is in u is L L^T: one product for all.
+    const Eigen::ArrayXd even = 2 / room;
+    Eigen::VectorXd slope(2 * rows);
+    slope << even * re, even * im;
+    const Eigen::ArrayXd first = (even + (even * re).square()).sqrt();
+    const Eigen::ArrayXd second = (even * (even + (even * size).square())).sqrt() / first;
+    const Eigen::ArrayXd mixed = (even * re) * (even * im) / first;
+    Eigen::MatrixXd root(2 * rows, n);
+    root << first.matrix().asDiagonal() * A.topRows(rows) +
+                mixed.matrix().asDiagonal() * A.bottomRows(rows),
+        second.matrix().asDiagonal() * A.bottomRows(rows);
+    const Eigen::ArrayXd of_t = -t * even;
+    Eigen::MatrixXd sides(2 * rows, 2);
+    sides << slope, slope.cwiseProduct(of_t.matrix().replicate(2, 1));
+    const Eigen::MatrixXd along = A.transpose() * sides;
+    f.gradient.head(n) += along.col(0);
     f.gradient(n) += of_t.sum();
-    f.hessian.topLeftCorner(n, n) += A.transpose() * spread + along.transpose() * along;
-    f.hessian.col(n).head(n) += mixed;
-    f.hessian.row(n).head(n) += mixed.transpose();
-    f.hessian(n, n) += of_t.squaredNorm() - 2 * room.cwiseInverse().sum();
+    Eigen::MatrixXd bend = Eigen::MatrixXd::Zero(n, n);
+    bend.selfadjointView<Eigen::Lower>().rankUpdate(root.transpose());
+    f.hessian.topLeftCorner(n, n) += Eigen::MatrixXd(bend.selfadjointView<Eigen::Lower>());
+    f.hessian.col(n).head(n) += along.col(1);
+    f.hessian.row(n).head(n) += along.col(1).transpose();
+    f.hessian(n, n) += of_t.matrix().squaredNorm() - even.sum();
     return f;
 }
 
@@ -242,9 +251,16 @@ Certified least_largest(const Balance &balance, const Eigen::VectorXcd &start) {
         return largest_barrier(scaled, A, weight, at, derivatives);
     };
     while (true) {
-        descend(barrier, x, on_the_way);
+        const Local here = descend(barrier, x, on_the_way);
         if (cones / weight <= end_of_path * x(n))
             break;
+        // The path is nearly straight over 1/weight: on along it, as far as is inside.
+        const Eigen::VectorXd end =
+            -weight * here.hessian.ldlt().solve(Eigen::VectorXd::Unit(n + 1, n));
+        double share = 1 - 1 / next_step;
+        while (!barrier(x + share * end, false))
+            share /= 2;
+        x += share * end;
         weight *= next_step;
     }
     descend(barrier, x, at_the_end);

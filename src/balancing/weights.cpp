@@ -41,15 +41,6 @@ bool within(const Eigen::VectorXcd &w, const Eigen::VectorXd &largest) {
     return (w.array().abs() <= largest.array()).all();
 }
 
-/// Of its bound: a weight that may be held by it.
-constexpr double near_bound = 1 - 1e-6;
-
-/// Whether bounds leave more than there is without them, by more than the search leaves open.
-bool costs(double bounded, double free, const Balance &of) {
-    constexpr double open = 1e-7; // of what is there without weights
-    return bounded > free + open * of.a.norm();
-}
-
 /// A bound that no sensible weight reaches, for planes that have none where other weights do as
 /// well: the barrier then has one middle.
 constexpr double far = 1e4;
@@ -85,7 +76,6 @@ Solution least_squares(const Balance &balance) {
     out.shortest = false;
     out.w = bounded_least_squares(of, free.w);
     out.value = of.residual(out.w).norm();
-    out.bounded = costs(out.value, out.bound, of);
     out.bound = std::min(least_squares_bound(of, out.w), out.value); // but for rounding
     return out;
 }
@@ -118,13 +108,19 @@ Solution minimax(const Balance &balance) {
     out.w = least.w;
     out.value = of.residual(out.w).lpNorm<Eigen::Infinity>();
     out.bound = std::min(least.bound, out.value); // but for rounding
-    out.shortest = out.bounded = false;
-    if ((out.w.array().abs() >= near_bound * of.largest.array()).any()) {
-        Balance free = balance;
-        free.largest.setConstant(std::numeric_limits<double>::infinity());
-        out.bounded = costs(out.value, minimax(free).value, of);
-    }
+    out.shortest = false;
     return out;
+}
+
+bool bounds_cost(const Balance &balance, const Solution &solution,
+                 Solution (*method)(const Balance &)) {
+    constexpr double near_bound = 1 - 1e-6; // a weight that may be held by it
+    constexpr double open = 1e-7;           // left by the search, of what is there without weights
+    if ((solution.w.array().abs() < near_bound * balance.largest.array()).all())
+        return false;
+    Balance free = balance;
+    free.largest.setConstant(std::numeric_limits<double>::infinity());
+    return solution.value > method(free).value + open * weighted(balance).a.norm();
 }
 
 Dependence dependence(const Balance &balance) {

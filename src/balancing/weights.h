@@ -34,7 +34,6 @@ struct Solution {
     double bound = 0;
     /// Other weights do as well; of least squares without bounds these are the smallest.
     bool unique = true;
-    bool bounded = false;  ///< without the bounds of the planes less would stay
     bool shortest = false; ///< of all that leave the same, the least sum of squares
 };
 
@@ -47,6 +46,11 @@ struct Solution {
 
 /// The weights of least max |factor residual|.
 [[nodiscard]] Solution minimax(const Balance &balance);
+
+/// Whether without the bounds of the planes less would stay.
+/// @param method  least_squares or minimax, which found the solution
+[[nodiscard]] bool bounds_cost(const Balance &balance, const Solution &solution,
+                               Solution (*method)(const Balance &));
 
 /// How well a matrix tells its planes apart, with the factors of the places.
 struct Dependence {

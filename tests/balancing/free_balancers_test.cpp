@@ -64,7 +64,7 @@ TEST(FreeBalancers, WithoutDampingTheyAreLeastSquaresWithBounds) {
         const Balance balance{L.adjoint(), -L.triangularView<Eigen::Lower>().solve(of.w),
                               Eigen::VectorXd::Ones(n), of.capacity};
         const Solution least = least_squares(balance);
-        full += least.bounded ? 1 : 0;
+        full += bounds_cost(balance, least, least_squares) ? 1 : 0;
         const auto found = best_supply(of);
         ASSERT_TRUE(found) << run;
         // The minimum is known to the gap of the dual bound, the weights to its root.

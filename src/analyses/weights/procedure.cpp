@@ -21,9 +21,11 @@ using results::BalancingProcedure;
 using results::Sentence;
 namespace as = results::as;
 
-/// Forward critical speeds, ascending: the lowest, and all up to a speed, rad/s.
-std::vector<double> forward_speeds(model::Case scene, double up_to) {
+/// Forward critical speeds, ascending: all up to a speed, rad/s, and the lowest.
+/// @param lowest  so many of both whirls at least
+std::vector<double> forward_speeds(model::Case scene, double up_to, int lowest) {
     scene.speeds = model::SpeedRange{0, up_to, 2};
+    scene.campbell.modes = lowest;
     std::vector<double> out;
     for (const results::CriticalSpeed &critical : unjudged_critical_speeds(scene).critical_speeds)
         if (critical.whirl == results::Whirl::forward)
@@ -162,14 +164,26 @@ results::BalancingProcedure balancing_procedure(const model::Case &scene, double
     out.discs = static_cast<int>(scene.rotor.discs.size());
     out.service_speed = service_speed;
     constexpr double rigid_up_to = 0.7; // of the first bending critical speed, by common rule
-    // Times the service speed: the first bending critical speed that matters, and the next one.
+    // Times the service speed: where the next bending critical speed mostly is, and how far the
+    // first one matters.
+    constexpr double near = 2;
     constexpr double reach = 4 / rigid_up_to;
-    const std::vector<double> speeds = forward_speeds(bare, reach * service_speed);
-    std::vector<bool> bending(speeds.size(), false);
-    if (!bare.rotor.shaft.rigid) {
+    const int lowest = scene.campbell.modes;
+    std::vector<double> speeds;
+    std::vector<bool> bending;
+    if (bare.rotor.shaft.rigid) {
+        speeds = forward_speeds(bare, reach * service_speed, lowest);
+        bending.assign(speeds.size(), false);
+    } else {
         model::Case stiff = bare;
         stiff.rotor.shaft.rigid = true;
-        bending = bend(speeds, forward_speeds(stiff, reach * service_speed));
+        const std::vector<double> of_stiff = forward_speeds(stiff, reach * service_speed, lowest);
+        speeds = forward_speeds(bare, near * service_speed, 1);
+        bending = bend(speeds, of_stiff);
+        if (bending.empty() || !bending.back() || speeds.back() <= service_speed) {
+            speeds = forward_speeds(bare, reach * service_speed, lowest);
+            bending = bend(speeds, of_stiff);
+        }
     }
     std::optional<double> first;
     for (std::size_t k = 0; k < speeds.size(); ++k) {
