@@ -90,8 +90,9 @@ std::vector<Capacity> capacities_of(const model::Rotor &rotor,
     return out;
 }
 
-/// The two balls that resist rolling where they are all that is free on an axisymmetric rotor:
-/// their mass, radius and friction; the rest of it depends on the speed. None of all others.
+/// The equal balls that resist rolling where they are all that is free on an axisymmetric rotor:
+/// their number, mass, radius and friction; the rest of it depends on the speed. None of all
+/// others.
 std::optional<closed_form::DryBalls> dry_balls(const model::Rotor &rotor) {
     if (rotor.balancers.size() != 1)
         return std::nullopt;
@@ -99,9 +100,10 @@ std::optional<closed_form::DryBalls> dry_balls(const model::Rotor &rotor) {
     if (!balls || balls->rows.size() != 1)
         return std::nullopt;
     const model::BallRow &row = balls->rows.front();
-    if (row.n != 2 || row.rolling <= 0)
+    if (row.n < 2 || row.rolling <= 0)
         return std::nullopt;
     closed_form::DryBalls out;
+    out.n = row.n;
     out.mass = row.mass;
     out.radius = row.radius;
     out.friction = 2 * row.rolling / row.diameter;
@@ -636,23 +638,25 @@ class SupplyFinder {
         return sum;
     }
 
-    /// Where two balls that resist rolling rest.
+    /// Where balls that resist rolling rest.
     /// @param at  the motions at a speed; none: there are none
     void add_friction(const AtSpeed *at, const std::optional<Eigen::VectorXcd> &needed) {
         if (!_dry)
             return;
         const Index plane = _active.front().planes.front();
-        std::optional<closed_form::DryRest> rest;
-        if (at && needed) {
-            closed_form::DryBalls balls = *_dry;
-            balls.K = 1.0 / at->forward(plane, 1 + plane) - 2 * balls.mass;
-            balls.imbalance = std::abs((*needed)(plane));
-            rest = closed_form::dry_rest(balls);
+        std::optional<results::RestWithFriction> &out =
+            _out.planes[static_cast<std::size_t>(plane)].friction.emplace_back();
+        if (!at || !needed)
+            return;
+        closed_form::DryBalls balls = *_dry;
+        balls.K = 1.0 / at->forward(plane, 1 + plane) - balls.n * balls.mass;
+        balls.imbalance = std::abs((*needed)(plane));
+        if (balls.n > 2) {
+            if (const auto bound = closed_form::dry_bound(balls))
+                out = {*bound, {}, {}};
+        } else if (const auto rest = closed_form::dry_rest(balls)) {
+            out = {rest->residual, rest->from, rest->to};
         }
-        auto &out = _out.planes[static_cast<std::size_t>(plane)].friction;
-        out.push_back(
-            rest ? std::optional(results::RestWithFriction{rest->residual, rest->from, rest->to})
-                 : std::nullopt);
     }
 
     void add_left(const Motions &motions, const std::optional<Eigen::VectorXcd> &factors,

@@ -99,6 +99,32 @@ template <class Condition> double first_end(double from, double to, const Condit
     return to;
 }
 
+/// The first deflection that is not possible: rest positions beyond it do not hang together with
+/// balance. In steps of a hundredth: what is left out between is no more than rest positions that
+/// are apart by less, which the bound then includes.
+/// @param anywhere  up to it balls rest at any angle
+/// @param largest   up to it is looked
+template <class Condition>
+std::optional<double> first_impossible(double anywhere, double largest, const Condition &possible) {
+    if (!possible(anywhere))
+        return first_end(0, anywhere, possible);
+    constexpr double step = 1.01;
+    for (double r = anywhere; r <= largest; r *= step)
+        if (!possible(step * r))
+            return end_between(r, step * r, possible);
+    return std::nullopt;
+}
+
+/// Least and largest |sum| of k unit vectors up to an angle a <= pi/2 ahead of a line and l <= k
+/// as near to it behind. Of those ahead the sum is least with half of them at either end; of all it
+/// is largest with those ahead at one end, those behind at the end across it.
+std::pair<double, double> sums(int k, int l, double a) {
+    const double one = k % 2 == 0 ? 0 : std::sin(a);
+    const double least = std::hypot(k * std::cos(a), one) - l;
+    return {k == l ? 0 : std::max(least, 0.0),
+            std::hypot(k - l, 2 * std::sqrt(static_cast<double>(k) * l) * std::sin(a))};
+}
+
 } // namespace
 
 std::pair<double, double> distances(Complex p, Arc first, Arc second) {
@@ -119,21 +145,12 @@ std::optional<DryRest> dry_rest(const DryBalls &balls) {
     if (balls.imbalance > reach)
         return std::nullopt;
     const RestOf rest(balls);
+    const auto residual =
+        first_impossible(rest.anywhere(), balls.radius, [&](double r) { return rest.possible(r); });
+    if (!residual)
+        return std::nullopt;
     DryRest out;
-    // In steps of a hundredth: what is left out between is no more than rest positions that are
-    // apart by less, which the bound then includes.
-    double r = rest.anywhere();
-    constexpr double step = 1.01;
-    if (!rest.possible(r))
-        out.residual = first_end(0, r, [&](double x) { return rest.possible(x); });
-    while (out.residual == 0) {
-        if (r > balls.radius)
-            return std::nullopt;
-        if (rest.possible(step * r))
-            r *= step;
-        else
-            out.residual = end_between(r, step * r, [&](double x) { return rest.possible(x); });
-    }
+    out.residual = *residual;
     const auto mirrored = [&](double angle) {
         const Complex w = (balls.imbalance + reach * std::cos(angle)) / balls.K;
         return std::ranges::all_of(std::vector{angle, -angle}, [&](double a) {
@@ -145,6 +162,29 @@ std::optional<DryRest> dry_rest(const DryBalls &balls) {
     out.from = first_end(balanced, 0, mirrored);
     out.to = first_end(balanced, pi, mirrored);
     return out;
+}
+
+std::optional<double> dry_bound(const DryBalls &balls) {
+    const double one = balls.mass * balls.radius;
+    const double u = balls.imbalance / one;
+    if (u > balls.n)
+        return std::nullopt;
+    const double angle = std::atan(balls.friction);
+    const double anywhere = balls.radius * std::sin(angle);
+    // Balls that stand under a deflection r are within an angle of its line. Their sum is U, but
+    // for what the deflection takes of it.
+    return first_impossible(anywhere, balls.radius, [&](double r) {
+        if (r <= anywhere)
+            return true;
+        const double a = std::min(angle + std::asin(anywhere / r), pi / 2);
+        const double taken = r * std::abs(balls.K) / one;
+        for (int k = (balls.n + 1) / 2; k <= balls.n; ++k) {
+            const auto [least, largest] = sums(k, balls.n - k, a);
+            if (least <= u + taken && u - taken <= largest)
+                return true;
+        }
+        return false;
+    });
 }
 
 } // namespace whirl::closed_form

@@ -204,8 +204,8 @@ Json names_json(const std::vector<results::Supply> &supplies) {
     return json_list(supplies, [](results::Supply of) { return results::supply_name(of); });
 }
 
-const char *rest_heading = "Rest positions by friction: a ball from the imbalance, while the other "
-                           "mirrors it; what is left in any of them";
+const char *rest_heading = "Rest positions by friction: what is left in any of them; of two balls, "
+                           "one from the imbalance, while the other mirrors it";
 const char *needs_heading = "What the balancers must supply, and what there is of it";
 const char *left_heading = "What stays: with nothing, the best weights, the balancers, and both";
 
@@ -240,10 +240,13 @@ Json plane_supply_json(const BalanceResult &result, std::size_t plane, const Uni
     if (of.capacity)
         out["least"] = written(units, Quantity::imbalance, of.least);
     if (!of.friction.empty()) {
-        const auto list = [&](Quantity quantity, double results::RestWithFriction::*value) {
+        const auto list = [&](Quantity quantity, auto results::RestWithFriction::*value) {
             std::vector<std::optional<double>> values;
-            for (const auto &rest : of.friction)
-                values.push_back(rest ? std::optional((*rest).*value) : std::nullopt);
+            for (const auto &rest : of.friction) {
+                values.emplace_back();
+                if (rest)
+                    values.back() = (*rest).*value;
+            }
             return written(units, quantity, values);
         };
         using results::RestWithFriction;

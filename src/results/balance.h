@@ -157,12 +157,12 @@ enum class Supply {
 [[nodiscard]] std::string supply_name(Supply supply);
 
 /// What the balancers of one plane must supply, and can.
-/// Rest positions of two balls that resist rolling, those that hang together with balance.
+/// Rest positions of equal balls that resist rolling, those that hang together with balance.
 struct RestWithFriction {
     double residual = 0; ///< no more is left of the motion of the plane, m
-    /// Angles of a ball from the direction of the imbalance that they are to balance, between which
-    /// it rests while the other one mirrors it, rad.
-    double from = 0, to = 0;
+    /// Of two balls: angles of a ball from the direction of the imbalance that they are to balance,
+    /// between which it rests while the other one mirrors it, rad.
+    std::optional<double> from, to;
 };
 
 struct PlaneSupply {
@@ -174,8 +174,8 @@ struct PlaneSupply {
     Moments needed;
     Moments beside_weights;                     ///< with the weights on
     std::optional<std::complex<double>> weight; ///< the best one in this plane, kg m
-    /// Over the speeds; none: no balanced position, or no bound. Empty: the one balancer is not two
-    /// balls that resist rolling, or there are others.
+    /// Over the speeds; none: no balanced position, or no bound. Empty: the one balancer is not
+    /// equal balls that resist rolling, two or more, or there are others.
     std::vector<std::optional<RestWithFriction>> friction;
 };
 

@@ -110,9 +110,9 @@ TEST(BalanceSupply, PlanesThatDependShareOut) {
     }
 }
 
-// Two balls that resist rolling on a planar rotor: K = k/W^2 - M - 2 m + i c/W and the imbalance of
-// the disc go into the closed form of all positions in which both stand.
-TEST(BalanceSupply, FrictionLetsTwoBallsRestAsInClosedForm) {
+// Balls that resist rolling on a planar rotor: K = k/W^2 - M - n m + i c/W and the imbalance of the
+// disc go into the closed form of all positions in which both of two stand, and the bound of more.
+TEST(BalanceSupply, FrictionLetsBallsRestAsInClosedForm) {
     RigidJeffcott rotor;
     model::Case scene = rotor.scene();
     scene.rotor.balancers = {ball_balancer(0.5, 2, 0.05, 0.1, 0.5)};
@@ -133,10 +133,24 @@ TEST(BalanceSupply, FrictionLetsTwoBallsRestAsInClosedForm) {
         ASSERT_TRUE(rest && friction[i]) << W;
         // K is a difference of terms up to 10 of its size, the response good to 1e-12.
         EXPECT_NEAR(friction[i]->residual, rest->residual, 1e-9 * rest->residual) << W;
-        EXPECT_NEAR(friction[i]->from, rest->from, 1e-9) << W;
-        EXPECT_NEAR(friction[i]->to, rest->to, 1e-9) << W;
+        EXPECT_NEAR(friction[i]->from.value(), rest->from, 1e-9) << W;
+        EXPECT_NEAR(friction[i]->to.value(), rest->to, 1e-9) << W;
     }
     row(scene.rotor.balancers.front()).n = 3;
+    const BalanceResult three = answer(scene);
+    const auto &bounds = three.supply->planes.front().friction;
+    ASSERT_EQ(bounds.size(), 10U);
+    for (std::size_t i = 1; i < bounds.size(); ++i) {
+        const double W = three.speeds[i];
+        const Complex K(1e6 / (W * W) - rotor.mass - 3 * 0.05, rotor.c / W);
+        const auto bound = closed_form::dry_bound({K, 0.05, 0.1, 1e-3, 0.004, 3});
+        ASSERT_EQ(bound.has_value(), bounds[i].has_value()) << W;
+        if (bound) {
+            EXPECT_NEAR(bounds[i]->residual, *bound, 1e-9 * *bound) << W;
+            EXPECT_FALSE(bounds[i]->from || bounds[i]->to);
+        }
+    }
+    row(scene.rotor.balancers.front()).rolling = 0;
     EXPECT_TRUE(answer(scene).supply->planes.front().friction.empty());
 }
 

@@ -1,4 +1,5 @@
-// Where two balls with dry friction rest, against their conditions over all pairs of angles.
+// Where balls with dry friction rest, against their conditions over all pairs of angles of two, and
+// random angles of more.
 
 #include "closed_form/dry_friction.h"
 
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <queue>
+#include <random>
 #include <vector>
 
 namespace whirl::closed_form {
@@ -129,6 +131,108 @@ TEST(DryRest, ShrinksWithTheFriction) {
 
 TEST(DryRest, IsNoneWhereTheBallsCannotBalance) {
     EXPECT_FALSE(dry_rest(planar(500, 1e-3, 0.011)));
+}
+
+/// The same with n balls.
+DryBalls planar_of(int n, double friction, double imbalance) {
+    DryBalls out = planar(500, friction, imbalance);
+    out.K -= (n - 2) * out.mass;
+    out.n = n;
+    return out;
+}
+
+/// Moment of one ball on that rotor, kg m.
+constexpr double one_ball = 0.05 * 0.1;
+
+/// The bound to first order in the friction, over the radius of the race and the friction.
+double first_order(int n, double u) {
+    double least = 1;
+    for (int k = (n + 1) / 2; k <= n; ++k) {
+        const int l = n - k;
+        if (u >= k - l && l > 0)
+            least = std::min(least, (u * u - (k - l) * (k - l)) / (4.0 * k * l));
+        else if (u < k - l)
+            least = std::min(least, k % 2 == 0 ? 1 - std::pow((u + l) / k, 2)
+                                               : 1 - ((u + l) * (u + l) - 1) / (k * k - 1.0));
+    }
+    return 1 / std::sqrt(least);
+}
+
+TEST(DryBound, GrowsWithTheFrictionAsInFirstOrder) {
+    for (int n = 2; n <= 6; ++n)
+        for (const double u : {0.35, 0.8, 1.4, 2.7, 4.1}) {
+            if (u > n)
+                continue;
+            const auto bound = dry_bound(planar_of(n, 1e-9, u * one_ball));
+            ASSERT_TRUE(bound) << n << " " << u;
+            // Left out: the friction over s, and what the residual takes of the imbalance.
+            EXPECT_NEAR(*bound / (1e-9 * 0.1), first_order(n, u), 1e-4 * first_order(n, u))
+                << n << " " << u;
+        }
+}
+
+// Of two balls that is the bound by the angle between them, and the exact one is no larger.
+TEST(DryBound, OfTwoBallsIsNoLessThanTheirExactOne) {
+    for (const double speed : {430.0, 500.0, 800.0})
+        for (const double u : {0.3, 0.8, 1.2, 1.7}) {
+            const DryBalls b = planar(speed, 1e-5, u * one_ball);
+            const auto exact = dry_rest(b);
+            const auto bound = dry_bound(b);
+            ASSERT_TRUE(exact && bound);
+            EXPECT_LE(exact->residual, *bound * (1 + 1e-12));
+            EXPECT_NEAR(first_order(2, u), 1 / std::min(u / 2, std::sqrt(1 - u * u / 4)), 1e-12);
+        }
+}
+
+// Balls that stand at random under a deflection balance some imbalance all but for what makes that
+// deflection. None of these positions is just beyond the bound of its imbalance, and some come near
+// to it.
+TEST(DryBound, HoldsForBallsThatStandAtRandom) {
+    constexpr double friction = 1e-6;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> share(0, 1);
+    for (int n = 2; n <= 6; ++n) {
+        int within = 0;
+        double nearest = 0;
+        for (int draw = 0; draw < 20000; ++draw) {
+            const double r = friction * 0.1 * std::exp(3 * share(random));
+            DryBalls b = planar_of(n, friction, 0);
+            Complex sum = r * b.K / one_ball; // in the direction of w
+            std::vector<double> angles;
+            for (int ball = 0; ball < n; ++ball) {
+                // Ends of the arcs on which a ball stands, or between: r sin(|a| - e) = R sin e.
+                const double e = std::atan(friction);
+                const double half = std::asin(std::min(1.0, 0.1 * std::sin(e) / r));
+                const bool ahead = share(random) < 0.5;
+                const double end = ahead ? half + e : half - e;
+                const double at = share(random) < 0.7 ? end : end * share(random);
+                const double side = share(random) < 0.5 ? 1 : -1;
+                angles.push_back(side * (ahead ? at : pi - at) * (1 - 1e-12));
+                sum -= std::polar(1.0, angles.back());
+            }
+            b.imbalance = std::abs(sum) * one_ball;
+            if (!std::ranges::all_of(angles, [&](double a) { return stands(b, r, a); }))
+                continue; // rounding at an end
+            const auto bound = dry_bound(b);
+            if (!bound)
+                continue;
+            EXPECT_FALSE(r > *bound * (1 + 1e-9) && r < 1.05 * *bound)
+                << n << " balls, " << std::abs(sum) << " of one, " << r << " m";
+            within += r <= *bound ? 1 : 0;
+            if (r <= *bound)
+                nearest = std::max(nearest, r / *bound);
+        }
+        EXPECT_GT(within, 1000) << n;
+        EXPECT_GT(nearest, 0.99) << n;
+    }
+}
+
+// Balls on the line of the imbalance that balance it stand whatever the deflection along it.
+TEST(DryBound, IsNoneWhereBallsInALineBalance) {
+    EXPECT_FALSE(dry_bound(planar_of(3, 1e-6, one_ball)));
+    EXPECT_FALSE(dry_bound(planar_of(4, 1e-6, 2 * one_ball)));
+    EXPECT_TRUE(dry_bound(planar_of(4, 1e-6, one_ball)));
+    EXPECT_FALSE(dry_bound(planar_of(3, 1e-6, 3.01 * one_ball)));
 }
 
 } // namespace

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace whirl::simulation {
 namespace {
@@ -149,6 +150,37 @@ TEST(Rolling, LeavesAResidualWithinTheSetOfEquilibria) {
         EXPECT_GT(whirl, 0.01 * rest->residual) << first; // friction leaves something
     }
     EXPECT_EQ(standing, 6);
+}
+
+// Of three balls, wherever they start, no more is left than the bound: one ball's moment and seven
+// tenths balance the imbalance, which no balls in a line do.
+TEST(Rolling, OfThreeBallsLeavesNoMoreThanTheBound) {
+    constexpr double friction = 2e-5;
+    RigidJeffcott rotor;
+    const double speed = 2.5 * rotor.natural();
+    const double k = 1e6 / (speed * speed) - rotor.mass - 3 * 0.05;
+    const auto bound =
+        closed_form::dry_bound({{k, rotor.c / speed}, 0.05, radius, friction, 0.0085, 3});
+    ASSERT_TRUE(bound);
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> angle(-pi, pi);
+    double largest = 0;
+    for (int start = 0; start < 12; ++start) {
+        model::Case scene = race(rotor, {angle(random), angle(random), angle(random)}, friction);
+        balls_of(scene).rows.front().damping = 1;
+        scene.rotor.balancers.front().imbalance = 0.0085;
+        scene.speeds = model::SpeedRange{speed, speed, 1};
+        scene.simulate.time = 6;
+        scene.simulate.tolerance = 1e-9;
+        const results::SimulateResult result = analyses::simulate(scene);
+        const double whirl =
+            std::hypot(result.series.x.front().back(), result.series.y.front().back());
+        for (const auto &angles : result.series.angles)
+            EXPECT_EQ(angles.back(), angles[angles.size() * 9 / 10]) << start << ": stands";
+        EXPECT_LE(whirl, *bound * (1 + 1e-6)) << start;
+        largest = std::max(largest, whirl);
+    }
+    EXPECT_GT(largest, 0.05 * *bound); // friction leaves something
 }
 
 // --- Contact
