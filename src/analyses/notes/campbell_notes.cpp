@@ -167,10 +167,14 @@ void note_few(results::ModelSummary &model, const std::vector<modes::Spectrum> &
     const bool few = std::ranges::any_of(spectra, [wanted](const modes::Spectrum &s) {
         return static_cast<int>(s.modes.size()) < wanted;
     });
-    if (few)
-        model.notes.emplace_back("at some speeds fewer than the {} whirl modes asked for exist "
-                                 "or are resolved in double precision: all found are listed",
-                                 wanted);
+    if (!few)
+        return;
+    const bool followed = model.formulation.form == results::Form::hill;
+    model.notes.emplace_back(model::Weight::information,
+                             "at some speeds fewer than the {} whirl modes asked for exist{} or "
+                             "are resolved in double precision: all found are listed",
+                             wanted,
+                             followed ? ", are slow enough to be followed over half a turn" : "");
 }
 
 /// Stretches of speed in which something was not found, each by itself while they are few.
