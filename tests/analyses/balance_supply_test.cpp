@@ -129,7 +129,7 @@ TEST(BalanceSupply, FrictionLetsBallsRestAsInClosedForm) {
     for (std::size_t i = 1; i < friction.size(); ++i) {
         const double W = result.speeds[i];
         const Complex K(1e6 / (W * W) - rotor.mass - 2 * 0.05, rotor.c / W);
-        const auto rest = closed_form::dry_rest({K, 0.05, 0.1, 1e-3, 0.004});
+        const auto rest = closed_form::dry_rest({K, 0.05, 0.1, 1e-3, 0.004, 2});
         ASSERT_TRUE(rest && friction[i]) << W;
         // K is a difference of terms up to 10 of its size, the response good to 1e-12.
         EXPECT_NEAR(friction[i]->residual, rest->residual, 1e-9 * rest->residual) << W;

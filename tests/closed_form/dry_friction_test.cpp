@@ -20,7 +20,8 @@ using Complex = std::complex<double>;
 
 /// The planar rotor of the case jeffcott_two_balls at a speed.
 DryBalls planar(double speed, double friction, double imbalance) {
-    return {Complex(1e6 / (speed * speed) - 10.1, 632.4 / speed), 0.05, 0.1, friction, imbalance};
+    return {
+        Complex(1e6 / (speed * speed) - 10.1, 632.4 / speed), 0.05, 0.1, friction, imbalance, 2};
 }
 
 Complex deflection(const DryBalls &b, double first, double second) {

@@ -144,7 +144,7 @@ TEST(Rolling, LeavesAResidualWithinTheSetOfEquilibria) {
         // All positions in which both stand, in closed form (tests/closed_form).
         const double k = 1e6 / (speed * speed) - rotor.mass - 2 * 0.05;
         const auto rest =
-            closed_form::dry_rest({{k, rotor.c / speed}, 0.05, radius, friction, 0.006});
+            closed_form::dry_rest({{k, rotor.c / speed}, 0.05, radius, friction, 0.006, 2});
         ASSERT_TRUE(rest);
         EXPECT_LE(whirl, rest->residual * (1 + 1e-6)) << first;
         EXPECT_GT(whirl, 0.01 * rest->residual) << first; // friction leaves something
