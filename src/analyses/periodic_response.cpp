@@ -267,19 +267,8 @@ class PeakSearch {
         for (const std::vector<double> &cuts : ranges) {
             const forced::CurvePeaks found = amplitudes(_motions, _watched, _first, cuts);
             tops.insert(tops.end(), found.peaks().begin(), found.peaks().end());
-            for (const auto &[from, to] : found.unsettled())
-                notes.emplace_back(
-                    model::Weight::warning,
-                    "peaks from {} to {} may be missing: resonances with more and "
-                    "more multiples of the spin speed, of a rotor with little damping",
-                    as::speed(from), as::speed(to));
-            for (const forced::CurvePeaks::Sample &sample : found.drawn()) {
-                curves.speeds.push_back(sample.speed);
-                for (std::size_t i = 0; i < _watched.size(); ++i) {
-                    curves.values[i].push_back(sample.values[i]);
-                    curves.phases[i].push_back(std::arg(sample.numbers(static_cast<int>(i), 0)));
-                }
-            }
+            forced::note_missing(found.unsettled(), notes);
+            forced::add_curve(found.drawn(), curves);
         }
         std::ranges::stable_sort(tops, {}, &forced::Peak::quantity);
         for (const forced::Peak &top : tops)
@@ -290,26 +279,21 @@ class PeakSearch {
     Motions &_motions;
     const std::vector<Watched> &_watched;
     int _first;
-    std::map<double, double> _poles; ///< exact place by the interpolated one
-
-    double value(std::size_t i, double speed, bool finer = false) {
-        _motions.solve(speed, finer);
-        return _motions.limited() ? seen(_motions, _watched[i], _first).largest() : unlimited;
-    }
 
     results::ResponsePeak peak(const forced::Peak &top) {
         const std::size_t i = top.quantity;
         results::ResponsePeak out = _watched[i].peak;
-        if (std::isinf(top.value))
-            if (const auto at = common_pole(i, top.speed))
-                return without_limit(out, *at, 1e-9);
         out.speed = top.speed;
-        out.value = value(i, top.speed, true);
-        if (!_motions.limited()) {
-            const auto at = pole(i, top.speed);
-            return without_limit(out, at.value_or(top.speed), at ? 1e-9 : 1e-8);
+        if (!std::isinf(top.value))
+            _motions.solve(top.speed, true);
+        if (std::isinf(top.value) || !_motions.limited()) {
+            out.value = unlimited;
+            out.phase = out.error = no_value;
+            out.speed_error = std::isinf(top.value) ? 1e-9 : 1e-8;
+            return out;
         }
         const TurnParts parts = seen(_motions, _watched[i], _first);
+        out.value = parts.largest();
         out.phase = std::arg(parts.part(_first).x);
         out.error = _watched[i].error(_motions, parts);
         out.error_parts.mesh = out.error;
@@ -322,45 +306,6 @@ class PeakSearch {
         const double width = out.amplification.value_or(1);
         out.speed_error = std::max(1e-9, std::min(out.error, 1.0) / (2 * width));
         return out;
-    }
-
-    static results::ResponsePeak without_limit(results::ResponsePeak peak, double speed,
-                                               double speed_error) {
-        peak.speed = speed;
-        peak.value = unlimited;
-        peak.phase = peak.error = no_value;
-        peak.error_parts = {};
-        peak.speed_error = speed_error;
-        return peak;
-    }
-
-    /// pole() of what all quantities have there.
-    std::optional<double> common_pole(std::size_t i, double speed) {
-        const auto known = _poles.find(speed);
-        if (known != _poles.end())
-            return known->second;
-        const std::optional<double> at = pole(i, speed);
-        if (at)
-            _poles[speed] = *at;
-        return at;
-    }
-
-    /// Where it grows like 1 / distance to the end, as next to the end of an unstable range, at
-    /// which a root passes zero, damping or not: by a factor of ten at a tenth of the distance. A
-    /// resonance that damping limits would have a damping ratio below 1e-7 to come so near to that.
-    std::optional<double> pole(std::size_t i, double speed) {
-        constexpr double far = 1e-6; // of the speed; the largest of samples is within 1e-8
-        for (const double part : {far, far / 10}) {
-            const double d = part * speed;
-            const double left = 1 / value(i, speed - d);
-            const double right = 1 / value(i, speed + d);
-            if (left + right > 0)
-                speed += d * (left - right) / (left + right);
-        }
-        for (const int side : {-1, 1})
-            if (!(value(i, speed * (1 + side * far / 10)) > 9 * value(i, speed * (1 + side * far))))
-                return std::nullopt;
-        return speed;
     }
 };
 

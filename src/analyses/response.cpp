@@ -331,7 +331,8 @@ std::vector<results::ResponsePeak> add_imbalance_peaks(results::ResponseResult &
     const std::size_t others = all.quantities.size();
     watch_clearances(all, d);
     forced::add_peaks(result.peaks, result.curves, d, result.model.formulation.form, all,
-                      model::required_speeds(scene), {synchronous_drive(scene), with_errors});
+                      model::required_speeds(scene), {synchronous_drive(scene), with_errors},
+                      result.model.notes);
     return clearance_peaks(result, others);
 }
 
@@ -434,7 +435,7 @@ void add_force_responses(results::ResponseResult &result, const assembly::Discre
         note_resonances(result, out, "force");
         stage.emplace("peaks under the forces", share(0.6), share(1));
         forced::add_peaks(out.peaks, out.curves, d, results::Form::general, watched_places(d),
-                          model::required_speeds(scene), {drives[i], true});
+                          model::required_speeds(scene), {drives[i], true}, result.model.notes);
     }
     if (!first_process)
         result.forces.clear();

@@ -185,7 +185,7 @@ void add_gravity_response(results::ResponseResult &result, const assembly::Discr
     const process::Stage stage("peaks at twice the spin speed", 0.6, 1.0);
     if (form_under_weight(d.rotor()) == results::Form::rotating)
         add_peaks(out.peaks, out.curves, d, results::Form::rotating, watched(d, nodes), range,
-                  {drive, true});
+                  {drive, true}, result.model.notes);
     else
         result.model.notes.emplace_back(
             model::Weight::information,

@@ -96,6 +96,7 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     CertifiedPeaks out;
     out.peaks = curves->peaks();
     out.interpolation_error = compare(motion, *curves, out.peaks);
+    out.unsettled = curves->unsettled();
     out.curve = curves->drawn();
     if (options.with_errors)
         out.errors =

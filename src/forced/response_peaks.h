@@ -4,6 +4,7 @@
 #include "forced/forced_motion.h"
 #include "forced/peak_error.h"
 
+#include <utility>
 #include <vector>
 
 namespace whirl::forced {
@@ -21,6 +22,8 @@ struct CertifiedPeaks {
     /// Largest relative difference of a quantity at the peaks, as it is interpolated, from that of
     /// the whole rotor.
     double interpolation_error = 0;
+    /// Between these speeds peaks may be missing, rad/s (CurvePeaks::unsettled).
+    std::vector<std::pair<double, double>> unsettled;
     /// The curves between: enough speeds to draw every peak.
     std::vector<CurvePeaks::Sample> curve;
 };

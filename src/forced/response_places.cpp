@@ -1,5 +1,7 @@
 #include "forced/response_places.h"
 
+#include "results/sentence.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -142,9 +144,29 @@ void set_errors(results::ResponsePeak &peak, const PeakErrors &of_mesh, double b
 
 } // namespace
 
+void add_curve(const std::vector<CurvePeaks::Sample> &samples, results::ResponseCurves &curves) {
+    for (const CurvePeaks::Sample &sample : samples) {
+        curves.speeds.push_back(sample.speed);
+        for (std::size_t i = 0; i < sample.values.size(); ++i) {
+            curves.values[i].push_back(sample.values[i]);
+            curves.phases[i].push_back(std::arg(sample.numbers(static_cast<Eigen::Index>(i), 0)));
+        }
+    }
+}
+
+void note_missing(const std::vector<std::pair<double, double>> &ranges,
+                  std::vector<model::Sentence> &notes) {
+    for (const auto &[from, to] : ranges)
+        notes.emplace_back(model::Weight::warning,
+                           "peaks from {} to {} may be missing: more resonances, or narrower ones, "
+                           "than the motion was solved for speeds to tell apart",
+                           results::as::speed(from), results::as::speed(to));
+}
+
 void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurves &curves,
                const assembly::Discretization &d, results::Form form, const Watched &all,
-               const model::SpeedRange &range, const PeakOptions &options) {
+               const model::SpeedRange &range, const PeakOptions &options,
+               std::vector<model::Sentence> &notes) {
     if (range.count < 2 || !(range.to > range.from) || all.quantities.empty())
         return;
     curves.values.resize(all.quantities.size());
@@ -160,14 +182,8 @@ void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurve
                            found.peaks[i].rounding);
             found_at.emplace_back(quantity, std::move(peak));
         }
-        for (const CurvePeaks::Sample &sample : found.curve) {
-            curves.speeds.push_back(sample.speed);
-            for (std::size_t i = 0; i < all.quantities.size(); ++i) {
-                curves.values[i].push_back(sample.values[i]);
-                curves.phases[i].push_back(
-                    std::arg(sample.numbers(static_cast<Eigen::Index>(i), 0)));
-            }
-        }
+        note_missing(found.unsettled, notes);
+        add_curve(found.curve, curves);
     };
     if (range.from < 0)
         add_between(range.from, std::min(range.to, 0.0));

@@ -4,12 +4,14 @@
 #include "forced/forced_motion.h"
 #include "forced/response_peaks.h"
 #include "model/case.h"
+#include "model/sentence.h"
 #include "results/formulation.h"
 #include "results/response.h"
 
 #include <limits>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace whirl::forced {
@@ -57,9 +59,17 @@ struct Watched {
 [[nodiscard]] Watched watched(const assembly::Discretization &d,
                               const std::map<int, std::string> &nodes);
 
+/// Adds samples to the curves, one for each quantity.
+void add_curve(const std::vector<CurvePeaks::Sample> &samples, results::ResponseCurves &curves);
+
+/// Says between which speeds (rad/s) peaks may be missing.
+void note_missing(const std::vector<std::pair<double, double>> &ranges,
+                  std::vector<model::Sentence> &notes);
+
 /// Adds every peak strictly inside the range, and the curves: one for each quantity.
 void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurves &curves,
                const assembly::Discretization &d, results::Form form, const Watched &all,
-               const model::SpeedRange &range, const PeakOptions &options = {});
+               const model::SpeedRange &range, const PeakOptions &options,
+               std::vector<model::Sentence> &notes);
 
 } // namespace whirl::forced

@@ -111,7 +111,8 @@ results::ReceptancePeak described(const results::ResponsePeak &peak,
 /// Peaks and curves under one unit force of all receptances from there, where the direction moves
 /// at all.
 void add_receptance_peaks(results::ReceptanceResponse &out, const assembly::Discretization &d,
-                          const model::Case &scene, double from, std::size_t axis) {
+                          const model::Case &scene, double from, std::size_t axis,
+                          std::vector<model::Sentence> &notes) {
     Watched all;
     std::vector<std::pair<std::size_t, std::size_t>> places; // receptance, direction
     for (std::size_t i = 0; i < out.receptances.size(); ++i) {
@@ -132,7 +133,7 @@ void add_receptance_peaks(results::ReceptanceResponse &out, const assembly::Disc
     std::vector<results::ResponsePeak> peaks;
     results::ResponseCurves curves;
     add_peaks(peaks, curves, d, results::Form::general, all, scene.response.frequencies,
-              {unit_force(from, axis, out.speed), true});
+              {unit_force(from, axis, out.speed), true}, notes);
     for (const results::ResponsePeak &peak : peaks) {
         const auto &[receptance, direction] = places.at(static_cast<std::size_t>(peak.place));
         out.peaks.push_back(described(peak, out, receptance,
@@ -200,7 +201,7 @@ void add_receptances(results::ResponseResult &result, const assembly::Discretiza
     stage.emplace("peaks of the receptances", 0.6, 1.0);
     for (const double from : places)
         for (const std::size_t axis : {0U, 1U})
-            add_receptance_peaks(out, d, scene, from, axis);
+            add_receptance_peaks(out, d, scene, from, axis, result.model.notes);
     std::ranges::stable_sort(out.peaks, [](const auto &a, const auto &b) {
         return std::pair(a.receptance, a.direction) < std::pair(b.receptance, b.direction);
     });
