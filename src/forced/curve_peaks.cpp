@@ -125,23 +125,33 @@ void CurvePeaks::find(std::size_t quantity) {
     }
 }
 
+/// More than rounding: on one side at least the curve has fallen after a step; and it falls before
+/// it rises above that beyond a bend, since tables with many rows bend a flat top at several of
+/// them.
 bool CurvePeaks::stands_out(std::size_t quantity, std::size_t left) const {
-    // Of the top: a dip as small is rounding or a flat curve, not a valley between peaks.
-    constexpr double shallow = 1e-6;
-    const Sample &a = _samples[left];
-    const Sample &b = _samples[left + 1];
-    const double top = std::max(a.values[quantity], b.values[quantity]);
-    const linalg::RationalCurve &piece = _motion.piece_at(a.speed);
-    constexpr double allowance = 100; // a fit adds up rounding of many speeds
-    const double rounding = allowance * std::abs(std::pow(a.speed, _range.power)) *
-                            piece.rounding(a.speed)(static_cast<Eigen::Index>(quantity));
-    if (a.speed == b.speed) // a kink at the row of a bearing table
-        return top > rounding;
-    const Sample &before = _samples[left > 0 ? left - 1 : left];
-    const Sample &after = _samples[std::min(left + 2, _samples.size() - 1)];
-    const double unsure = std::max(shallow, 10 * std::min(piece.misfit(), 0.01));
-    return std::min(before.values[quantity], after.values[quantity]) <
-           top - std::max(unsure * top, rounding);
+    const auto value = [&](std::size_t sample) { return _samples[sample].values[quantity]; };
+    const linalg::RationalCurve &piece = _motion.piece_at(_samples[left].speed);
+    const double top = std::max(value(left), value(left + 1));
+    const double fallen = (1 - std::max(_range.shallow, 10 * std::min(piece.misfit(), 0.01))) * top;
+    const auto outward = [&](std::size_t sample, int direction) { // 1: falls; -1: rises; 0: neither
+        bool bend = false;
+        for (auto i = static_cast<std::ptrdiff_t>(sample); i >= 0 && i < std::ssize(_samples);
+             i += direction) {
+            const auto here = static_cast<std::size_t>(i);
+            bend = bend || (here != sample &&
+                            _samples[here].speed ==
+                                _samples[here - static_cast<std::size_t>(direction)].speed);
+            if (value(here) < fallen)
+                return 1;
+            if (value(here) > top)
+                return bend ? -1 : 0;
+        }
+        return 0;
+    };
+    const int below = outward(left, -1);
+    const int above = outward(left + 1, 1);
+    return std::max(below, above) == 1 && std::min(below, above) >= 0 &&
+           !piece.only_rounding(quantity);
 }
 
 std::vector<double> CurvePeaks::compared_speeds(std::vector<Peak> peaks) {

@@ -49,6 +49,8 @@ class CurvePeaks {
         double enough;          ///< misfit of the motion at new speeds, relative
         std::size_t most = 150; ///< speeds solved for between two cuts
         int power = 0;          ///< of the speed, by which the motion has a limit at rest
+        /// Part of a top: a dip as small is rounding or a flat curve, not a valley between peaks.
+        double shallow = 1e-6;
     };
 
     /// @param solve  a row of numbers a quantity; nothing where it has no limit

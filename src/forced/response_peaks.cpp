@@ -85,7 +85,10 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     SweptMotion motion(discretization, form, quantities, options.drive, low_end(from, to),
                        high_end(from, to));
     const auto at = [&motion](double speed) { return motion.at(speed); };
-    const CurvePeaks::Range range{motion.cuts(), from, to, agreed, most_speeds, motion.power()};
+    CurvePeaks::Range range{motion.cuts(), from, to, agreed, most_speeds, motion.power()};
+    // A smooth curve of many rows bends at each by up to 1e-4 (model::Bearing::bends).
+    if (range.cuts.size() > discretization.rotor().table_bends().size() + 2)
+        range.shallow = 1e-4;
     constexpr int most_rounds = 4; // a guard
     std::optional<CurvePeaks> curves;
     for (int round = 0; round < most_rounds; ++round) {

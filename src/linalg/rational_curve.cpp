@@ -132,11 +132,18 @@ RationalCurve::RationalCurve(double from, double to, Solve solve, double enough,
     }
 }
 
-Eigen::VectorXd RationalCurve::rounding(double place) const {
-    const auto after = _solved.lower_bound(place);
-    const auto before = after == _solved.begin() ? after : std::prev(after);
-    return before->second.rounding.cwiseMax(
-        (after == _solved.end() ? before : after)->second.rounding);
+bool RationalCurve::only_rounding(std::size_t quantity) const {
+    constexpr double allowance = 100; // a fit adds up rounding of many places
+    const auto i = static_cast<Eigen::Index>(quantity);
+    double above = 0;
+    for (const auto &[place, values] : _solved) {
+        const double size = values.numbers.row(i).norm();
+        if (size > 0 && values.rounding(i) == 0)
+            return false;
+        if (size > 0)
+            above += std::log(size / (allowance * values.rounding(i)));
+    }
+    return above <= 0;
 }
 
 bool RationalCurve::solve(double place) {
@@ -313,7 +320,7 @@ Complex RationalCurve::refined_pole(Complex pole) const {
     return pole;
 }
 
-/// Its residue is more than the misfit accepted makes of it. Where there are more places than
+/// Its residue is more than rounding makes of it. Where there are more places than
 /// poles, rounding has poles of its own, each next to a zero.
 bool RationalCurve::felt(Complex pole, const Eigen::VectorXd &usual) const {
     Eigen::VectorXcd once(_weights.size());
@@ -326,7 +333,8 @@ bool RationalCurve::felt(Complex pole, const Eigen::VectorXd &usual) const {
     const Eigen::VectorXcd sums = _values * once;
     const Eigen::VectorXd residues =
         (sums / slope).reshaped(usual.size(), sums.size() / usual.size()).rowwise().norm();
-    return (residues.array() > _enough * (_to - _from) / 2 * usual.array()).any();
+    constexpr double faint = 1e-2; // of the misfit accepted
+    return (residues.array() > faint * _enough * (_to - _from) / 2 * usual.array()).any();
 }
 
 /// Where the curve has not been confirmed: in the middle of the largest step between places solved

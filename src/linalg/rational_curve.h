@@ -53,8 +53,8 @@ class RationalCurve {
     [[nodiscard]] bool settled() const { return _settled; }
     /// Solves at these places too. @returns the largest misfit that was there
     double take_in(const std::vector<double> &places);
-    /// Rounding of each quantity about a place: the largest at the next ones that were solved for.
-    [[nodiscard]] Eigen::VectorXd rounding(double place) const;
+    /// The values of a quantity are, by their geometric mean, no more than what rounding leaves.
+    [[nodiscard]] bool only_rounding(std::size_t quantity) const;
 
   private:
     double _from, _to;
