@@ -15,7 +15,7 @@ namespace {
 /// Differences of interpolated quantities from those of the whole rotor, over the size of these.
 constexpr double agreed = 1e-9;
 /// A guard against curves that are not what rational functions are for.
-constexpr std::size_t most_speeds = 2000;
+constexpr std::size_t most_speeds = 8000;
 
 /// Beyond the speeds asked for, as a share of them, half-power points are looked for.
 constexpr double beyond = 0.3;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace whirl::forced {
@@ -19,7 +18,7 @@ using Values = linalg::RationalCurve::Values;
 /// Misfit of the motions with mean coefficients: near what their rounding leaves, since sharp
 /// resonances of the rotor with its bearings as they are make more of it.
 constexpr double enough_of_means = 1e-11;
-constexpr std::size_t most_places = 2000;
+constexpr std::size_t most_places = 8000;
 
 } // namespace
 
@@ -77,7 +76,8 @@ model::Rotor SweptMotion::with_means(const model::Rotor &rotor) const {
         }
         const double fastest =
             std::max(std::abs(_drive.frequency_at(_from)), std::abs(_drive.frequency_at(_to)));
-        mean.c += added * mean.k.cwiseAbs().maxCoeff() / fastest * Eigen::Matrix2d::Identity();
+        if (fastest > 0)
+            mean.c += added * mean.k.cwiseAbs().maxCoeff() / fastest * Eigen::Matrix2d::Identity();
         bearing.speeds.clear();
         bearing.rows = {mean};
     }
@@ -231,7 +231,8 @@ std::optional<Values> SweptMotion::at(double s) {
 }
 
 bool SweptMotion::take_in(const std::vector<double> &places) {
-    return _mean && _mean->motions->take_in(places) > enough_of_means;
+    constexpr double changed = 1e-9; // what peaks are compared to
+    return _mean && _mean->motions->take_in(places) > changed;
 }
 
 } // namespace whirl::forced

@@ -26,6 +26,8 @@ class SweptMotion {
     SweptMotion(const assembly::Discretization &discretization, results::Form form,
                 const std::vector<Quantity> &quantities, const Drive &drive, double from,
                 double to);
+    SweptMotion(const SweptMotion &) = delete; // what is interpolated asks this one
+    SweptMotion &operator=(const SweptMotion &) = delete;
 
     /// x and y of each quantity; nothing at a resonance without damping.
     [[nodiscard]] std::optional<linalg::RationalCurve::Values> at(double s);

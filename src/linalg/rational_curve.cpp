@@ -39,14 +39,15 @@ Eigen::MatrixXcd difference(const Eigen::MatrixXcd &a, const Eigen::MatrixXcd &b
 }
 
 /// Geometric mean of the size of each quantity over the places: what peaks do not decide. One that
-/// is nothing but rounding is as large as where that would be a misfit accepted.
+/// is nothing but rounding is so large that this is no misfit of the others.
 Eigen::VectorXd usual_sizes(const std::map<double, RationalCurve::Values> &solved, double enough) {
+    constexpr double of_rounding = share_of_fit / 10;
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(solved.begin()->second.numbers.rows());
     Eigen::VectorXd counts = sums;
     for (const auto &[place, values] : solved)
         for (Eigen::Index i = 0; i < sums.size(); ++i)
-            if (const double size =
-                    std::max(values.numbers.row(i).norm(), values.rounding(i) / enough);
+            if (const double size = std::max(values.numbers.row(i).norm(),
+                                             values.rounding(i) / (of_rounding * enough));
                 size > 0) {
                 sums(i) += std::log(size);
                 counts(i) += 1;
@@ -62,7 +63,7 @@ double relative(const Eigen::MatrixXcd &differences, const RationalCurve::Values
     for (Eigen::Index i = 0; i < usual.size(); ++i) {
         const double here = of.numbers.row(i).norm();
         const double size = here + passing_zero * usual(i);
-        // Next to a pole, rounding of its place is as large as the values are.
+        // Next to a pole the fit makes more of rounding, by as much as the values are larger.
         const double rounding = of.rounding(i) * std::max(1.0, usual(i) > 0 ? here / usual(i) : 1);
         const double beyond = differences.row(i).norm() - of_fit * rounding;
         if (beyond > 0)

@@ -7,7 +7,7 @@ namespace whirl::linalg {
 namespace {
 
 /// Places of one piece: the work of a fit is their cube.
-constexpr std::size_t most_of_a_piece = 100;
+constexpr std::size_t most_of_a_piece = 120;
 
 } // namespace
 
