@@ -257,8 +257,9 @@ Certified least_largest(const Balance &balance, const Eigen::VectorXcd &start) {
         // The path is nearly straight over 1/weight: on along it, as far as is inside.
         const Eigen::VectorXd end =
             -weight * here.hessian.ldlt().solve(Eigen::VectorXd::Unit(n + 1, n));
+        constexpr double shortest = 1e-6; // a guard: then there is no way on
         double share = 1 - 1 / next_step;
-        while (!barrier(x + share * end, false))
+        while (share > shortest && !barrier(x + share * end, false))
             share /= 2;
         x += share * end;
         weight *= next_step;

@@ -51,22 +51,9 @@ CurvePeaks::CurvePeaks(Range range, const linalg::RationalCurve::Solve &solve, S
             sample_piece(piece);
         for (std::size_t q = 0; q < _samples.front().values.size(); ++q)
             find(q);
-        _misfit = _motion.take_in(compared_speeds(_peaks));
-        if (_misfit <= _range.enough)
+        if (_motion.take_in(compared_speeds(_peaks)) <= _range.enough)
             break;
     }
-}
-
-std::vector<std::pair<double, double>> CurvePeaks::unsettled() const {
-    std::vector<std::pair<double, double>> out;
-    for (const linalg::RationalCurve &piece : _motion.pieces())
-        if (!piece.settled()) {
-            if (!out.empty() && out.back().second == piece.from())
-                out.back().second = piece.to();
-            else
-                out.emplace_back(piece.from(), piece.to());
-        }
-    return out;
 }
 
 CurvePeaks::WithSlope CurvePeaks::with_slope(const linalg::RationalCurve &piece,
@@ -209,8 +196,9 @@ Peak CurvePeaks::peak_between(std::size_t quantity, std::size_t left) {
                 out.phase = std::numeric_limits<double>::quiet_NaN();
                 return out;
             }
-    out.speed = a.speed; // at the row of a bearing table the slope jumps
-    if (b.speed > a.speed)
+    out.speed = a.speed;
+    out.bend = a.speed == b.speed;
+    if (!out.bend)
         out.speed = linalg::root_between(
             [&](double speed) { return value_and_slope(quantity, speed).second; }, a.speed,
             a.slopes[quantity], b.speed, b.slopes[quantity]);

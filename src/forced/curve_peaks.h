@@ -23,6 +23,7 @@ struct Peak {
     std::optional<double> upper; ///< and above
     double width = 0;            ///< distance of the nearest pole from the real speeds, rad/s
     double rounding = 0;         ///< relative error of the value by rounding
+    bool bend = false;           ///< at the row of a bearing table, where the slope jumps
 };
 
 /// Amplitudes of quantities over a range of speeds, and all their local maxima strictly inside.
@@ -70,11 +71,11 @@ class CurvePeaks {
     /// Speeds at which peaks are compared with what is solved for, ascending: of every finite peak
     /// one within a tenth of its width, those of several quantities at one resonance together.
     [[nodiscard]] static std::vector<double> compared_speeds(std::vector<Peak> peaks);
-    /// Largest relative difference of what was interpolated from what was solved for at the peaks.
-    [[nodiscard]] double misfit() const { return _misfit; }
     /// Speeds between which the motion is not interpolated to what is accepted, rad/s: maxima can
     /// be missing.
-    [[nodiscard]] std::vector<std::pair<double, double>> unsettled() const;
+    [[nodiscard]] std::vector<std::pair<double, double>> unsettled() const {
+        return _motion.unsettled();
+    }
     /// The interpolated numbers.
     [[nodiscard]] Eigen::MatrixXcd at(double speed) const { return with_slope(speed).first; }
 
@@ -86,7 +87,6 @@ class CurvePeaks {
     std::map<double, double> _poles; ///< exact place by the interpolated one, rad/s
     std::vector<Sample> _samples;    ///< at the cuts twice
     std::vector<Peak> _peaks;
-    double _misfit = 0;
 
     using WithSlope = std::pair<Eigen::MatrixXcd, Eigen::MatrixXcd>;
     [[nodiscard]] WithSlope with_slope(const linalg::RationalCurve &piece, double speed) const;

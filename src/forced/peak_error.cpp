@@ -105,7 +105,8 @@ PeakErrors PeakError::of(const Peak &peak, double middle, double width, const Cu
     };
     const std::optional<double> coarse_top = coarse.top(reach);
     double centre = middle;
-    for (int move = 0; coarse_top && move < 8 && std::abs(centre) > 2 * width; ++move) {
+    for (int move = 0; coarse_top && !peak.bend && move < 8 && std::abs(centre) > 2 * width;
+         ++move) {
         solve_about(centre, width);
         const LocalCurve fine({_motions[0][q], _motions[1][q], _motions[2][q]});
         if (const std::optional<double> top = fine.top(reach)) {
@@ -142,7 +143,7 @@ std::vector<PeakErrors> PeakError::of(const std::vector<Peak> &peaks, const Curv
             out[i] = {not_known, not_known};
             continue;
         }
-        if (width == 0 || !(peak.speed - middle < width)) {
+        if (peak.bend || width == 0 || !(peak.speed - middle < width)) {
             // So near that one resonance and a straight line are all there is to see.
             constexpr double part = 0.1;
             constexpr double widest = 0.01; // of the speed

@@ -77,11 +77,21 @@ double compare(SweptMotion &motion, const CurvePeaks &curves, std::vector<Peak> 
     return worst;
 }
 
+/// No resonance, and rounding could have made it: slow motions of rotors that are free to move are
+/// what is left of K - w^2 M.
+bool only_rounding(const Peak &peak) {
+    constexpr double unsure = 1e-3;
+    constexpr double sharp = 1e-4; // of the speed
+    return peak.rounding > unsure && peak.width > sharp * std::abs(peak.speed);
+}
+
 } // namespace
 
 CertifiedPeaks response_peaks(const assembly::Discretization &discretization, results::Form form,
                               const std::vector<Quantity> &quantities, double from, double to,
                               const PeakOptions &options) {
+    if (quantities.empty())
+        return {};
     SweptMotion motion(discretization, form, quantities, options.drive, low_end(from, to),
                        high_end(from, to));
     const auto at = [&motion](double speed) { return motion.at(speed); };
@@ -99,7 +109,10 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     CertifiedPeaks out;
     out.peaks = curves->peaks();
     out.interpolation_error = compare(motion, *curves, out.peaks);
-    out.unsettled = curves->unsettled();
+    std::erase_if(out.peaks, only_rounding);
+    out.unsettled = motion.unsettled();
+    for (const auto &range : curves->unsettled())
+        out.unsettled.push_back(range);
     out.curve = curves->drawn();
     if (options.with_errors)
         out.errors =

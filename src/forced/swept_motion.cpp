@@ -230,8 +230,14 @@ std::optional<Values> SweptMotion::at(double s) {
     return values({numbers, sizes}, s, enough_of_means * (1 + inverse.norm() * size));
 }
 
+std::vector<std::pair<double, double>> SweptMotion::unsettled() const {
+    if (!_mean)
+        return {};
+    return _mean->motions->unsettled();
+}
+
 bool SweptMotion::take_in(const std::vector<double> &places) {
-    constexpr double changed = 1e-9; // what peaks are compared to
+    constexpr double changed = 10 * enough_of_means; // else rounding
     return _mean && _mean->motions->take_in(places) > changed;
 }
 

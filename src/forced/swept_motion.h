@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace whirl::forced {
@@ -40,6 +41,8 @@ class SweptMotion {
     [[nodiscard]] std::vector<double> cuts() const;
     /// Of the speed, by which the motion has a limit at rest.
     [[nodiscard]] int power() const { return _drive.imbalances() ? 2 : 0; }
+    /// Speeds between which what at() is made of is not interpolated to what is accepted, rad/s.
+    [[nodiscard]] std::vector<std::pair<double, double>> unsettled() const;
     /// Solves at these places with the mean coefficients too.
     /// @returns whether that changed at()
     bool take_in(const std::vector<double> &places);

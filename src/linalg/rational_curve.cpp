@@ -66,6 +66,8 @@ double relative(const Eigen::MatrixXcd &differences, const RationalCurve::Values
         // Next to a pole the fit makes more of rounding, by as much as the values are larger.
         const double rounding = of.rounding(i) * std::max(1.0, usual(i) > 0 ? here / usual(i) : 1);
         const double beyond = differences.row(i).norm() - of_fit * rounding;
+        if (std::isnan(beyond))
+            return std::numeric_limits<double>::infinity();
         if (beyond > 0)
             worst = std::max(worst, beyond / size);
     }
@@ -95,6 +97,8 @@ Eigen::MatrixXcd mixtures(const std::map<double, RationalCurve::Values> &solved,
 /// x of length 1 with the least |A x|: inverse iteration with the triangular factor of A, which has
 /// no fewer rows than columns.
 Eigen::VectorXcd least_direction(const Eigen::MatrixXcd &A) {
+    if (A.isZero(0)) // a constant: any do
+        return Eigen::VectorXcd::Ones(A.cols()).normalized();
     const Eigen::HouseholderQR<Eigen::MatrixXcd> factors(A);
     Eigen::MatrixXcd R = factors.matrixQR().topRows(A.cols());
     const double rounding = std::max(std::numeric_limits<double>::epsilon() * A.norm(),

@@ -20,8 +20,9 @@ RationalPieces::RationalPieces(const std::vector<double> &cuts, const RationalCu
 
 void RationalPieces::add(double from, double to, const RationalCurve::Solve &solve,
                          std::size_t most) {
-    RationalCurve whole(from, to, solve, _enough, std::min(most, most_of_a_piece));
-    if (whole.settled() || most <= 2 * most_of_a_piece) {
+    const bool last = most <= 2 * most_of_a_piece;
+    RationalCurve whole(from, to, solve, _enough, last ? most : most_of_a_piece);
+    if (whole.settled() || last) {
         _pieces.push_back(std::move(whole));
         return;
     }
@@ -33,6 +34,18 @@ void RationalPieces::add(double from, double to, const RationalCurve::Solve &sol
 std::size_t RationalPieces::number_of(double place) const {
     const auto after = std::ranges::upper_bound(_pieces, place, {}, &RationalCurve::from);
     return after == _pieces.begin() ? 0 : static_cast<std::size_t>(after - _pieces.begin() - 1);
+}
+
+std::vector<std::pair<double, double>> RationalPieces::unsettled() const {
+    std::vector<std::pair<double, double>> out;
+    for (const RationalCurve &piece : _pieces)
+        if (!piece.settled()) {
+            if (!out.empty() && out.back().second == piece.from())
+                out.back().second = piece.to();
+            else
+                out.emplace_back(piece.from(), piece.to());
+        }
+    return out;
 }
 
 double RationalPieces::take_in(const std::vector<double> &places) {

@@ -32,7 +32,8 @@ class RationalPieces {
     /// Solves at these places too. @returns the largest misfit that was there, but for places in
     /// pieces that were not fitted before
     double take_in(const std::vector<double> &places);
-    [[nodiscard]] double enough() const { return _enough; }
+    /// Places between which the functions are not interpolated to what is accepted.
+    [[nodiscard]] std::vector<std::pair<double, double>> unsettled() const;
 
   private:
     double _enough;

@@ -27,7 +27,8 @@ void add_peaks(const model::Case &steady, const assembly::Discretization &d, res
         watched.add({d.deflection_at(station.z)}, "station", station.z, station.name);
     std::vector<results::ResponsePeak> peaks;
     results::ResponseCurves curves;
-    forced::add_peaks(peaks, curves, d, form, watched, *steady.speeds, {{}, false}, result.model.notes);
+    forced::add_peaks(peaks, curves, d, form, watched, *steady.speeds, {{}, false},
+                      result.model.notes);
     for (const results::ResponsePeak &peak : peaks) {
         results::StationMotion &station = result.stations[static_cast<std::size_t>(peak.place)];
         if (!station.steady_peak || peak.value > *station.steady_peak) {
