@@ -261,7 +261,8 @@ Certified least_largest(const Balance &balance, const Eigen::VectorXcd &start) {
         double share = 1 - 1 / next_step;
         while (share > shortest && !barrier(x + share * end, false))
             share /= 2;
-        x += share * end;
+        if (share > shortest)
+            x += share * end;
         weight *= next_step;
     }
     descend(barrier, x, at_the_end);

@@ -106,9 +106,9 @@ void CurvePeaks::find(std::size_t quantity) {
         if (b.speed <= _range.from || a.speed >= _range.to || !(a.slopes[quantity] > 0) ||
             !(b.slopes[quantity] <= 0) || !stands_out(quantity, k))
             continue;
-        Peak peak = peak_between(quantity, k);
-        if (peak.speed > _range.from && peak.speed < _range.to)
-            _peaks.push_back(std::move(peak));
+        const std::optional<Peak> peak = peak_between(quantity, k);
+        if (peak && peak->speed > _range.from && peak->speed < _range.to)
+            _peaks.push_back(*peak);
     }
 }
 
@@ -158,30 +158,48 @@ double CurvePeaks::solved_value(std::size_t quantity, double speed) const {
                   : std::numeric_limits<double>::infinity();
 }
 
-/// Where the quantity grows like 1 / distance to the end, about a pole next to the real speeds: by
-/// a factor of ten at a tenth of the distance. A resonance that damping limits would have a damping
-/// ratio below 1e-7 to come so near to that.
+/// The quantity that grows most towards a place.
+std::size_t CurvePeaks::strongest(double place, double far) const {
+    std::size_t out = 0;
+    double most = 0;
+    const auto near = _solve(place * (1 + far));
+    const auto beside = _solve(place * (1 + 10 * far));
+    for (Eigen::Index i = 0; near && beside && i < near->numbers.rows(); ++i) {
+        const double growth = _size.of(near->numbers.row(i)) / _size.of(beside->numbers.row(i));
+        if (growth > most) {
+            most = growth;
+            out = static_cast<std::size_t>(i);
+        }
+    }
+    return out;
+}
+
+/// Where the quantity grows like 1 / distance to the end, about a pole next to the real speeds: at
+/// a tenth of the distance at least twofold, as it does where the pole is most of it. A resonance
+/// that damping limits would have a damping ratio below 1e-6 to come so near to that.
 std::optional<double> CurvePeaks::endless(std::size_t quantity, double pole) {
     constexpr double far = 1e-6; // of the speed
+    constexpr double grown = 2;
     double &speed = _poles.try_emplace(pole, 0).first->second;
     if (speed == 0) {
         speed = pole;
+        const std::size_t by = strongest(pole, far);
         for (const double part : {10 * far, far, far / 10}) {
             const double d = part * std::abs(speed);
-            const double left = 1 / solved_value(quantity, speed - d);
-            const double right = 1 / solved_value(quantity, speed + d);
+            const double left = 1 / solved_value(by, speed - d);
+            const double right = 1 / solved_value(by, speed + d);
             if (left + right > 0)
                 speed += d * (left - right) / (left + right);
         }
     }
     for (const double side : {-far, far})
         if (!(solved_value(quantity, speed * (1 + side / 10)) >
-              9 * solved_value(quantity, speed * (1 + side))))
+              grown * solved_value(quantity, speed * (1 + side))))
             return std::nullopt;
     return speed;
 }
 
-Peak CurvePeaks::peak_between(std::size_t quantity, std::size_t left) {
+std::optional<Peak> CurvePeaks::peak_between(std::size_t quantity, std::size_t left) {
     const Sample &a = _samples[left];
     const Sample &b = _samples[left + 1];
     Peak out;
@@ -189,13 +207,16 @@ Peak CurvePeaks::peak_between(std::size_t quantity, std::size_t left) {
     const linalg::RationalCurve &piece = _motion.piece_at(a.speed);
     for (const std::complex<double> pole : piece.poles())
         if (pole.real() > a.speed && pole.real() < b.speed &&
-            std::abs(pole.imag()) < next_to_real * std::abs(pole.real()))
+            std::abs(pole.imag()) < next_to_real * std::abs(pole.real())) {
             if (const auto speed = endless(quantity, pole.real())) {
                 out.speed = *speed;
                 out.value = std::numeric_limits<double>::infinity();
                 out.phase = std::numeric_limits<double>::quiet_NaN();
                 return out;
             }
+            if (std::abs(pole.imag()) < smallest_step * std::abs(pole.real()))
+                return std::nullopt; // nothing drives that mode here
+        }
     out.speed = a.speed;
     out.bend = a.speed == b.speed;
     if (!out.bend)

@@ -99,7 +99,8 @@ class CurvePeaks {
     void sample_piece(const linalg::RationalCurve &piece);
     void find(std::size_t quantity);
     [[nodiscard]] bool stands_out(std::size_t quantity, std::size_t left) const;
-    [[nodiscard]] Peak peak_between(std::size_t quantity, std::size_t left);
+    [[nodiscard]] std::optional<Peak> peak_between(std::size_t quantity, std::size_t left);
+    [[nodiscard]] std::size_t strongest(double place, double far) const;
     [[nodiscard]] double solved_value(std::size_t quantity, double speed) const;
     [[nodiscard]] std::optional<double> endless(std::size_t quantity, double pole);
     [[nodiscard]] std::optional<double> half_power(const Peak &peak, std::size_t start,
