@@ -35,34 +35,45 @@ double slope_of_modulus(std::complex<double> value, std::complex<double> slope) 
 }
 
 /// The semi-major axis of the ellipse, |a| + |d|.
+double amplitude(const Eigen::RowVectorXcd &numbers) {
+    return modes::ellipse_of(numbers(0), numbers(1)).major;
+}
+
 CurvePeaks::Size semi_major_axis() {
-    return {[](const Eigen::RowVectorXcd &numbers) {
-                return modes::ellipse_of(numbers(0), numbers(1)).major;
-            },
-            [](const Eigen::RowVectorXcd &numbers, const Eigen::RowVectorXcd &changes) {
+    return {amplitude, [](const Eigen::RowVectorXcd &numbers, const Eigen::RowVectorXcd &changes) {
                 const WhirlParts of({numbers(0), numbers(1)});
                 const WhirlParts change({changes(0), changes(1)});
                 return slope_of_modulus(of.a, change.a) + slope_of_modulus(of.d, change.d);
             }};
 }
 
-/// Compares the peaks with the whole rotor. A difference that is less than the rounding of its
-/// motion is not distinguished from that: it becomes part of the rounding of the peaks.
+/// Compares the peaks with the whole rotor, whose amplitude they get. A difference that is less
+/// than the rounding of its motion is not distinguished from that: it becomes part of the rounding
+/// of the peaks.
 /// @returns the largest difference that is more
 double compare(SweptMotion &motion, const CurvePeaks &curves, std::vector<Peak> &peaks) {
     double worst = 0;
-    std::map<double, Eigen::VectorXd> rounding; // of each quantity, relative, by speed
+    struct Compared {
+        Eigen::VectorXd rounding; // of each quantity, relative
+        Eigen::VectorXd ratio;    // of the whole rotor's amplitude to that of the curve
+    };
+    std::map<double, Compared> compared; // by speed
     for (const double speed : CurvePeaks::compared_speeds(peaks)) {
         const auto whole = motion.solved(speed);
         if (!whole)
             continue;
         const Eigen::MatrixXcd numbers = curves.at(speed);
-        Eigen::VectorXd &here = rounding[speed];
+        Compared &at = compared[speed];
+        Eigen::VectorXd &here = at.rounding;
         here = motion.rounding();
+        at.ratio.setOnes(here.size());
         for (Eigen::Index i = 0; i < numbers.rows(); ++i) {
             const double size = whole->numbers.row(i).norm();
             if (size == 0)
                 continue;
+            const double mine = amplitude(numbers.row(i));
+            if (mine > 0)
+                at.ratio(i) = amplitude(whole->numbers.row(i)) / mine;
             const double apart = (numbers.row(i) - whole->numbers.row(i)).norm();
             if (apart > here(i) * size)
                 worst = std::max(worst, apart / size);
@@ -70,10 +81,15 @@ double compare(SweptMotion &motion, const CurvePeaks &curves, std::vector<Peak> 
                 here(i) += apart / size;
         }
     }
-    for (Peak &peak : peaks)
-        if (auto after = rounding.upper_bound(peak.speed); !rounding.empty())
-            peak.rounding = (after == rounding.begin() ? after : std::prev(after))
-                                ->second(static_cast<Eigen::Index>(peak.quantity));
+    for (Peak &peak : peaks) {
+        if (compared.empty() || !std::isfinite(peak.value))
+            continue;
+        const auto after = compared.upper_bound(peak.speed);
+        const Compared &next = (after == compared.begin() ? after : std::prev(after))->second;
+        const auto i = static_cast<Eigen::Index>(peak.quantity);
+        peak.rounding = next.rounding(i);
+        peak.value *= next.ratio(i);
+    }
     return worst;
 }
 

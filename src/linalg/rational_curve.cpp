@@ -38,16 +38,16 @@ Eigen::MatrixXcd difference(const Eigen::MatrixXcd &a, const Eigen::MatrixXcd &b
     return widened(a, columns) - widened(b, columns);
 }
 
-/// Geometric mean of the size of each quantity over the places: what peaks do not decide. One that
-/// is nothing but rounding is so large that this is no misfit of the others.
-Eigen::VectorXd usual_sizes(const std::map<double, RationalCurve::Values> &solved, double enough) {
-    constexpr double of_rounding = share_of_fit / 10;
+/// Geometric mean of the size of each quantity over the places: what peaks do not decide.
+/// @param above  a quantity is taken to be as large as its rounding over this
+Eigen::VectorXd usual_sizes(const std::map<double, RationalCurve::Values> &solved,
+                            double above = std::numeric_limits<double>::infinity()) {
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(solved.begin()->second.numbers.rows());
     Eigen::VectorXd counts = sums;
     for (const auto &[place, values] : solved)
         for (Eigen::Index i = 0; i < sums.size(); ++i)
-            if (const double size = std::max(values.numbers.row(i).norm(),
-                                             values.rounding(i) / (of_rounding * enough));
+            if (const double size =
+                    std::max(values.numbers.row(i).norm(), values.rounding(i) / above);
                 size > 0) {
                 sums(i) += std::log(size);
                 counts(i) += 1;
@@ -163,7 +163,7 @@ bool RationalCurve::solve(double place) {
 }
 
 double RationalCurve::take_in(const std::vector<double> &places) {
-    const Eigen::VectorXd usual = usual_sizes(_solved, _enough);
+    const Eigen::VectorXd usual = usual_sizes(_solved);
     _misfit = 0;
     bool news = false;
     for (const double place : places) {
@@ -235,14 +235,16 @@ Eigen::VectorXcd RationalCurve::weights(const std::vector<double> &others,
 }
 
 void RationalCurve::fit() {
-    const Eigen::VectorXd usual = usual_sizes(_solved, _enough);
+    const Eigen::VectorXd usual = usual_sizes(_solved);
     Eigen::Index columns = 0;
     std::vector<double> places;
     for (const auto &[place, values] : _solved) {
         columns = std::max(columns, values.numbers.cols());
         places.push_back(place);
     }
-    const Eigen::MatrixXcd mixed = mixtures(_solved, columns, usual);
+    // One that is nothing but rounding is so large that it is no misfit of the others.
+    const Eigen::VectorXd sizes = usual_sizes(_solved, share_of_fit * _enough / 10);
+    const Eigen::MatrixXcd mixed = mixtures(_solved, columns, sizes);
     if (_support.empty())
         _support = {places.front()};
     while (true) {
@@ -274,7 +276,7 @@ void RationalCurve::fit() {
             if (misfits[i].first > share_of_fit * _enough)
                 _support.push_back(misfits[i].second);
     }
-    find_poles(usual);
+    find_poles(sizes);
 }
 
 /// Zeros of the sum of w_k / (s - s_k): eigenvalues of an arrow pencil A - s B, of which B has two
