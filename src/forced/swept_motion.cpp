@@ -175,10 +175,10 @@ std::optional<Values> SweptMotion::solved_with_means(double s) {
         const Stretches of = stretches(columns.col(k));
         out.numbers.middleRows(k * rows, count) = of.numbers;
         out.rounding.segment(k * rows, count) = of.sizes;
-        for (Eigen::Index i = count; i < rows; ++i)
-            out.rounding(k * rows + i) =
-                std::abs(out.numbers(k * rows + i, 0) =
-                             columns(_mean->acted_on[static_cast<std::size_t>(i - count)], k));
+        const Eigen::VectorXcd acted_on = columns.col(k)(_mean->acted_on);
+        out.numbers.col(0).segment(k * rows + count, acted_on.size()) = acted_on;
+        out.rounding.segment(k * rows + count, acted_on.size())
+            .setConstant(acted_on.cwiseAbs().maxCoeff());
     }
     out.rounding *= std::max(noise, motion.noise());
     return out;
