@@ -140,7 +140,15 @@ class Shapes {
             if (off < (other(i) ? equal : near) && (!best || away(i) < away(*best)))
                 best = i;
         }
-        return best ? std::optional(of(spectrum, *best)) : std::nullopt;
+        if (!best)
+            return std::nullopt;
+        // In axes that turn with the rotor it meets its mirror image there: of such a double root
+        // rounding leaves half the digits, which the critical speed has.
+        constexpr double half_the_digits = 1e-6;
+        if (const std::complex<double> synchronous(critical.real, speed);
+            std::abs(spectrum.modes[*best].eigenvalue - synchronous) < half_the_digits * speed)
+            spectrum.modes[*best].eigenvalue = synchronous;
+        return of(spectrum, *best);
     }
 
   private:

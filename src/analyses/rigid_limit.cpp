@@ -353,14 +353,15 @@ class FreeBalancers {
 
     [[nodiscard]] std::vector<rigid::RigidTarget> targets() {
         std::vector<rigid::RigidTarget> out;
-        const std::vector<double> rigid = numbers(model::without_elasticity(_scene.rotor));
+        const std::vector<rigid::ModelValue> rigid =
+            numbers(model::without_elasticity(_scene.rotor));
         for (std::size_t i = 0; i < rigid.size(); ++i) {
-            if (!(rigid[i] > 0))
+            if (!(rigid[i].value > 0))
                 continue;
             rigid::RigidTarget target;
             target.kind = rigid::RigidQuantity::permissible; // no speed that the 1 % are of
             target.of = _pendulums ? model::Quantity::number : model::Quantity::speed;
-            target.closed_form = rigid[i];
+            target.closed_form = rigid[i].value;
             target.index = static_cast<int>(i);
             target.quantity = name_of(i);
             out.push_back(std::move(target));
@@ -371,23 +372,23 @@ class FreeBalancers {
     /// With another shaft.
     [[nodiscard]] Values at(const model::Rotor &rotor,
                             const std::vector<rigid::RigidTarget> &targets) {
-        constexpr double refined = 1e-8; // to which ends and motions are found
-        constexpr double same = 0.5;     // one that is farther off is another
-        const std::vector<double> found = numbers(rotor);
+        constexpr double same = 0.5; // one that is farther off is another
+        const std::vector<rigid::ModelValue> found = numbers(rotor);
         Values out;
         for (const rigid::RigidTarget &target : targets) {
-            std::optional<double> nearest;
+            std::optional<rigid::ModelValue> nearest;
+            const auto off = [&](const rigid::ModelValue &one) {
+                return std::abs(one.value - target.closed_form);
+            };
             const auto index = static_cast<std::size_t>(target.index);
-            if (_pendulums && index < found.size() && found[index] > 0)
+            if (_pendulums && index < found.size() && found[index].value > 0)
                 nearest = found[index];
-            for (const double end : found)
-                if (!_pendulums && std::abs(end - target.closed_form) <
-                                       std::abs(nearest.value_or(infinite) - target.closed_form))
+            for (const rigid::ModelValue &end : found)
+                if (!_pendulums && (!nearest || off(end) < off(*nearest)))
                     nearest = end;
-            const bool there =
-                nearest && std::abs(*nearest - target.closed_form) < same * target.closed_form;
-            out.push_back(there ? std::optional(rigid::ModelValue{*nearest, refined})
-                                : std::nullopt);
+            if (nearest && !(off(*nearest) < same * target.closed_form))
+                nearest.reset();
+            out.push_back(nearest);
         }
         return out;
     }
@@ -399,22 +400,29 @@ class FreeBalancers {
 
     /// Ends of the unstable speeds inside of the range; or over balancers and speeds the least
     /// deflection with pendulums over that with them held, 0: there is no such motion.
-    [[nodiscard]] std::vector<double> numbers(const model::Rotor &rotor) {
+    [[nodiscard]] std::vector<rigid::ModelValue> numbers(const model::Rotor &rotor) {
+        constexpr double refined = 1e-8; // to which motions are found, and ends not known as roots
         _scene.rotor = rotor;
-        std::vector<double> out;
+        std::vector<rigid::ModelValue> out;
         if (_balls) {
             const std::vector<double> speeds = _scene.speeds->values();
-            for (const results::Interval &band : unstable_bands_of(_scene, false).bands)
+            const UnstableBands found = unstable_bands_of(_scene, false);
+            for (const results::Interval &band : found.bands)
                 for (const double end : {band.from, band.to})
-                    if (end > speeds.front() && end < speeds.back())
-                        out.push_back(end);
+                    if (end > speeds.front() && end < speeds.back()) {
+                        double rounding = refined;
+                        for (const ends::EndOfGrowth &root : found.roots)
+                            if (std::abs(root.speed - end) <= refined * end)
+                                rounding = std::max(rounding, root.blur / end);
+                        out.push_back({end, rounding});
+                    }
             return out;
         }
         std::vector<Sentence> ignored;
         for (const results::PendulumBalance &one :
              criterion::pendulum_balance(_scene, criterion::BalanceScene(_scene), ignored))
             for (const std::vector<results::PendulumState> &states : one.states)
-                out.push_back(states.empty() ? 0 : states.front().ratio);
+                out.push_back({states.empty() ? 0 : states.front().ratio, refined});
         return out;
     }
 

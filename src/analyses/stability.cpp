@@ -354,6 +354,7 @@ UnstableBands unstable_bands_of(stability::StabilityModel model, const std::vect
         if (with_errors)
             out.errors =
                 ends::band_errors(finder, out.bands, {known.front(), known.back()}, between.roots);
+        out.roots = std::move(between.roots);
     }
     const auto not_resolved = [&](double from, double to) {
         out.bands.push_back({from, to});

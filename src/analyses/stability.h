@@ -2,6 +2,7 @@
 
 #include "analyses/case_with.h"
 #include "balancers/arrangement.h"
+#include "ends/refinement.h"
 #include "model/case.h"
 #include "results/stability.h"
 #include "stability/band_finder.h"
@@ -29,6 +30,7 @@ struct UnstableBands {
     std::vector<results::Interval> bands;
     std::vector<results::EndErrors> errors;        ///< rad/s; none where not asked for
     std::vector<results::Interval> doubtful;       ///< motions could not be followed through
+    std::vector<ends::EndOfGrowth> roots;          ///< the motions at ends, as far as known
     std::shared_ptr<stability::BandFinder> finder; ///< by which they were found, if by one
 };
 /// By the same rules as stability(): of the balanced position that all imbalances ask for.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 
 namespace whirl::forced {
@@ -16,7 +17,7 @@ constexpr double step_over_distance = 0.2;
 constexpr int steps_at_least = 300;    // for pictures
 constexpr double smallest_step = 1e-7; // of the speed
 /// Poles that are so near to the real speeds, of the speed, may be without damping.
-constexpr double next_to_real = 1e-5;
+constexpr double hardly_damped = 1e-5;
 
 std::complex<double> nearest_pole(const linalg::RationalCurve &piece, double speed) {
     std::complex<double> out(std::numeric_limits<double>::infinity(), 0);
@@ -152,51 +153,52 @@ std::vector<double> CurvePeaks::compared_speeds(std::vector<Peak> peaks) {
     return out;
 }
 
-double CurvePeaks::solved_value(std::size_t quantity, double speed) const {
+/// Amplitudes of all quantities; without limit where there is no solution.
+Eigen::VectorXd CurvePeaks::solved_values(double speed) const {
+    Eigen::VectorXd out(_samples.front().values.size());
     const auto solved = _solve(speed);
-    return solved ? _size.of(solved->numbers.row(static_cast<Eigen::Index>(quantity)))
-                  : std::numeric_limits<double>::infinity();
-}
-
-/// The quantity that grows most towards a place.
-std::size_t CurvePeaks::strongest(double place, double far) const {
-    std::size_t out = 0;
-    double most = 0;
-    const auto near = _solve(place * (1 + far));
-    const auto beside = _solve(place * (1 + 10 * far));
-    for (Eigen::Index i = 0; near && beside && i < near->numbers.rows(); ++i) {
-        const double growth = _size.of(near->numbers.row(i)) / _size.of(beside->numbers.row(i));
-        if (growth > most) {
-            most = growth;
-            out = static_cast<std::size_t>(i);
-        }
-    }
+    for (Eigen::Index i = 0; i < out.size(); ++i)
+        out(i) =
+            solved ? _size.of(solved->numbers.row(i)) : std::numeric_limits<double>::infinity();
     return out;
 }
 
-/// Where the quantity grows like 1 / distance to the end, about a pole next to the real speeds: at
-/// a tenth of the distance at least twofold, as it does where the pole is most of it. A resonance
-/// that damping limits would have a damping ratio below 1e-6 to come so near to that.
-std::optional<double> CurvePeaks::endless(std::size_t quantity, double pole) {
+/// Where quantities grow like 1 / distance to the end: at a tenth of the distance at least twofold,
+/// as they do where the pole is most of them. A resonance that damping limits would have a damping
+/// ratio below 1e-6 to come so near to that. The place is that of the quantity which grows most.
+const CurvePeaks::NextToReal &CurvePeaks::next_to_real(double pole) {
+    const auto [known, missing] = _next_to_real.try_emplace(pole);
+    NextToReal &out = known->second;
+    if (!missing)
+        return out;
     constexpr double far = 1e-6; // of the speed
     constexpr double grown = 2;
-    double &speed = _poles.try_emplace(pole, 0).first->second;
-    if (speed == 0) {
-        speed = pole;
-        const std::size_t by = strongest(pole, far);
-        for (const double part : {10 * far, far, far / 10}) {
-            const double d = part * std::abs(speed);
-            const double left = 1 / solved_value(by, speed - d);
-            const double right = 1 / solved_value(by, speed + d);
-            if (left + right > 0)
-                speed += d * (left - right) / (left + right);
+    const Eigen::VectorXd near = solved_values(pole * (1 + far));
+    const Eigen::VectorXd beside = solved_values(pole * (1 + 10 * far));
+    Eigen::Index strongest = 0;
+    double most = 0;
+    for (Eigen::Index i = 0; i < near.size(); ++i)
+        if (const double growth = near(i) / beside(i); growth > most) {
+            most = growth;
+            strongest = i;
         }
+    out.speed = pole;
+    for (const double part : {10 * far, far, far / 10}) {
+        const double d = part * std::abs(out.speed);
+        const double left = 1 / solved_values(out.speed - d)(strongest);
+        const double right = 1 / solved_values(out.speed + d)(strongest);
+        if (left + right > 0)
+            out.speed += d * (left - right) / (left + right);
     }
-    for (const double side : {-far, far})
-        if (!(solved_value(quantity, speed * (1 + side / 10)) >
-              grown * solved_value(quantity, speed * (1 + side))))
-            return std::nullopt;
-    return speed;
+    out.without_limit.assign(_samples.front().values.size(), true);
+    for (const double side : {-far, far}) {
+        const Eigen::VectorXd inside = solved_values(out.speed * (1 + side / 10));
+        const Eigen::VectorXd outside = solved_values(out.speed * (1 + side));
+        for (Eigen::Index i = 0; i < inside.size(); ++i)
+            if (!(inside(i) > grown * outside(i)))
+                out.without_limit[static_cast<std::size_t>(i)] = false;
+    }
+    return out;
 }
 
 std::optional<Peak> CurvePeaks::peak_between(std::size_t quantity, std::size_t left) {
@@ -207,9 +209,10 @@ std::optional<Peak> CurvePeaks::peak_between(std::size_t quantity, std::size_t l
     const linalg::RationalCurve &piece = _motion.piece_at(a.speed);
     for (const std::complex<double> pole : piece.poles())
         if (pole.real() > a.speed && pole.real() < b.speed &&
-            std::abs(pole.imag()) < next_to_real * std::abs(pole.real())) {
-            if (const auto speed = endless(quantity, pole.real())) {
-                out.speed = *speed;
+            std::abs(pole.imag()) < hardly_damped * std::abs(pole.real())) {
+            const NextToReal &found = next_to_real(pole.real());
+            if (found.without_limit[quantity]) {
+                out.speed = found.speed;
                 out.value = std::numeric_limits<double>::infinity();
                 out.phase = std::numeric_limits<double>::quiet_NaN();
                 return out;

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -84,8 +83,13 @@ class CurvePeaks {
     linalg::RationalCurve::Solve _solve;
     Size _size;
     linalg::RationalPieces _motion;
-    std::map<double, double> _poles; ///< exact place by the interpolated one, rad/s
-    std::vector<Sample> _samples;    ///< at the cuts twice
+    /// A pole next to the real speeds.
+    struct NextToReal {
+        double speed = 0;                ///< rad/s
+        std::vector<bool> without_limit; ///< of each quantity: it has none there
+    };
+    std::map<double, NextToReal> _next_to_real; ///< by the interpolated place, rad/s
+    std::vector<Sample> _samples;               ///< at the cuts twice
     std::vector<Peak> _peaks;
 
     using WithSlope = std::pair<Eigen::MatrixXcd, Eigen::MatrixXcd>;
@@ -100,9 +104,8 @@ class CurvePeaks {
     void find(std::size_t quantity);
     [[nodiscard]] bool stands_out(std::size_t quantity, std::size_t left) const;
     [[nodiscard]] std::optional<Peak> peak_between(std::size_t quantity, std::size_t left);
-    [[nodiscard]] std::size_t strongest(double place, double far) const;
-    [[nodiscard]] double solved_value(std::size_t quantity, double speed) const;
-    [[nodiscard]] std::optional<double> endless(std::size_t quantity, double pole);
+    [[nodiscard]] Eigen::VectorXd solved_values(double speed) const;
+    [[nodiscard]] const NextToReal &next_to_real(double pole);
     [[nodiscard]] std::optional<double> half_power(const Peak &peak, std::size_t start,
                                                    int direction) const;
 };

@@ -204,6 +204,8 @@ class ForcedMotion {
                                    const Eigen::Ref<const Eigen::VectorXcd> &displacements) const;
     /// The motion that such a pair is, as motion().
     [[nodiscard]] Phasor in_fixed_frame(const Phasor &as_solved) const;
+    /// Bearings whose coefficients depend on the speed.
+    [[nodiscard]] const std::vector<int> &tabled() const { return _tabled; }
     /// What bearings are in the equations at a place of the sweep.
     /// @param spin  that their coefficients are those of
     [[nodiscard]] linalg::HarmonicSolver::Entries films(const std::vector<int> &bearings,
@@ -221,8 +223,8 @@ class ForcedMotion {
     double _speed = 0;                               ///< of the last solution, as given
     Eigen::MatrixXcd _loads, _solutions;             ///< a column a set of imbalances
     Eigen::VectorXcd _displacements;                 ///< the one that is read
-    std::vector<int> _tabled;                        ///< bearings with tables
-    mutable std::optional<double> _rounding;         ///< once asked for
+    std::vector<int> _tabled;
+    mutable std::optional<double> _rounding; ///< once asked for
 
     void assemble(double spin);
     /// What the bearings with tables are at a speed beside what they are at rest.

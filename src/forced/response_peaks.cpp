@@ -14,8 +14,6 @@ namespace {
 
 /// Differences of interpolated quantities from those of the whole rotor, over the size of these.
 constexpr double agreed = 1e-9;
-/// A guard against curves that are not what rational functions are for.
-constexpr std::size_t most_speeds = 8000;
 
 /// Beyond the speeds asked for, as a share of them, half-power points are looked for.
 constexpr double beyond = 0.3;
@@ -111,7 +109,8 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     SweptMotion motion(discretization, form, quantities, options.drive, low_end(from, to),
                        high_end(from, to));
     const auto at = [&motion](double speed) { return motion.at(speed); };
-    CurvePeaks::Range range{motion.cuts(), from, to, agreed, most_speeds, motion.power()};
+    CurvePeaks::Range range{motion.cuts(), from, to, agreed, SweptMotion::most_solutions,
+                            motion.power()};
     // A smooth curve of many rows bends at each by up to 1e-4 (model::Bearing::bends).
     if (range.cuts.size() > discretization.rotor().table_bends().size() + 2)
         range.shallow = 1e-4;

@@ -158,8 +158,8 @@ void note_missing(const std::vector<std::pair<double, double>> &ranges,
                   std::vector<model::Sentence> &notes) {
     for (const auto &[from, to] : ranges)
         notes.emplace_back(model::Weight::warning,
-                           "peaks from {} to {} may be missing: more resonances, or narrower ones, "
-                           "than the motion was solved for speeds to tell apart",
+                           "peaks from {} to {} may be missing: the speeds at which the motion was "
+                           "solved for do not tell all resonances there apart",
                            results::as::speed(from), results::as::speed(to));
 }
 

@@ -18,7 +18,6 @@ using Values = linalg::RationalCurve::Values;
 /// Misfit of the motions with mean coefficients: near what their rounding leaves, since sharp
 /// resonances of the rotor with its bearings as they are make more of it.
 constexpr double enough_of_means = 1e-11;
-constexpr std::size_t most_places = 8000;
 
 } // namespace
 
@@ -32,13 +31,10 @@ SweptMotion::SweptMotion(const assembly::Discretization &discretization, results
     : _discretization(discretization), _quantities(quantities), _drive(drive), _from(from), _to(to),
       _whole(discretization, form, drive, true) {
     const model::Rotor &rotor = discretization.rotor();
-    if (drive.sweep.spin_rate == 0 || synchronous::table_speeds(rotor).empty())
+    if (drive.sweep.spin_rate == 0 || _whole.tabled().empty())
         return;
     _mean = std::make_unique<Mean>(with_means(rotor), discretization.order(), form, drive);
-    for (int i = 0; i < static_cast<int>(rotor.bearings.size()); ++i)
-        if (rotor.bearings[static_cast<std::size_t>(i)].depends_on_speed())
-            _tabled.push_back(i);
-    for (const auto &entry : _whole.films(_tabled, from, from))
+    for (const auto &entry : _whole.films(_whole.tabled(), from, from))
         _mean->acted_on.push_back(static_cast<int>(entry.row()));
     std::ranges::sort(_mean->acted_on);
     _mean->acted_on.erase(std::unique(_mean->acted_on.begin(), _mean->acted_on.end()),
@@ -49,7 +45,7 @@ SweptMotion::SweptMotion(const assembly::Discretization &discretization, results
         _mean->units(_mean->acted_on[static_cast<std::size_t>(i)], i) = 1;
     _mean->motions.emplace(
         std::vector{from, to}, [this](double s) { return solved_with_means(s); }, enough_of_means,
-        most_places);
+        most_solutions);
 }
 
 /// The mean of the coefficients at the rows in the range and at its ends. Damping is added to it,
@@ -101,9 +97,7 @@ Values SweptMotion::values(const Stretches &stretches, double s, double rounding
     out.rounding.resize(count);
     for (Eigen::Index i = 0; i < count; ++i) {
         const Quantity &quantity = _quantities[static_cast<std::size_t>(i)];
-        const Eigen::MatrixXcd &solved = stretches.numbers;
-        const Phasor stretch =
-            _whole.in_fixed_frame({solved(i, 0), solved.cols() > 1 ? solved(i, 1) : 0});
+        const Phasor stretch = _whole.in_fixed_frame(stretches.of(i));
         const Phasor seen = quantity.bearing == Quantity::deflection
                                 ? quantity.seen(stretch)
                                 : _whole.bearing_force(quantity.bearing, stretch, s);
@@ -149,8 +143,7 @@ Eigen::VectorXd SweptMotion::rounding() const {
     Eigen::VectorXd out = Eigen::VectorXd::Constant(last.numbers.rows(), _whole.rounding());
     for (Eigen::Index i = 0; _drive.weight() && i < out.size(); ++i) {
         // What moves is what is left of the sag in axes that turn.
-        const Phasor moves =
-            _whole.in_fixed_frame({last.numbers(i, 0), last.numbers(i, last.numbers.cols() - 1)});
+        const Phasor moves = _whole.in_fixed_frame(last.of(i));
         const double size = std::hypot(std::abs(moves.x), std::abs(moves.y));
         out(i) *= size > 0 ? std::max(1.0, last.numbers.row(i).norm() / size) : 1;
     }
@@ -192,9 +185,9 @@ Eigen::MatrixXcd SweptMotion::beside_means(double s) const {
     };
     const double spin = _drive.sweep.spin_at(s);
     Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(std::ssize(acted_on), std::ssize(acted_on));
-    for (const auto &entry : _whole.films(_tabled, spin, s))
+    for (const auto &entry : _whole.films(_whole.tabled(), spin, s))
         out(place(entry.row()), place(entry.col())) += entry.value();
-    for (const auto &entry : _mean->motion.films(_tabled, spin, s))
+    for (const auto &entry : _mean->motion.films(_whole.tabled(), spin, s))
         out(place(entry.row()), place(entry.col())) -= entry.value();
     return out;
 }

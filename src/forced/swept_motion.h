@@ -23,6 +23,9 @@ namespace whirl::forced {
 /// beside their means is added exactly (Sherman, Morrison, Woodbury): a system of a few unknowns.
 class SweptMotion {
   public:
+    /// A guard against curves that are not what rational functions are for.
+    static constexpr std::size_t most_solutions = 8000;
+
     /// @param from, to  rad/s, of one sign
     SweptMotion(const assembly::Discretization &discretization, results::Form form,
                 const std::vector<Quantity> &quantities, const Drive &drive, double from,
@@ -53,7 +56,6 @@ class SweptMotion {
     Drive _drive;
     double _from, _to;
     ForcedMotion _whole;
-    std::vector<int> _tabled; ///< bearings with tables
 
     /// The rotor with the means of the tables.
     struct Mean {
@@ -72,6 +74,9 @@ class SweptMotion {
     struct Stretches {
         Eigen::MatrixXcd numbers; ///< x and y, or x: a row each
         Eigen::VectorXd sizes;    ///< of the terms that they are the sums of
+        [[nodiscard]] Phasor of(Eigen::Index quantity) const {
+            return {numbers(quantity, 0), numbers.cols() > 1 ? numbers(quantity, 1) : 0};
+        }
     };
     [[nodiscard]] Stretches
     stretches(const Eigen::Ref<const Eigen::VectorXcd> &displacements) const;

@@ -58,9 +58,9 @@ class HarmonicSolver {
     [[nodiscard]] double rounding(const Eigen::VectorXcd &forces,
                                   const Eigen::VectorXcd &displacements) const;
 
-    /// By how much, relative, smooth solutions at two neighbouring speeds depart from a smooth
-    /// curve: what the arithmetic of the last one left. Rounding of the entries of the terms, which
-    /// rounding() tells, is the same at all speeds.
+    /// Relative distance of the last smooth solution from the exact one of the matrices as they are
+    /// stored: it changes irregularly from speed to speed. (rounding() estimates what the rounding
+    /// of the stored entries does; that changes smoothly with the speed.)
     [[nodiscard]] double noise() const { return _noise; }
 
     /// |q|^T |A| |q| with the A of the last solution, |A| the sum of the moduli of the terms.

@@ -38,7 +38,8 @@ Eigen::MatrixXcd difference(const Eigen::MatrixXcd &a, const Eigen::MatrixXcd &b
     return widened(a, columns) - widened(b, columns);
 }
 
-/// Geometric mean of the size of each quantity over the places: what peaks do not decide.
+/// Geometric mean of the size of each quantity over the places: what peaks do not decide. The
+/// nearest power of two, so that the digits of all that follows are the same in other units.
 /// @param above  a quantity is taken to be as large as its rounding over this
 Eigen::VectorXd usual_sizes(const std::map<double, RationalCurve::Values> &solved,
                             double above = std::numeric_limits<double>::infinity()) {
@@ -49,10 +50,12 @@ Eigen::VectorXd usual_sizes(const std::map<double, RationalCurve::Values> &solve
             if (const double size =
                     std::max(values.numbers.row(i).norm(), values.rounding(i) / above);
                 size > 0) {
-                sums(i) += std::log(size);
+                sums(i) += std::log2(size);
                 counts(i) += 1;
             }
-    return (sums.array() / counts.array().max(1)).exp();
+    return (sums.array() / counts.array().max(1)).round().unaryExpr([](double power) {
+        return std::exp2(power);
+    });
 }
 
 /// Largest difference of a quantity over its size, beyond its rounding.
@@ -299,7 +302,8 @@ void RationalCurve::find_poles(const Eigen::VectorXd &usual) {
     }
     constexpr double far = 10; // half ranges
     const Eigen::MatrixXcd inverse = Eigen::PartialPivLU<Eigen::MatrixXcd>(A).solve(B);
-    for (const Complex value : complex_schur(inverse).T.diagonal()) {
+    const Eigen::VectorXcd values = complex_schur(inverse).T.diagonal();
+    for (const Complex value : values) {
         const Complex pole = refined_pole(middle + half * (shift + 1.0 / value));
         if (std::abs(value) * far > 1 && felt(pole, usual))
             _poles.push_back(pole);
@@ -327,8 +331,8 @@ Complex RationalCurve::refined_pole(Complex pole) const {
     return pole;
 }
 
-/// Its residue is more than rounding makes of it. Where there are more places than
-/// poles, rounding has poles of its own, each next to a zero.
+/// The residue of a pole is large enough to matter. Functions interpolated at more places than they
+/// have poles get spurious ones from rounding, with residues near zero.
 bool RationalCurve::felt(Complex pole, const Eigen::VectorXd &usual) const {
     Eigen::VectorXcd once(_weights.size());
     Complex slope = 0; // of the sum of w_k / (s - s_k), but for its sign

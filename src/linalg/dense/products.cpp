@@ -20,9 +20,6 @@ MatrixXd congruent(const MatrixXd &A, const MatrixXd &T) { return T.transpose() 
 MatrixXd solved(const PartialPivLU<MatrixXd> &A, const MatrixXd &B) { return A.solve(B); }
 MatrixXcd solved(const PartialPivLU<MatrixXcd> &A, const MatrixXcd &B) { return A.solve(B); }
 VectorXcd solved(const PartialPivLU<MatrixXcd> &A, const VectorXcd &b) { return A.solve(b); }
-VectorXcd adjoint_solved(const PartialPivLU<MatrixXcd> &A, const VectorXcd &b) {
-    return A.adjoint().solve(b);
-}
 double reciprocal_condition(const PartialPivLU<MatrixXcd> &A) { return A.rcond(); }
 
 } // namespace whirl::linalg

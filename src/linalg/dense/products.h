@@ -32,9 +32,6 @@ using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMaj
                                       const Eigen::MatrixXcd &B);
 [[nodiscard]] Eigen::VectorXcd solved(const Eigen::PartialPivLU<Eigen::MatrixXcd> &A,
                                       const Eigen::VectorXcd &b);
-/// A^-H b
-[[nodiscard]] Eigen::VectorXcd adjoint_solved(const Eigen::PartialPivLU<Eigen::MatrixXcd> &A,
-                                              const Eigen::VectorXcd &b);
 /// A lower bound of 1 / (|A| |A^-1|), norms of columns.
 [[nodiscard]] double reciprocal_condition(const Eigen::PartialPivLU<Eigen::MatrixXcd> &A);
 
