@@ -124,4 +124,14 @@ std::optional<BranchPoint> WholeRoots::near(Complex l, const Eigen::VectorXcd &x
     return std::nullopt;
 }
 
+std::optional<BranchPoint> WholeRoots::near_across(Complex l, const Eigen::VectorXcd &x,
+                                                   const Eigen::VectorXcd &root) const {
+    constexpr double hardly = 0.01; // of the energy
+    const ComplexQuadratic::Sparse &M = _problem.first().M;
+    const Eigen::VectorXcd of_root = M * root;
+    const Eigen::VectorXcd across = x - (of_root.dot(x) / of_root.dot(root)) * root;
+    const double left = std::abs(across.dot(M * across));
+    return left > hardly * std::abs(x.dot(M * x)) ? near(l, across) : std::nullopt;
+}
+
 } // namespace whirl::synchronous

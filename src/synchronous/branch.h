@@ -35,6 +35,11 @@ class WholeRoots {
     /// Newton's method for Im l(s) = s, with the root and its rate at each s.
     [[nodiscard]] std::optional<BranchPoint> near(std::complex<double> l,
                                                   const Eigen::VectorXcd &x) const;
+    /// The same from what x has across the vector of a root, by the mass matrix; none where that is
+    /// hardly anything.
+    [[nodiscard]] std::optional<BranchPoint> near_across(std::complex<double> l,
+                                                         const Eigen::VectorXcd &x,
+                                                         const Eigen::VectorXcd &root) const;
 
     /// Negative eigenvalues of K(W) - W^2 M of a conservative problem.
     /// @throws linalg::SolverError where a pivot is zero

@@ -259,21 +259,16 @@ bool add_constant(const ReducedSynchronous &reduced, const WholeRoots &roots, do
             continue;
         if (l.imag() > top * (1 + reduced_error) && enough(l.imag()))
             return false;
-        Eigen::VectorXcd start = reduced.lifted(root.right);
+        const Eigen::VectorXcd start = reduced.lifted(root.right);
         auto point = roots.near(l, start);
         const auto is_known = [&] {
             return point && std::ranges::any_of(found, [&](const FoundRoot &other) {
                        return same(other.mode, found_root(*point).mode);
                    });
         };
-        if (is_known()) { // of two that are nearly one: from what lies across the one found
-            constexpr double across = 0.1; // of the vector, at least
-            const double length = start.norm();
-            start -= (point->shape.dot(start) / point->shape.squaredNorm()) * point->shape;
-            if (start.norm() > across * length)
-                if (auto other = roots.near(l, start))
-                    point = std::move(other);
-        }
+        if (is_known()) // of two that are nearly one: from what lies across the one found
+            if (auto other = roots.near_across(l, start, point->shape))
+                point = std::move(other);
         const bool near = point && std::abs(point->eigenvalue - l) <= reduced_error * std::abs(l);
         const bool twice = is_known();
         // Next to a row it may be one of the piece beyond; else two that became one lack one.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -119,20 +118,13 @@ class Comparison {
         }
     }
 
-    /// At critical speeds roots are double in axes that turn with the rotor: of their shapes
-    /// rounding leaves half the digits.
-    [[nodiscard]] double digits_of(const std::string &path) const {
-        static const std::regex shape("/critical_modes/[xy]_(real|imag)");
-        return std::regex_match(path, shape) ? std::max(_digits, 1e-6) : _digits;
-    }
-
     void compare_numbers(double a, double b, double size, const std::string &path) {
         if (a == 0 && b == 0)
             return;
         const auto known = _powers.find(path);
         if (known != _powers.end()) {
             if (std::abs(std::ldexp(a, known->second) - b) >
-                digits_of(path) * std::ldexp(size, known->second))
+                _digits * std::ldexp(size, known->second))
                 tell(path, fmt::format("{:.12g} becomes {:.12g} in the old unit", a,
                                        std::ldexp(b, -known->second)));
             return;
