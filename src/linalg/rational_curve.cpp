@@ -1,7 +1,7 @@
 #include "linalg/rational_curve.h"
 
 #include "linalg/check.h"
-#include "linalg/dense/complex_schur.h"
+#include "linalg/dense/general_eigen.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -301,8 +301,8 @@ void RationalCurve::find_poles(const Eigen::VectorXd &usual) {
         A(k, k) = (_support[static_cast<std::size_t>(k - 1)] - middle) / half - shift;
     }
     constexpr double far = 10; // half ranges
-    const Eigen::MatrixXcd inverse = Eigen::PartialPivLU<Eigen::MatrixXcd>(A).solve(B);
-    const Eigen::VectorXcd values = complex_schur(inverse).T.diagonal();
+    const Eigen::VectorXcd values =
+        complex_eigenvalues(Eigen::PartialPivLU<Eigen::MatrixXcd>(A).solve(B).eval());
     for (const Complex value : values) {
         const Complex pole = refined_pole(middle + half * (shift + 1.0 / value));
         if (std::abs(value) * far > 1 && felt(pole, usual))

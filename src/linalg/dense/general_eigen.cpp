@@ -72,6 +72,39 @@ RealSchurForm real_schur(Eigen::MatrixXd A, bool whole) {
     return out;
 }
 
+/// A = Q T Q^H, T upper triangular.
+struct ComplexSchurForm {
+    Eigen::MatrixXcd Q, T;
+    Eigen::VectorXcd values;
+};
+
+/// @param whole  false: the values alone, at a third of the cost
+ComplexSchurForm complex_schur(Eigen::MatrixXcd A, bool whole) {
+    const auto n = static_cast<PetscBLASInt>(A.rows());
+    const PetscBLASInt one = 1;
+    const PetscBLASInt room = 34 * std::max<PetscBLASInt>(n, 1); // blocks of up to 33 columns
+    PetscBLASInt failed = 0;
+    Eigen::VectorXcd work(room);
+    Eigen::VectorXcd tau(std::max<PetscBLASInt>(n, 1));
+    zgehrd_(&n, &one, &n, A.data(), &n, tau.data(), work.data(), &room, &failed);
+    ComplexSchurForm out;
+    if (whole)
+        out.Q = A;
+    if (failed == 0 && whole)
+        zunghr_(&n, &one, &n, out.Q.data(), &n, tau.data(), work.data(), &room, &failed);
+    for (Eigen::Index j = 0; j + 2 < A.cols(); ++j)
+        A.col(j).tail(n - j - 2).setZero();
+    out.values.resize(n);
+    const PetscBLASInt vectors = whole ? 1 : 0;
+    if (failed == 0)
+        zlahqr_(&vectors, &vectors, &n, &one, &n, A.data(), &n, out.values.data(), &one, &n,
+                out.Q.data(), &n, &failed);
+    if (failed != 0)
+        throw SolverError("the dense eigensolver did not converge");
+    out.T = std::move(A);
+    return out;
+}
+
 } // namespace
 
 std::complex<double> packed_product(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b,
@@ -122,35 +155,27 @@ Eigen::VectorXcd general_eigenvalues(Eigen::MatrixXd A) {
 }
 
 ComplexEigen general_eigen(Eigen::MatrixXcd A) {
-    const auto n = static_cast<PetscBLASInt>(A.rows());
-    const PetscBLASInt one = 1;
-    const PetscBLASInt room = 34 * std::max<PetscBLASInt>(n, 1); // blocks of up to 33 columns
-    PetscBLASInt failed = 0;
-    Eigen::VectorXcd work(room);
-    Eigen::VectorXcd tau(std::max<PetscBLASInt>(n, 1));
-    zgehrd_(&n, &one, &n, A.data(), &n, tau.data(), work.data(), &room, &failed);
-    Eigen::MatrixXcd Q = A;
-    if (failed == 0)
-        zunghr_(&n, &one, &n, Q.data(), &n, tau.data(), work.data(), &room, &failed);
-    for (Eigen::Index j = 0; j + 2 < A.cols(); ++j)
-        A.col(j).tail(n - j - 2).setZero();
-    ComplexEigen out{Eigen::VectorXcd(n), Eigen::MatrixXcd(n, n), Eigen::MatrixXcd(n, n), {}};
-    if (failed == 0)
-        zlahqr_(&one, &one, &n, &one, &n, A.data(), &n, out.values.data(), &one, &n, Q.data(), &n,
-                &failed);
+    ComplexSchurForm schur = complex_schur(std::move(A), true);
+    const auto n = static_cast<PetscBLASInt>(schur.T.rows());
+    ComplexEigen out{std::move(schur.values), Eigen::MatrixXcd(n, n), Eigen::MatrixXcd(n, n), {}};
     PetscBLASInt found = 0;
+    PetscBLASInt failed = 0;
+    Eigen::VectorXcd work(2 * std::max<PetscBLASInt>(n, 1));
     Eigen::VectorXd real_work(std::max<PetscBLASInt>(n, 1));
-    if (failed == 0)
-        ztrevc_("B", "A", nullptr, &n, A.data(), &n, out.left.data(), &n, out.right.data(), &n, &n,
-                &found, work.data(), real_work.data(), &failed);
+    ztrevc_("B", "A", nullptr, &n, schur.T.data(), &n, out.left.data(), &n, out.right.data(), &n,
+            &n, &found, work.data(), real_work.data(), &failed);
     if (failed != 0)
-        throw SolverError("the dense eigensolver did not converge");
+        throw SolverError("the dense eigensolver found no vectors");
     out.products.resize(n);
     for (Eigen::Index j = 0; j < n; ++j)
         out.products(j) = out.left.col(j).dot(out.right.col(j));
-    out.right = (Q * out.right).eval();
-    out.left = (Q * out.left).eval();
+    out.right = (schur.Q * out.right).eval();
+    out.left = (schur.Q * out.left).eval();
     return out;
+}
+
+Eigen::VectorXcd complex_eigenvalues(Eigen::MatrixXcd A) {
+    return complex_schur(std::move(A), false).values;
 }
 
 GeneralEigen general_eigen_otherwise(const Eigen::MatrixXd &A) {

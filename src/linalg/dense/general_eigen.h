@@ -27,9 +27,10 @@ enum class Vectors { right, both };
 /// @throws SolverError where it does not converge
 [[nodiscard]] GeneralEigen general_eigen(Eigen::MatrixXd A, Vectors which);
 
-/// The eigenvalues alone, by the same algorithm at a third of the cost.
-/// @throws SolverError where it does not converge
+/// The eigenvalues alone, by the same algorithms at a third of the cost.
+/// @throws SolverError where they do not converge
 [[nodiscard]] Eigen::VectorXcd general_eigenvalues(Eigen::MatrixXd A);
+[[nodiscard]] Eigen::VectorXcd complex_eigenvalues(Eigen::MatrixXcd A);
 
 /// The same of a complex matrix, in complex numbers.
 struct ComplexEigen {
