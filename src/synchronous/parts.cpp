@@ -61,12 +61,4 @@ std::vector<double> table_speeds(const model::Rotor &rotor) {
     return rows;
 }
 
-TablePiece table_piece(const std::vector<double> &rows, double speed) {
-    const auto above = std::upper_bound(rows.begin(), rows.end(), speed);
-    const auto index = static_cast<int>(above - rows.begin());
-    if (above == rows.begin() || above == rows.end())
-        return {index, speed, speed};
-    return {index, *(above - 1), *above};
-}
-
 } // namespace whirl::synchronous
