@@ -18,6 +18,8 @@ constexpr int steps_at_least = 300;    // for pictures
 constexpr double smallest_step = 1e-7; // of the speed
 /// Poles that are so near to the real speeds, of the speed, may be without damping.
 constexpr double hardly_damped = 1e-5;
+/// The nearest to one, of its speed, that is looked at for that.
+constexpr double undamped = 1e-8;
 
 std::complex<double> nearest_pole(const linalg::RationalCurve &piece, double speed) {
     std::complex<double> out(std::numeric_limits<double>::infinity(), 0);
@@ -142,6 +144,26 @@ bool CurvePeaks::stands_out(std::size_t quantity, std::size_t left) const {
            !piece.only_rounding(quantity);
 }
 
+/// Part of a top that the curve falls by before it rises above it, on the side where that is less;
+/// from half the speed to twice: farther down rounding of slow motions is another.
+double CurvePeaks::fall(std::size_t quantity, std::size_t left, double top) const {
+    constexpr double rounding = 1e-9;
+    const auto lowest = [&](std::size_t start, int direction) {
+        const double first = std::abs(_samples[start].speed);
+        double out = top;
+        for (auto i = static_cast<std::ptrdiff_t>(start); i >= 0 && i < std::ssize(_samples);
+             i += direction) {
+            const Sample &s = _samples[static_cast<std::size_t>(i)];
+            if (s.values[quantity] > (1 + rounding) * top || std::abs(s.speed) < first / 2 ||
+                std::abs(s.speed) > 2 * first)
+                break;
+            out = std::min(out, s.values[quantity]);
+        }
+        return out;
+    };
+    return 1 - std::max(lowest(left, -1), lowest(left + 1, 1)) / top;
+}
+
 std::vector<double> CurvePeaks::compared_speeds(std::vector<Peak> peaks) {
     std::ranges::sort(peaks, {}, &Peak::speed);
     std::vector<double> out;
@@ -165,13 +187,13 @@ Eigen::VectorXd CurvePeaks::solved_values(double speed) const {
 
 /// Where quantities grow like 1 / distance to the end: at a tenth of the distance at least twofold,
 /// as they do where the pole is most of them. A resonance that damping limits would have a damping
-/// ratio below 1e-6 to come so near to that. The place is that of the quantity which grows most.
+/// ratio below 6e-8 to come so near to that. The place is that of the quantity which grows most.
 const CurvePeaks::NextToReal &CurvePeaks::next_to_real(double pole) {
     const auto [known, missing] = _next_to_real.try_emplace(pole);
     NextToReal &out = known->second;
     if (!missing)
         return out;
-    constexpr double far = 1e-6; // of the speed
+    constexpr double far = 10 * undamped; // of the speed
     constexpr double grown = 2;
     const Eigen::VectorXd near = solved_values(pole * (1 + far));
     const Eigen::VectorXd beside = solved_values(pole * (1 + 10 * far));
@@ -217,7 +239,7 @@ std::optional<Peak> CurvePeaks::peak_between(std::size_t quantity, std::size_t l
                 out.phase = std::numeric_limits<double>::quiet_NaN();
                 return out;
             }
-            if (std::abs(pole.imag()) < smallest_step * std::abs(pole.real()))
+            if (std::abs(pole.imag()) < undamped * std::abs(pole.real()))
                 return std::nullopt; // nothing drives that mode here
         }
     out.speed = a.speed;
@@ -232,6 +254,8 @@ std::optional<Peak> CurvePeaks::peak_between(std::size_t quantity, std::size_t l
     const std::complex<double> pole = nearest_pole(piece, out.speed);
     const double farthest = std::max(std::abs(_range.cuts.front()), std::abs(_range.cuts.back()));
     out.width = std::isfinite(pole.real()) && pole.imag() != 0 ? std::abs(pole.imag()) : farthest;
+    if (!out.bend)
+        out.fall = fall(quantity, left, out.value);
     out.lower = half_power(out, left, -1);
     out.upper = half_power(out, left + 1, 1);
     return out;

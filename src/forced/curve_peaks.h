@@ -21,8 +21,10 @@ struct Peak {
     std::optional<double> lower; ///< where it is 1/sqrt(2) of that below, rad/s; none: not reached
     std::optional<double> upper; ///< and above
     double width = 0;            ///< distance of the nearest pole from the real speeds, rad/s
-    double rounding = 0;         ///< relative error of the value by rounding
-    bool bend = false;           ///< at the row of a bearing table, where the slope jumps
+    /// Part of it that the curve falls by, on the side where less; at a bend not asked for.
+    double fall = 1;
+    double rounding = 0; ///< relative error of the value by rounding
+    bool bend = false;   ///< at the row of a bearing table, where the slope jumps
 };
 
 /// Amplitudes of quantities over a range of speeds, and all their local maxima strictly inside.
@@ -104,6 +106,7 @@ class CurvePeaks {
     void find(std::size_t quantity);
     [[nodiscard]] bool stands_out(std::size_t quantity, std::size_t left) const;
     [[nodiscard]] std::optional<Peak> peak_between(std::size_t quantity, std::size_t left);
+    [[nodiscard]] double fall(std::size_t quantity, std::size_t left, double top) const;
     [[nodiscard]] Eigen::VectorXd solved_values(double speed) const;
     [[nodiscard]] const NextToReal &next_to_real(double pole);
     [[nodiscard]] std::optional<double> half_power(const Peak &peak, std::size_t start,

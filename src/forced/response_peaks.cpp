@@ -95,8 +95,10 @@ double compare(SweptMotion &motion, const CurvePeaks &curves, std::vector<Peak> 
 /// what is left of K - w^2 M.
 bool only_rounding(const Peak &peak) {
     constexpr double unsure = 1e-3;
-    constexpr double sharp = 1e-4; // of the speed
-    return peak.rounding > unsure && peak.width > sharp * std::abs(peak.speed);
+    constexpr double of_fall = 0.1; // rounding is known by its size alone
+    constexpr double sharp = 1e-4;  // of the speed
+    return peak.rounding > std::min(unsure, of_fall * peak.fall) &&
+           !(peak.lower && peak.upper && *peak.upper - *peak.lower < sharp * std::abs(peak.speed));
 }
 
 } // namespace

@@ -19,6 +19,24 @@ using Values = linalg::RationalCurve::Values;
 /// resonances of the rotor with its bearings as they are make more of it.
 constexpr double enough_of_means = 1e-11;
 
+/// Of these matrices; smaller, by a power of two, where a few rows are much larger than the others.
+Eigen::Matrix2d mean_of(const std::vector<model::BearingCoefficients> &rows,
+                        Eigen::Matrix2d model::BearingCoefficients::*of) {
+    Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+    double powers = 0;
+    double count = 0; // of those that are not zero
+    for (const model::BearingCoefficients &row : rows) {
+        const double size = (row.*of).norm();
+        sum += row.*of;
+        powers += size > 0 ? std::log2(size) : 0;
+        count += size > 0 ? 1 : 0;
+    }
+    if (sum.isZero(0))
+        return sum;
+    const Eigen::Matrix2d mean = sum / static_cast<double>(rows.size());
+    return mean * std::exp2(std::min(0.0, std::round(powers / count - std::log2(mean.norm()))));
+}
+
 } // namespace
 
 SweptMotion::Mean::Mean(const model::Rotor &rotor, int order, results::Form form,
@@ -48,8 +66,10 @@ SweptMotion::SweptMotion(const assembly::Discretization &discretization, results
         most_solutions);
 }
 
-/// The mean of the coefficients at the rows in the range and at its ends. Damping is added to it,
-/// so that no resonance of this rotor in its bearings is sharp.
+/// The mean of the coefficients at the rows in the range and at its ends, of the size of their
+/// geometric mean where these differ by powers of ten: what a stiff support holds still says
+/// nothing of how the rotor moves in a soft one. Damping is added to it, so that no resonance of
+/// this rotor in its bearings is sharp.
 model::Rotor SweptMotion::with_means(const model::Rotor &rotor) const {
     constexpr double added = 0.3; // of the stiffness, at the fastest speed
     model::Rotor out = rotor;
@@ -60,16 +80,14 @@ model::Rotor SweptMotion::with_means(const model::Rotor &rotor) const {
         for (const double row : bearing.speeds)
             if (row > _from && row < _to)
                 speeds.push_back(row);
+        std::vector<model::BearingCoefficients> rows;
+        for (const double speed : speeds)
+            rows.push_back(bearing.at(speed));
         model::BearingCoefficients mean;
-        for (const double speed : speeds) {
-            const model::BearingCoefficients at = bearing.at(speed);
-            const double share = 1 / static_cast<double>(speeds.size());
-            mean.k += share * at.k;
-            mean.c += share * at.c;
-            mean.m += share * at.m;
-            mean.kt += share * at.kt;
-            mean.ct += share * at.ct;
-        }
+        for (const auto of : {&model::BearingCoefficients::k, &model::BearingCoefficients::c,
+                              &model::BearingCoefficients::m, &model::BearingCoefficients::kt,
+                              &model::BearingCoefficients::ct})
+            mean.*of = mean_of(rows, of);
         const double fastest =
             std::max(std::abs(_drive.frequency_at(_from)), std::abs(_drive.frequency_at(_to)));
         if (fastest > 0)

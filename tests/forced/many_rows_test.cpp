@@ -104,6 +104,30 @@ TEST(ManyRows, MotionsAreThoseOfTheEquations) {
     }
 }
 
+/// Journals that hardly float at low speed.
+TEST(ManyRows, OfWhichOneIsStifferByPowersOfTen) {
+    const model::Rotor whole = rotor({0, 200, 400, 600, 900}, [](double s) {
+        model::BearingCoefficients out;
+        const double k = s == 0 ? 1e14 : s == 200 ? 1e9 : 6e6 - 2e3 * s;
+        out.k = Eigen::Vector2d(k, 0.7 * k).asDiagonal();
+        out.c = 300 * Eigen::Matrix2d::Identity();
+        return out;
+    });
+    const assembly::Discretization d(whole, 4);
+    forced::SweptMotion motion(d, Form::general, {{d.deflection_at(0.4)}}, {}, 10, 900);
+    forced::ForcedMotion full(d, Form::general);
+    for (double speed = 11.3; speed < 900; speed += 7.7) {
+        full.solve(speed);
+        const forced::Phasor expected = full.at(0.4);
+        const auto values = motion.at(speed);
+        ASSERT_TRUE(values);
+        // 1e-11 of a motion in bearings that are stiffer than the rotor by a thousand.
+        const double size = std::hypot(std::abs(expected.x), std::abs(expected.y));
+        EXPECT_LE(std::abs(values->numbers(0, 0) - expected.x), 1e-8 * size) << speed;
+        EXPECT_LE(std::abs(values->numbers(0, 1) - expected.y), 1e-8 * size) << speed;
+    }
+}
+
 /// Without damping the amplitude has no limit at the synchronous critical speeds, found from row
 /// to row by another method.
 TEST(ManyRows, PeaksWithoutDampingAreAtTheCriticalSpeeds) {

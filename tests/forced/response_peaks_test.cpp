@@ -84,6 +84,24 @@ TEST(ResponsePeaks, JeffcottRotor) {
     }
 }
 
+TEST(ResponsePeaks, HardlyAnyDampingLimitsThem) {
+    const double mass = 20;
+    const double k = 2e6;
+    const double omega = std::sqrt(k / mass);
+    for (const double zeta : {1e-6, 3e-7, 1e-7}) {
+        model::Case scene = jeffcott(mass, k, 2 * zeta * mass * omega, 1e-3);
+        scene.speeds = model::SpeedRange{10, 900, 11};
+        const auto peaks = at_place(analyses::unbalance_response(scene), "station", 0.5);
+        ASSERT_EQ(peaks.size(), 1U) << zeta;
+        EXPECT_NEAR(peaks[0].speed / omega, 1, 1e-10);
+        // What is left of k - m Omega^2 there has the rounding of k.
+        EXPECT_NEAR(peaks[0].value * 2 * zeta / (1e-3 / mass), 1, 1e-15 / zeta);
+        ASSERT_TRUE(peaks[0].amplification);
+        // Half-power points are found to 1e-12 of the speed.
+        EXPECT_NEAR(*peaks[0].amplification * 2 * zeta, 1, 1e-12 / zeta);
+    }
+}
+
 TEST(ResponsePeaks, OfEitherSignOfTheSpeedAndFarBelowTheTop) {
     model::Case scene = jeffcott(20, 2e6, 2 * 0.01 * std::sqrt(2e6 * 20), 1e-3);
     const double top = std::sqrt(2e6 / 20 / (1 - 2 * 0.01 * 0.01));
