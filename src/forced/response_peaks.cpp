@@ -50,43 +50,31 @@ CurvePeaks::Size semi_major_axis() {
 /// of the peaks.
 /// @returns the largest difference that is more
 double compare(SweptMotion &motion, const CurvePeaks &curves, std::vector<Peak> &peaks) {
-    double worst = 0;
     struct Compared {
+        linalg::RationalCurve::Values whole;
+        Eigen::MatrixXcd numbers; // of the curves
         Eigen::VectorXd rounding; // of each quantity, relative
-        Eigen::VectorXd ratio;    // of the whole rotor's amplitude to that of the curve
     };
     std::map<double, Compared> compared; // by speed
-    for (const double speed : CurvePeaks::compared_speeds(peaks)) {
-        const auto whole = motion.solved(speed);
-        if (!whole)
-            continue;
-        const Eigen::MatrixXcd numbers = curves.at(speed);
-        Compared &at = compared[speed];
-        Eigen::VectorXd &here = at.rounding;
-        here = motion.rounding();
-        at.ratio.setOnes(here.size());
-        for (Eigen::Index i = 0; i < numbers.rows(); ++i) {
-            const double size = whole->numbers.row(i).norm();
-            if (size == 0)
-                continue;
-            const double mine = amplitude(numbers.row(i));
-            if (mine > 0)
-                at.ratio(i) = amplitude(whole->numbers.row(i)) / mine;
-            const double apart = (numbers.row(i) - whole->numbers.row(i)).norm();
-            if (apart > here(i) * size)
-                worst = std::max(worst, apart / size);
-            else
-                here(i) += apart / size;
-        }
-    }
+    for (const double speed : CurvePeaks::compared_speeds(peaks))
+        if (auto whole = motion.solved(speed))
+            compared[speed] = {*std::move(whole), curves.at(speed), motion.rounding()};
+    double worst = 0;
     for (Peak &peak : peaks) {
-        if (compared.empty() || !std::isfinite(peak.value))
-            continue;
         const auto after = compared.upper_bound(peak.speed);
-        const Compared &next = (after == compared.begin() ? after : std::prev(after))->second;
+        if (after == compared.begin() || !std::isfinite(peak.value))
+            continue;
+        const auto &[speed, at] = *std::prev(after);
         const auto i = static_cast<Eigen::Index>(peak.quantity);
-        peak.rounding = next.rounding(i);
-        peak.value *= next.ratio(i);
+        const double size = at.whole.numbers.row(i).norm();
+        const double mine = amplitude(at.numbers.row(i));
+        if (peak.speed - speed > peak.width || size == 0 || mine == 0)
+            continue; // of another resonance
+        const double apart = (at.numbers.row(i) - at.whole.numbers.row(i)).norm() / size;
+        peak.rounding = at.rounding(i) + (apart > at.rounding(i) ? 0 : apart);
+        peak.value *= amplitude(at.whole.numbers.row(i)) / mine;
+        if (apart > at.rounding(i))
+            worst = std::max(worst, apart);
     }
     return worst;
 }

@@ -135,7 +135,10 @@ RationalCurve::RationalCurve(double from, double to, Solve solve, double enough,
     constexpr double small = 1e-6; // no function of few poles is misfitted by so little for long
     for (double before = std::numeric_limits<double>::infinity();
          !_settled && _solved.size() + _none.size() <= most; before = _misfit) {
+        const std::size_t known = _solved.size() + _none.size();
         take_in(places_between());
+        if (_solved.size() + _none.size() == known)
+            break; // no place is left between them
         _settled = _misfit <= _enough || (_misfit < small && _misfit > before / 2);
     }
 }
@@ -167,18 +170,20 @@ bool RationalCurve::solve(double place) {
 
 double RationalCurve::take_in(const std::vector<double> &places) {
     const Eigen::VectorXd usual = usual_sizes(_solved);
-    _misfit = 0;
+    double misfit = 0;
     bool news = false;
     for (const double place : places) {
         if (!solve(place))
             continue;
         news = true;
         const Values &values = _solved.at(place);
-        _misfit = std::max(_misfit, relative(difference(at(place), values.numbers), values, usual));
+        misfit = std::max(misfit, relative(difference(at(place), values.numbers), values, usual));
     }
-    if (news)
+    if (news) {
+        _misfit = misfit;
         fit();
-    return _misfit;
+    }
+    return misfit;
 }
 
 /// r = sum of c_k f_k / sum of c_k, c_k = w_k / (s - s_k), and
