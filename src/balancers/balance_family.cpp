@@ -242,6 +242,13 @@ void restore_balance(const std::vector<CircledMass> &masses, double imbalance,
     }
 }
 
+std::vector<double> extreme_beside(const std::vector<CircledMass> &masses, double imbalance,
+                                   const std::vector<double> &factors, double sign,
+                                   std::vector<double> angles) {
+    static_cast<void>(Climb(masses, imbalance, 0, factors, sign).descend(angles));
+    return angles;
+}
+
 std::vector<double> extreme_position(const std::vector<CircledMass> &masses, double imbalance,
                                      double constant, const std::vector<double> &factors,
                                      double sign) {

@@ -34,6 +34,13 @@ namespace whirl::balancers {
 void restore_balance(const std::vector<CircledMass> &masses, double imbalance,
                      std::vector<double> &angles);
 
+/// Along the family from one of its positions to where |sum factor_j exp(2 i a_j)| is a minimum
+/// (sign 1) or a maximum (-1).
+[[nodiscard]] std::vector<double> extreme_beside(const std::vector<CircledMass> &masses,
+                                                 double imbalance,
+                                                 const std::vector<double> &factors, double sign,
+                                                 std::vector<double> angles);
+
 /// The position at which |constant + sum factor_j exp(2 i a_j)| is least (sign 1) or largest (-1)
 /// among those that the method of steepest descent along the family finds from `starts` points of
 /// it; for masses that differ, where no closed form is known.

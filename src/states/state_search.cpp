@@ -50,7 +50,9 @@ constexpr double beside = 1e-11;
 constexpr double second_order = 1e-3;
 
 /// One more member of a family that stands for all of them.
-void add_member(const SteadyState &member, SteadyState &family) {
+void add_member(const StateSearch::Found &found, StateSearch::Found &whole) {
+    const SteadyState &member = found.state;
+    SteadyState &family = whole.state;
     if (family.stable != member.stable)
         family.stable.reset();
     if (family.why.empty())
@@ -59,11 +61,24 @@ void add_member(const SteadyState &member, SteadyState &family) {
     family.growth = std::fmax(family.growth, member.growth);
     family.growth_error = std::fmax(family.growth_error, member.growth_error);
     family.least_growth = std::fmin(family.least_growth, member.growth);
+    // Borders are those of the member of which most motions grow.
+    if (member.growing > family.growing ||
+        (member.growing == family.growing &&
+         found.least_growing.real() < whole.least_growing.real()))
+        whole.least_growing = found.least_growing;
     family.growing = std::max(family.growing, member.growing);
 }
 
 /// The masses of a plane stand each by itself: their tracks are no circles seen along the shaft.
 bool each_alone(const auto &plane) { return plane.out_of_round != 0.0 || !plane.slope.isZero(0); }
+
+/// What balance takes of the masses of a plane.
+std::vector<balancers::CircledMass> circled(const auto &plane) {
+    std::vector<balancers::CircledMass> out;
+    for (const auto &mass : plane.masses)
+        out.push_back({mass.moment, 0, 0});
+    return out;
+}
 
 struct Counted {
     modes::Root root;
@@ -595,15 +610,37 @@ std::vector<double> StateSearch::balanced_angles(const Plane &plane, double imba
         alone.position.clear();
         return balancers::angles_at_balance(alone, "balancer");
     }
-    std::vector<balancers::CircledMass> masses;
-    for (const Mass &mass : plane.masses)
-        masses.push_back({mass.moment, 0, 0});
+    const std::vector<balancers::CircledMass> masses = circled(plane);
     const bool pair = masses.size() == 2;
+    // Members of a planar rotor differ by their mean of exp(2i a) alone: the last two have the
+    // largest and the least.
+    if (!_walls && masses.size() > 2 && member >= members - 2)
+        return extreme_angles(plane, imbalance, member == members - 1 ? -1 : 1);
     std::vector<double> out = balancers::position_of_family(masses, imbalance, pair ? 0 : member);
     if (pair && (member & 1) != 0) // the other way round
         for (double &angle : out)
             angle = -angle;
     return out;
+}
+
+std::vector<double> StateSearch::extreme_angles(const Plane &plane, double imbalance,
+                                                double sign) const {
+    std::vector<double> factors;
+    for (const Mass &mass : plane.masses)
+        factors.push_back(mass.moment);
+    std::vector<double> from;
+    double lowest = HUGE_VAL;
+    for (int member = 0; member < members - 2; ++member) {
+        std::vector<double> angles = balanced_angles(plane, imbalance, member);
+        std::complex<double> sum;
+        for (std::size_t k = 0; k < angles.size(); ++k)
+            sum += std::polar(factors[k], 2 * angles[k]);
+        if (sign * std::abs(sum) < lowest) {
+            lowest = sign * std::abs(sum);
+            from = std::move(angles);
+        }
+    }
+    return balancers::extreme_beside(circled(plane), imbalance, factors, sign, std::move(from));
 }
 
 bool StateSearch::place(const Way &way, const Lines &lines, const Eigen::VectorXd &root, int member,
@@ -624,9 +661,7 @@ bool StateSearch::place(const Way &way, const Lines &lines, const Eigen::VectorX
             continue;
         }
         const std::complex<double> needed = lines.needed(balanced++, root);
-        std::vector<balancers::CircledMass> masses;
-        for (const Mass &mass : plane.masses)
-            masses.push_back({mass.moment, 0, 0});
+        const std::vector<balancers::CircledMass> masses = circled(plane);
         if (!balancers::balance_exists(masses, std::abs(needed)))
             return false;
         const std::vector<double> from_opposite = balanced_angles(plane, std::abs(needed), member);
@@ -922,7 +957,7 @@ void StateSearch::add_states(int index, double speed, double deflection, Wanted 
                 continue;
             }
             if (whole)
-                add_member(found.state, whole->state);
+                add_member(found, *whole);
             else
                 whole = std::move(found);
             if (wanted == Wanted::places)

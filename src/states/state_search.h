@@ -156,6 +156,9 @@ class StateSearch {
     /// Angles of the masses of a plane from the imbalance that they balance, kg m.
     [[nodiscard]] std::vector<double> balanced_angles(const Plane &plane, double imbalance,
                                                       int member) const;
+    /// Those of the family where |sum mR exp(2 i a)| is largest (sign -1) or least (1).
+    [[nodiscard]] std::vector<double> extreme_angles(const Plane &plane, double imbalance,
+                                                     double sign) const;
     [[nodiscard]] bool place(const Way &way, const Lines &lines, const Eigen::VectorXd &root,
                              int member, Eigen::VectorXd &angles) const;
     /// Two equal masses that need not make anything stand opposite each other, at any angle.
